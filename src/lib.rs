@@ -1,0 +1,4 @@
+//! Elasto-plastic contact between two bodies.
+pub mod model;
+pub mod results;
+pub mod solve;

@@ -1,0 +1,69 @@
+//! Numbers that carry their range in their type. None of them can hold a NaN or an infinity.
+
+use serde::Serialize;
+use thiserror::Error;
+
+/// Why a number was refused; the message completes the sentence "the value …".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct OutOfRange(pub &'static str);
+
+macro_rules! ranged {
+    ($(#[$doc:meta])* $name:ident, $test:expr, $message:literal) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize)]
+        #[serde(transparent)]
+        pub struct $name(f64);
+
+        impl $name {
+            /// Takes the value if it lies in the range of this type.
+            ///
+            /// # Errors
+            /// [`OutOfRange`] with the range in words.
+            pub fn new(value: f64) -> Result<Self, OutOfRange> {
+                let in_range: fn(f64) -> bool = $test;
+                if value.is_finite() && in_range(value) { Ok(Self(value)) } else { Err(OutOfRange($message)) }
+            }
+
+            /// The value itself.
+            pub const fn get(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl TryFrom<f64> for $name {
+            type Error = OutOfRange;
+            fn try_from(value: f64) -> Result<Self, OutOfRange> {
+                Self::new(value)
+            }
+        }
+
+        impl From<$name> for f64 {
+            fn from(value: $name) -> Self {
+                value.0
+            }
+        }
+    };
+}
+
+ranged!(
+    /// A finite number above zero.
+    PositiveF64,
+    |value| value > 0.0,
+    "must be a finite number greater than 0"
+);
+ranged!(
+    /// A finite number, zero or above.
+    NonNegativeF64,
+    |value| value >= 0.0,
+    "must be a finite number, 0 or greater"
+);
+ranged!(
+    /// Poisson's ratio ν, `0 <= ν < 0.5`.
+    ///
+    /// The upper end is excluded because the bulk modulus is infinite there; `0.4999` is allowed and B-bar
+    /// elements do not lock on it. Auxetic materials (`ν < 0`) are not offered: no yield-onset table covers them.
+    PoissonRatio,
+    |value| (0.0..0.5).contains(&value),
+    "must be at least 0 and less than 0.5"
+);

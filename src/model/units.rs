@@ -1,0 +1,51 @@
+//! The two unit systems of the wire format.
+
+use serde::Serialize;
+
+/// How lengths, forces and stresses are written in a job and its result.
+///
+/// Inside the core everything is in [`Units::MmNMpa`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum Units {
+    /// Millimetre, newton, megapascal. Line forces are N/mm.
+    #[default]
+    #[serde(rename = "mm_N_MPa")]
+    MmNMpa,
+    /// Metre, newton, pascal. Line forces are N/m.
+    #[serde(rename = "SI")]
+    Si,
+}
+
+impl Units {
+    /// Millimetres in one unit of length.
+    pub const fn length(self) -> f64 {
+        match self {
+            Self::MmNMpa => 1.0,
+            Self::Si => 1.0e3,
+        }
+    }
+
+    /// Megapascals in one unit of stress.
+    pub const fn stress(self) -> f64 {
+        match self {
+            Self::MmNMpa => 1.0,
+            Self::Si => 1.0e-6,
+        }
+    }
+
+    /// Newtons per millimetre in one unit of line force (plane analyses).
+    pub const fn line_force(self) -> f64 {
+        match self {
+            Self::MmNMpa => 1.0,
+            Self::Si => 1.0e-3,
+        }
+    }
+
+    /// The name used in the wire format.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MmNMpa => "mm_N_MPa",
+            Self::Si => "SI",
+        }
+    }
+}

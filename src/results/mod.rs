@@ -1,0 +1,3 @@
+//! What a solution means to its reader.
+mod report;
+pub use report::*;

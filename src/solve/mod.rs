@@ -1,0 +1,3 @@
+//! The alternation of contact and plasticity.
+mod record;
+pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
