@@ -1,0 +1,49 @@
+//! Why a contact problem has no answer.
+
+use thiserror::Error;
+
+/// Why a contact problem was refused or could not be solved.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ContactError {
+    /// There are no candidate pairs.
+    #[error("the contact has no candidate pairs")]
+    NoPairs,
+    /// Flexibility and initial gap describe different numbers of pairs.
+    #[error("flexibility is of {expected} pairs, but there are {found} initial gaps")]
+    DimensionMismatch {
+        /// Rows of the flexibility.
+        expected: usize,
+        /// Entries of the initial gap.
+        found: usize,
+    },
+    /// A NaN or an infinity in the data.
+    #[error("the {0} holds a number that is not finite")]
+    NotFinite(&'static str),
+    /// The bodies cannot be pulled together: frictionless contact transmits no tension.
+    #[error("the contact force must not be negative, got {0}")]
+    NegativeForce(f64),
+    /// The flexibility is not positive definite on the pairs in contact.
+    #[error("the flexibility is not positive definite (pair {pair})")]
+    NotPositiveDefinite {
+        /// Pair at which the elimination stopped.
+        pair: usize,
+    },
+    /// Nothing blocks the entering variable: the load can grow without limit, so F is not positive definite.
+    #[error("the simplex ended on a ray after {pivots} pivots: the flexibility is not positive definite")]
+    Ray {
+        /// Pivots made.
+        pivots: usize,
+    },
+    /// More pivots than any contact has been seen to need.
+    #[error("the simplex did not finish within {limit} pivots")]
+    PivotLimit {
+        /// The limit.
+        limit: usize,
+    },
+    /// Rounding led to a set of pairs on which the conditions do not hold.
+    #[error("the flexibility is too ill-conditioned: gaps are violated by {violation:e} of their scale")]
+    IllConditioned {
+        /// Largest penetration relative to the terms it is the sum of.
+        violation: f64,
+    },
+}

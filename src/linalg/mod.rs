@@ -1,0 +1,3 @@
+//! Linear algebra without mechanics.
+
+pub mod dense;

@@ -1,0 +1,3 @@
+//! Verification against closed forms and independent conditions, one file for each named problem.
+
+mod contact_solvers;
