@@ -20,7 +20,7 @@ pub(super) struct Equilibrium {
     pub approach: f64,
 }
 
-/// Solves the bordered system on `active`; |A|³/3 multiply-adds.
+/// Solves the bordered system on `active`; |A|³/6 multiply-adds.
 pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<Equilibrium, ContactError> {
     let pairs = active.as_slice();
     let datum = pairs.iter().map(|&k| problem.initial_gap[k]).fold(f64::INFINITY, f64::min);

@@ -144,7 +144,7 @@ impl DenseCholesky {
     /// Factorizes the matrix whose n² entries are given row by row; only the lower triangle is read.
     ///
     /// A pivot counts as positive above `8 n ε A_ii`, so a matrix that is singular to working precision is
-    /// refused instead of answered with noise. Right-looking in panels of 48 columns, n³/3 multiply-adds.
+    /// refused instead of answered with noise. Right-looking in panels of 48 columns, n³/6 multiply-adds.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`] with the row where the elimination stopped; a NaN stops it too.
