@@ -36,7 +36,7 @@ pub struct IterationRecord {
     pub iteration: usize,
     /// Simplex pivots, or active-set changes, of the contact solve.
     pub contact_pivots: usize,
-    /// Initial-stress updates (evaluations of the plastic law over the whole body).
+    /// Initial-stress loads, or sets of secant moduli, put into effect.
     pub initial_stress_updates: usize,
     /// Stiffness factorizations.
     pub factorizations: usize,

@@ -1,0 +1,63 @@
+//! Stiffness matrix of a body.
+
+use super::Equations;
+use crate::element::{Kinematics, QUADRATURE_POINTS, Quad, element_stiffness};
+use crate::linalg::SymmetricPattern;
+use crate::mesh::Mesh;
+
+/// Sums element stiffnesses into the entries of a pattern, always in the order of the elements, so that the
+/// result does not depend on who assembles or when.
+#[derive(Debug, Clone, Copy)]
+pub struct StiffnessAssembler<'a> {
+    /// Mesh of the body.
+    pub mesh: &'a Mesh,
+    /// Third direction.
+    pub kinematics: Kinematics,
+    /// Numbering.
+    pub equations: &'a Equations,
+    /// Sparsity; that of [`Equations::pattern`].
+    pub pattern: &'a SymmetricPattern,
+}
+
+impl StiffnessAssembler<'_> {
+    /// Lower-triangle values of the stiffness matrix \[N/mm per mm\] for a bulk modulus and shear moduli
+    /// `shear(element)[g]` \[MPa\].
+    pub fn assemble(&self, bulk_modulus: f64, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+        let mut values = vec![0.0; self.pattern.entry_count()];
+        for (element, nodes) in self.mesh.elements.iter().enumerate() {
+            let quad = Quad::new(&self.mesh.corners(element), self.kinematics);
+            let stiffness = element_stiffness(&quad, bulk_modulus, &shear(element));
+            let equations = nodes.map(|node| self.equations.of_node(node));
+            for (j, columns) in equations.iter().enumerate() {
+                for (b, &column) in columns.iter().enumerate() {
+                    self.add_column(&mut values, column, &equations, |i, a| stiffness[i][j][a][b]);
+                }
+            }
+        }
+        values
+    }
+
+    /// Adds the entries of one element column that lie on or below the diagonal.
+    fn add_column(
+        &self,
+        values: &mut [f64],
+        column: u32,
+        equations: &[[u32; 2]; 4],
+        entry: impl Fn(usize, usize) -> f64,
+    ) {
+        let held = self.equations.len() as u32;
+        if column == held {
+            return;
+        }
+        let start = self.pattern.column_start(column as usize);
+        let rows = self.pattern.column(column as usize);
+        for (i, components) in equations.iter().enumerate() {
+            for (a, &row) in components.iter().enumerate() {
+                if (column..held).contains(&row) {
+                    let place = rows.partition_point(|&r| r < row);
+                    values[start + place] += entry(i, a);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Stresses at the Gauss points of a whole body.
+
+use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::mesh::Mesh;
+use crate::model::Deformable;
+use crate::plasticity::{HardeningLaw, UniaxialCurve, equivalent_strain};
+
+/// State of one Gauss point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GaussPoint {
+    /// `[x, y]` \[mm\].
+    pub position: [f64; 2],
+    /// Area times thickness that the point stands for.
+    pub weight: f64,
+    /// `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\], tensile positive.
+    pub stress: [f64; 4],
+    /// Equivalent plastic strain.
+    pub equivalent_plastic_strain: f64,
+    /// Secant shear modulus G_s \[MPa\].
+    pub secant_shear: f64,
+    /// Whether the point is beyond yield.
+    pub yielded: bool,
+}
+
+/// All Gauss points of a body and the nodal forces of their stresses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StressField {
+    /// Points of each element.
+    pub points: Vec<[GaussPoint; QUADRATURE_POINTS]>,
+    /// `∫ B̄ᵀ σ dV` for every node, `[x, y]` \[N/mm\].
+    pub internal_force: Vec<[f64; 2]>,
+}
+
+impl StressField {
+    /// Evaluates the material law at nodal displacements `[u_x, u_y]` \[mm\].
+    pub fn evaluate(
+        mesh: &Mesh,
+        kinematics: Kinematics,
+        material: &Deformable,
+        displacement: &[[f64; 2]],
+    ) -> Self {
+        let law = PointLaw::new(material);
+        let mut field = Self {
+            points: Vec::with_capacity(mesh.elements.len()),
+            internal_force: vec![[0.0; 2]; mesh.nodes.len()],
+        };
+        for (element, nodes) in mesh.elements.iter().enumerate() {
+            let corners = mesh.corners(element);
+            let quad = Quad::new(&corners, kinematics);
+            let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
+            let dilatation = quad.mean_dilatation(&strain);
+            let points = std::array::from_fn(|g| {
+                let state = law.respond(strain.map(|component| component[g]), dilatation);
+                GaussPoint { position: Quad::point(&corners, g), weight: quad.weight[g], ..state }
+            });
+            let stress = std::array::from_fn(|c| std::array::from_fn(|g| points[g].stress[c]));
+            for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
+                let total = &mut field.internal_force[*node as usize];
+                *total = [total[0] + force[0], total[1] + force[1]];
+            }
+            field.points.push(points);
+        }
+        field
+    }
+
+    /// Gauss points beyond yield.
+    pub fn plastic_points(&self) -> usize {
+        self.points.iter().flatten().filter(|point| point.yielded).count()
+    }
+
+    /// Secant shear moduli at the points of an element \[MPa\].
+    pub fn secant_shear(&self, element: usize) -> [f64; QUADRATURE_POINTS] {
+        self.points[element].map(|point| point.secant_shear)
+    }
+}
+
+/// Stress as a function of strain at one point.
+struct PointLaw {
+    bulk_modulus: f64,
+    shear_modulus: f64,
+    curve: Option<UniaxialCurve>,
+}
+
+impl PointLaw {
+    fn new(material: &Deformable) -> Self {
+        Self {
+            bulk_modulus: material.elastic().bulk_modulus(),
+            shear_modulus: material.elastic().shear_modulus(),
+            curve: UniaxialCurve::of(material),
+        }
+    }
+
+    /// State at a local strain whose dilatation is replaced by that of the element; position and weight are
+    /// left for the caller.
+    fn respond(&self, strain: [f64; 4], dilatation: f64) -> GaussPoint {
+        let mean = (strain[0] + strain[1] + strain[2]) / 3.0;
+        let deviator = [strain[0] - mean, strain[1] - mean, strain[2] - mean, strain[3]];
+        let equivalent = equivalent_strain(deviator);
+        let elastic = 3.0 * self.shear_modulus * equivalent;
+        let (secant_shear, plastic) = match &self.curve {
+            Some(curve) if elastic > curve.yield_stress() => {
+                let q = curve.equivalent_stress(equivalent);
+                (q / (3.0 * equivalent), (elastic - q) / (3.0 * self.shear_modulus))
+            }
+            _ => (self.shear_modulus, 0.0),
+        };
+        let pressure = self.bulk_modulus * dilatation;
+        GaussPoint {
+            position: [0.0; 2],
+            weight: 0.0,
+            stress: [
+                pressure + 2.0 * secant_shear * deviator[0],
+                pressure + 2.0 * secant_shear * deviator[1],
+                pressure + 2.0 * secant_shear * deviator[2],
+                secant_shear * deviator[3],
+            ],
+            equivalent_plastic_strain: plastic,
+            secant_shear,
+            yielded: plastic > 0.0,
+        }
+    }
+}

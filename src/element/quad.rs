@@ -1,0 +1,165 @@
+//! Shape-function gradients of one element at its 2 × 2 Gauss points.
+
+/// Gauss points of an element.
+pub const QUADRATURE_POINTS: usize = 4;
+
+/// What the third direction does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kinematics {
+    /// ε_zz = 0, unit thickness.
+    PlaneStrain,
+}
+
+/// One value for each Gauss point; the innermost index, so that loops over it vectorize.
+type PerPoint = [f64; QUADRATURE_POINTS];
+
+/// Gradients `∂N_i/∂x`, `∂N_i/∂y` and integration weights of one quadrilateral.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quad {
+    /// `gradient_x[i][g] = ∂N_i/∂x` at point g \[1/mm\].
+    pub gradient_x: [PerPoint; 4],
+    /// `gradient_y[i][g] = ∂N_i/∂y` at point g \[1/mm\].
+    pub gradient_y: [PerPoint; 4],
+    /// Weight times Jacobian determinant times thickness \[mm³ per mm of thickness in plane analyses\].
+    pub weight: PerPoint,
+}
+
+/// Natural coordinates of the corners; Gauss point g lies at `corner g / √3`.
+const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+impl Quad {
+    /// Evaluates the gradients for corner coordinates `[x, y]` \[mm\], counter-clockwise.
+    pub fn new(corners: &[[f64; 2]; 4], _kinematics: Kinematics) -> Self {
+        let mut quad = Self { gradient_x: [[0.0; 4]; 4], gradient_y: [[0.0; 4]; 4], weight: [0.0; 4] };
+        for g in 0..QUADRATURE_POINTS {
+            let [xi, eta] = CORNERS[g].map(|c| c / 3f64.sqrt());
+            let natural: [[f64; 2]; 4] =
+                CORNERS.map(|[a, b]| [0.25 * a * (1.0 + b * eta), 0.25 * b * (1.0 + a * xi)]);
+            // Jacobian J = [[x_ξ, y_ξ], [x_η, y_η]].
+            let mut j = [[0.0; 2]; 2];
+            for (n, c) in natural.iter().zip(corners) {
+                for (row, derivative) in j.iter_mut().zip(n) {
+                    row[0] += derivative * c[0];
+                    row[1] += derivative * c[1];
+                }
+            }
+            let determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+            for (i, n) in natural.iter().enumerate() {
+                quad.gradient_x[i][g] = (j[1][1] * n[0] - j[0][1] * n[1]) / determinant;
+                quad.gradient_y[i][g] = (j[0][0] * n[1] - j[1][0] * n[0]) / determinant;
+            }
+            quad.weight[g] = determinant;
+        }
+        quad
+    }
+
+    /// Position `[x, y]` of point g \[mm\] in an element with these corners.
+    pub fn point(corners: &[[f64; 2]; 4], g: usize) -> [f64; 2] {
+        let [xi, eta] = CORNERS[g].map(|c| c / 3f64.sqrt());
+        let mut position = [0.0; 2];
+        for ([a, b], corner) in CORNERS.iter().zip(corners) {
+            let shape = 0.25 * (1.0 + a * xi) * (1.0 + b * eta);
+            position[0] += shape * corner[0];
+            position[1] += shape * corner[1];
+        }
+        position
+    }
+
+    /// Volume (area times thickness).
+    pub fn volume(&self) -> f64 {
+        self.weight.iter().sum()
+    }
+
+    /// `mean[i] = 1/V ∫ [∂N_i/∂x, ∂N_i/∂y] dV`: the dilatation of the element is `Σ mean[i] · u_i`.
+    pub fn mean_divergence(&self) -> [[f64; 2]; 4] {
+        let volume = self.volume();
+        std::array::from_fn(|i| {
+            let mean = |gradient: &PerPoint| -> f64 {
+                gradient.iter().zip(&self.weight).map(|(n, w)| n * w).sum::<f64>() / volume
+            };
+            [mean(&self.gradient_x[i]), mean(&self.gradient_y[i])]
+        })
+    }
+
+    /// Displacement gradients at all points, `[ε_xx, ε_yy, ε_zz, γ_xy][g]`, from the nodal displacements
+    /// `[u_x, u_y]` of the four nodes; the dilatation is the local one, not the mean.
+    pub fn strain(&self, u: &[[f64; 2]; 4]) -> [PerPoint; 4] {
+        let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
+        for (i, [ux, uy]) in u.iter().enumerate() {
+            for g in 0..QUADRATURE_POINTS {
+                strain[0][g] += self.gradient_x[i][g] * ux;
+                strain[1][g] += self.gradient_y[i][g] * uy;
+                strain[3][g] += self.gradient_y[i][g] * ux + self.gradient_x[i][g] * uy;
+            }
+        }
+        strain
+    }
+
+    /// Dilatation of the element, the mean over its volume.
+    pub fn mean_dilatation(&self, strain: &[PerPoint; 4]) -> f64 {
+        let weighted =
+            (0..QUADRATURE_POINTS).map(|g| (strain[0][g] + strain[1][g] + strain[2][g]) * self.weight[g]);
+        weighted.sum::<f64>() / self.volume()
+    }
+
+    /// Nodal forces `∫ Bᵀ σ dV` of stresses `[σ_xx, σ_yy, σ_zz, τ_xy][g]`.
+    ///
+    /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because the two
+    /// differ in the dilatation alone; likewise for a pressure that is constant over the element.
+    pub fn nodal_forces(&self, stress: &[PerPoint; 4]) -> [[f64; 2]; 4] {
+        std::array::from_fn(|i| {
+            let mut force = [0.0; 2];
+            for g in 0..QUADRATURE_POINTS {
+                let (nx, ny, w) = (self.gradient_x[i][g], self.gradient_y[i][g], self.weight[g]);
+                force[0] += w * (nx * stress[0][g] + ny * stress[3][g]);
+                force[1] += w * (ny * stress[1][g] + nx * stress[3][g]);
+            }
+            force
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SKEWED: [[f64; 2]; 4] = [[0.0, 0.0], [2.0, 0.3], [2.4, 1.9], [-0.2, 1.5]];
+
+    #[test]
+    fn linear_displacement_has_constant_strain() {
+        let quad = Quad::new(&SKEWED, Kinematics::PlaneStrain);
+        let u = SKEWED.map(|[x, y]| [0.1 * x + 0.2 * y, -0.3 * x + 0.4 * y]);
+        let strain = quad.strain(&u);
+        for g in 0..4 {
+            for (component, expected) in strain.iter().zip([0.1, 0.4, 0.0, -0.1]) {
+                assert!((component[g] - expected).abs() < 1e-14);
+            }
+        }
+        assert!((quad.mean_dilatation(&strain) - 0.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn volume_is_the_area_of_the_polygon() {
+        let area: f64 = (0..4)
+            .map(|k| {
+                let (p, q) = (SKEWED[k], SKEWED[(k + 1) % 4]);
+                0.5 * (p[0] * q[1] - p[1] * q[0])
+            })
+            .sum();
+        assert!((Quad::new(&SKEWED, Kinematics::PlaneStrain).volume() - area).abs() < 1e-14);
+    }
+
+    #[test]
+    fn nodal_forces_do_the_work_of_the_stresses() {
+        let quad = Quad::new(&SKEWED, Kinematics::PlaneStrain);
+        let u = [[0.3, -0.1], [0.2, 0.5], [-0.4, 0.1], [0.6, 0.7]];
+        let stress: [[f64; 4]; 4] =
+            std::array::from_fn(|c| std::array::from_fn(|g| (1.0 + c as f64) * (g as f64 - 1.2)));
+        let strain = quad.strain(&u);
+        let internal: f64 =
+            (0..4).map(|g| quad.weight[g] * (0..4).map(|c| strain[c][g] * stress[c][g]).sum::<f64>()).sum();
+        let external: f64 =
+            quad.nodal_forces(&stress).iter().zip(&u).map(|(f, v)| f[0] * v[0] + f[1] * v[1]).sum();
+        assert!((internal - external).abs() < 1e-13);
+    }
+}

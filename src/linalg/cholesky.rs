@@ -1,0 +1,325 @@
+//! Sparse Cholesky factorization and solves over parts of the factor.
+//!
+//! The matrix comes already numbered in elimination order ([`super::EliminationOrder`]), so positions in a
+//! vector are positions in the factor and no permutation happens here. The columns of `L` are grouped into
+//! supernodes: runs of columns `[start, end)` with one common set of rows below, stored as a dense
+//! column-major panel whose first `end - start` rows are the diagonal block.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use faer::sparse::linalg::SymbolicSupernodalParams;
+use faer::sparse::linalg::cholesky::{simplicial, supernodal};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Par, Spec};
+use thiserror::Error;
+
+use super::SymmetricPattern;
+use super::dense::SymmetricMatrix;
+
+/// Why a matrix has no Cholesky factor.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum FactorizationError {
+    /// An entry is NaN or infinite.
+    #[error("the matrix has an entry that is not finite")]
+    NotFinite,
+    /// A pivot is not positive: the matrix is singular or indefinite.
+    #[error("the matrix is not positive definite at equation {equation}")]
+    NotPositiveDefinite {
+        /// Position in elimination order.
+        equation: usize,
+    },
+    /// The factor has more entries than can be indexed, or memory is short.
+    #[error("the factor is too large")]
+    TooLarge,
+}
+
+/// Structure of the factor, shared by all matrices of one pattern.
+#[derive(Debug)]
+pub struct SymbolicCholesky {
+    pattern: SymmetricPattern,
+    structure: supernodal::SymbolicSupernodalCholesky<u32>,
+    /// Parent of each supernode in the elimination tree; the root is its own.
+    parent: Vec<usize>,
+    /// Supernode of each column.
+    supernode_of: Vec<u32>,
+}
+
+impl SymbolicCholesky {
+    /// Analyses a pattern. Cost about `O(entries of L / width of a supernode)`.
+    ///
+    /// # Errors
+    /// [`FactorizationError::TooLarge`].
+    pub fn new(pattern: SymmetricPattern) -> Result<Arc<Self>, FactorizationError> {
+        let n = pattern.order();
+        let (offsets, columns) = pattern.transposed();
+        let upper = SymbolicSparseColMatRef::new_checked(n, n, &offsets, None, &columns);
+        let too_large = |_| FactorizationError::TooLarge;
+        let request = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, columns.len())
+            .or(supernodal::factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
+        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorizationError::TooLarge)?;
+        let (mut tree, mut column_counts) = (vec![0i32; n], vec![0u32; n]);
+        let tree = simplicial::prefactorize_symbolic_cholesky(
+            &mut tree,
+            &mut column_counts,
+            upper,
+            MemStack::new(&mut memory),
+        );
+        let structure = supernodal::factorize_supernodal_symbolic_cholesky(
+            upper,
+            tree,
+            &column_counts,
+            MemStack::new(&mut memory),
+            SymbolicSupernodalParams::default(),
+        )
+        .map_err(too_large)?;
+        let mut supernode_of = vec![0u32; n];
+        for s in 0..structure.n_supernodes() {
+            for column in columns_of(&structure, s) {
+                supernode_of[column] = s as u32;
+            }
+        }
+        let parent = (0..structure.n_supernodes())
+            .map(|s| {
+                structure.supernode(s).pattern().first().map_or(s, |&r| supernode_of[r as usize] as usize)
+            })
+            .collect();
+        Ok(Arc::new(Self { pattern, structure, parent, supernode_of }))
+    }
+
+    /// Order of the matrix.
+    pub fn order(&self) -> usize {
+        self.pattern.order()
+    }
+
+    /// Pattern of the matrix.
+    pub fn pattern(&self) -> &SymmetricPattern {
+        &self.pattern
+    }
+
+    /// Entries stored for the factor, those that panels store in vain included.
+    pub fn factor_entries(&self) -> usize {
+        self.structure.len_val()
+    }
+
+    /// The supernodes that a solve touches when its right-hand side and its wanted entries both lie in
+    /// `equations`: theirs and all ancestors of those.
+    pub fn reach(&self, equations: &[u32]) -> Reach {
+        let mut touched = vec![false; self.parent.len()];
+        for &equation in equations {
+            let mut s = self.supernode_of[equation as usize] as usize;
+            while !touched[s] {
+                touched[s] = true;
+                s = self.parent[s];
+            }
+        }
+        Reach { supernodes: (0u32..).zip(&touched).filter(|(_, t)| **t).map(|(s, _)| s).collect() }
+    }
+
+    /// The supernodes that hold the last `count` equations.
+    pub fn trailing_reach(&self, count: usize) -> Reach {
+        let first = self.supernode_of[self.order() - count.clamp(1, self.order())];
+        Reach { supernodes: (first..self.parent.len() as u32).collect() }
+    }
+
+    /// All supernodes: a reach for ordinary solves.
+    pub fn full_reach(&self) -> Reach {
+        Reach { supernodes: (0..self.parent.len() as u32).collect() }
+    }
+}
+
+/// A set of supernodes closed under ascent in the elimination tree, in elimination order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reach {
+    supernodes: Vec<u32>,
+}
+
+fn columns_of(structure: &supernodal::SymbolicSupernodalCholesky<u32>, s: usize) -> Range<usize> {
+    structure.supernode_begin()[s] as usize..structure.supernode_end()[s] as usize
+}
+
+/// The factor `L` of `A = L Lᵀ`.
+#[derive(Debug, Clone)]
+pub struct Cholesky {
+    symbolic: Arc<SymbolicCholesky>,
+    values: Vec<f64>,
+}
+
+impl Cholesky {
+    /// Factorizes the matrix with the given lower-triangle values, in the order of its pattern.
+    ///
+    /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
+    ///
+    /// # Errors
+    /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
+    pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
+        if values.iter().any(|v| !v.is_finite()) {
+            return Err(FactorizationError::NotFinite);
+        }
+        let (n, pattern) = (symbolic.order(), &symbolic.pattern);
+        let lower = SparseColMatRef::new(
+            SymbolicSparseColMatRef::new_checked(n, n, pattern.column_offsets(), None, pattern.rows()),
+            values,
+        );
+        let mut factor = vec![0.0; symbolic.factor_entries()];
+        let request: StackReq = supernodal::factorize_supernodal_numeric_llt_scratch::<u32, f64>(
+            &symbolic.structure,
+            Par::Seq,
+            Spec::default(),
+        );
+        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorizationError::TooLarge)?;
+        supernodal::factorize_supernodal_numeric_llt(
+            &mut factor,
+            lower,
+            LltRegularization::default(),
+            &symbolic.structure,
+            Par::Seq,
+            MemStack::new(&mut memory),
+            Spec::default(),
+        )
+        .map_err(|LltError::NonPositivePivot { index }| FactorizationError::NotPositiveDefinite {
+            equation: index,
+        })?;
+        Ok(Self { symbolic: Arc::clone(symbolic), values: factor })
+    }
+
+    /// Structure of the factor.
+    pub fn symbolic(&self) -> &Arc<SymbolicCholesky> {
+        &self.symbolic
+    }
+
+    /// Bytes held by the factor.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.values.as_slice())
+    }
+
+    /// Solves `A x = b` in place. Cost: every entry of `L` twice.
+    pub fn solve(&self, x: &mut [f64]) {
+        self.solve_restricted(&self.symbolic.full_reach(), x);
+    }
+
+    /// Solves `A x = b` in place for right-hand sides and wanted entries that both lie in the reach.
+    ///
+    /// Entries outside the reach are left as they were. What it writes is bit for bit what a full solve would.
+    pub fn solve_restricted(&self, reach: &Reach, x: &mut [f64]) {
+        self.forward(reach, x);
+        self.backward(reach, x);
+    }
+
+    /// Overwrites `x` by `L⁻¹ x` on the reach.
+    pub fn forward(&self, reach: &Reach, x: &mut [f64]) {
+        for &s in &reach.supernodes {
+            let panel = self.panel(s as usize);
+            let below_count = panel.rows.len();
+            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
+                let (diagonal, below) = column[c..].split_at(panel.width - c);
+                let own = &mut x[panel.start + c..panel.start + panel.width];
+                let pivot = own[0] / diagonal[0];
+                own[0] = pivot;
+                for (y, l) in own[1..].iter_mut().zip(&diagonal[1..]) {
+                    *y -= pivot * l;
+                }
+                debug_assert_eq!(below.len(), below_count);
+                for (&row, l) in panel.rows.iter().zip(below) {
+                    x[row as usize] -= pivot * l;
+                }
+            }
+        }
+    }
+
+    /// Overwrites `x` by `L⁻ᵀ x` on the reach.
+    pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
+        let mut gathered = Vec::new();
+        for &s in reach.supernodes.iter().rev() {
+            let panel = self.panel(s as usize);
+            gathered.clear();
+            gathered.extend(panel.rows.iter().map(|&row| x[row as usize]));
+            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate().rev() {
+                let (diagonal, below) = column[c..].split_at(panel.width - c);
+                let own = &mut x[panel.start + c..panel.start + panel.width];
+                let sum = own[0] - dot(&own[1..], &diagonal[1..]) - dot(&gathered, below);
+                own[0] = sum / diagonal[0];
+            }
+        }
+    }
+
+    /// The last `count` rows and columns of `A⁻¹`.
+    ///
+    /// With `L_cc` the last diagonal block of `L`, it is `YᵀY` where `L_cc Y = I`. Cost `O(count³)`.
+    pub fn trailing_inverse(&self, count: usize) -> SymmetricMatrix {
+        let first = self.symbolic.order() - count;
+        // Column-major lower triangle of L_cc.
+        let mut block = vec![0.0; count * count];
+        for &s in &self.symbolic.trailing_reach(count).supernodes {
+            let panel = self.panel(s as usize);
+            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
+                let Some(target) = (panel.start + c).checked_sub(first) else { continue };
+                let own_rows = panel.start + c..panel.start + panel.width;
+                let below = panel.rows.iter().map(|&r| r as usize);
+                for (row, l) in own_rows.chain(below).zip(&column[c..]) {
+                    block[target * count + row - first] = *l;
+                }
+            }
+        }
+        // Y by forward substitution, column k of Y being zero above its diagonal.
+        let mut y = vec![0.0; count * count];
+        for (k, column) in y.chunks_exact_mut(count).enumerate() {
+            column[k] = 1.0;
+            for j in k..count {
+                let l = &block[j * count + j..(j + 1) * count];
+                let pivot = column[j] / l[0];
+                column[j] = pivot;
+                for (v, l) in column[j + 1..].iter_mut().zip(&l[1..]) {
+                    *v -= pivot * l;
+                }
+            }
+        }
+        let y_column = |k: usize| &y[k * count..(k + 1) * count];
+        SymmetricMatrix::from_fn(count, |i, j| {
+            let from = i.max(j);
+            dot(&y_column(i)[from..], &y_column(j)[from..])
+        })
+    }
+
+    fn panel(&self, s: usize) -> Panel<'_> {
+        let structure = &self.symbolic.structure;
+        let columns = columns_of(structure, s);
+        let offsets = structure.col_ptr_for_val();
+        Panel {
+            start: columns.start,
+            width: columns.len(),
+            rows: structure.supernode(s).pattern(),
+            values: &self.values[offsets[s] as usize..offsets[s + 1] as usize],
+        }
+    }
+}
+
+/// Columns `[start, start + width)` of `L`: a dense column-major block over the rows of the diagonal block
+/// followed by `rows`.
+struct Panel<'a> {
+    start: usize,
+    width: usize,
+    rows: &'a [u32],
+    values: &'a [f64],
+}
+
+impl Panel<'_> {
+    fn height(&self) -> usize {
+        self.width + self.rows.len()
+    }
+}
+
+/// Scalar product with four running sums, so that it vectorizes; the order of summation is fixed.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
+    let tail: f64 = a4.remainder().iter().zip(b4.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a4.zip(b4) {
+        for k in 0..4 {
+            sums[k] += x[k] * y[k];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + tail
+}

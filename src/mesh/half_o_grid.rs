@@ -1,0 +1,296 @@
+//! The half-O-grid: a block of squares under the contact zone, wrapped in rings that reach the outer boundary.
+//!
+//! Rings are interpolated transfinitely between the block's perimeter and the outer boundary, in the plane of
+//! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
+//! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
+
+use std::f64::consts::PI;
+
+use super::{Mesh, MeshError, Outline};
+use crate::linalg::LatticePoint;
+
+/// The part of the surface where contact may happen, and its division.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactZone {
+    /// Left end \[mm\]; 0 for a half model.
+    pub x_min: f64,
+    /// Right end \[mm\].
+    pub x_max: f64,
+    /// Elements across the zone.
+    pub columns: usize,
+    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is meshed.
+    pub symmetric: bool,
+}
+
+impl ContactZone {
+    /// Width of a column \[mm\].
+    pub fn spacing(&self) -> f64 {
+        (self.x_max - self.x_min) / self.columns as f64
+    }
+
+    /// Abscissa of candidate node `k` \[mm\], the same on both bodies.
+    pub fn abscissa(&self, k: usize) -> f64 {
+        if k == self.columns { self.x_max } else { self.x_min + self.spacing() * k as f64 }
+    }
+
+    /// Half of the zone's width, both sides of the axis counted \[mm\].
+    pub fn half_width(&self) -> f64 {
+        if self.symmetric { self.x_max } else { 0.5 * (self.x_max - self.x_min) }
+    }
+}
+
+/// How fine the rings are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refinement {
+    /// Ratio of the thicknesses of neighbouring rings, above 1.
+    pub growth: f64,
+}
+
+/// Largest part of the body's surface that the zone may take.
+const MAX_ZONE_SPAN: f64 = 0.8;
+/// Largest part of the body's depth that the block may take.
+const MAX_BLOCK_DEPTH: f64 = 0.5;
+
+/// A point in the plane of the interpolation: `(ln r, φ)` about the centre.
+#[derive(Clone, Copy)]
+struct Polar {
+    log_radius: f64,
+    angle: f64,
+}
+
+pub(super) fn generate(
+    outline: &Outline,
+    zone: ContactZone,
+    refinement: Refinement,
+) -> Result<Mesh, MeshError> {
+    let reach = zone.x_max.max(-zone.x_min);
+    let available = MAX_ZONE_SPAN * outline.half_span();
+    if reach > available {
+        return Err(MeshError::ZoneBeyondBody { half_width: reach, available });
+    }
+    let rows = block_rows(outline, &zone);
+    let mut grid = Builder::new(outline, zone, rows);
+    grid.block();
+    grid.rings(refinement);
+    Ok(grid.finish())
+}
+
+/// Rows of the block: about as deep as one half of the zone is wide, but never more than a part of the body.
+fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
+    let wanted = zone.half_width().min(MAX_BLOCK_DEPTH * outline.depth());
+    ((wanted / zone.spacing()).round() as usize).max(2)
+}
+
+struct Builder<'a> {
+    outline: &'a Outline,
+    zone: ContactZone,
+    rows: usize,
+    /// y of the block's base, negative.
+    base: f64,
+    mesh: Mesh,
+}
+
+impl<'a> Builder<'a> {
+    fn new(outline: &'a Outline, zone: ContactZone, rows: usize) -> Self {
+        let lowest = outline.height(zone.x_min).min(outline.height(zone.x_max)).min(0.0);
+        let mesh = Mesh {
+            nodes: Vec::new(),
+            elements: Vec::new(),
+            shells: Vec::new(),
+            contact_nodes: Vec::new(),
+            support_nodes: Vec::new(),
+            axis_nodes: Vec::new(),
+            lattice: Vec::new(),
+            zone,
+        };
+        let depth = (zone.spacing() * rows as f64 - lowest).min(MAX_BLOCK_DEPTH * (outline.depth() - lowest));
+        Self { outline, zone, rows, base: -depth, mesh }
+    }
+
+    /// The block, column by column from the surface down.
+    fn block(&mut self) {
+        for i in 0..=self.zone.columns {
+            let x = self.zone.abscissa(i);
+            let top = self.outline.height(x);
+            self.mesh.contact_nodes.push(self.block_node(i, 0));
+            for j in 0..=self.rows {
+                let t = j as f64 / self.rows as f64;
+                self.mesh.nodes.push([x, (1.0 - t) * top + t * self.base]);
+                self.mesh.lattice.push(LatticePoint { patch: 0, i: i as i32, j: j as i32 });
+                if i == 0 && self.zone.symmetric {
+                    self.mesh.axis_nodes.push(self.block_node(i, j));
+                }
+            }
+        }
+        for i in 0..self.zone.columns {
+            for j in 0..self.rows {
+                let [a, b] = [self.block_node(i, j), self.block_node(i, j + 1)];
+                let [d, c] = [self.block_node(i + 1, j), self.block_node(i + 1, j + 1)];
+                self.mesh.elements.push([a, b, c, d]);
+                self.mesh.shells.push(0);
+            }
+        }
+    }
+
+    fn block_node(&self, column: usize, row: usize) -> u32 {
+        (column * (self.rows + 1) + row) as u32
+    }
+
+    /// Block nodes met going round from the right end of the zone, down, along the base and, in a full model,
+    /// up to the left end.
+    fn perimeter(&self) -> Vec<u32> {
+        let right = (0..self.rows).map(|j| self.block_node(self.zone.columns, j));
+        let base = (0..=self.zone.columns).rev().map(|i| self.block_node(i, self.rows));
+        let left = (0..self.rows).rev().map(|j| self.block_node(0, j));
+        if self.zone.symmetric {
+            right.chain(base).collect()
+        } else {
+            right.chain(base).chain(left).collect()
+        }
+    }
+
+    /// Points on the outer boundary that face the perimeter, and which of them are held.
+    fn outer_boundary(&self) -> Vec<([f64; 2], bool)> {
+        let (span, depth) = (self.outline.half_span(), self.outline.depth());
+        let end = |sign: f64| [sign * span, self.outline.height(sign * span)];
+        let corner = |sign: f64| [sign * span, -depth];
+        let has_side = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
+        let columns = self.zone.columns;
+        let last = if self.zone.symmetric { [0.0, -depth] } else { corner(-1.0) };
+        // Corners with the number of divisions up to each; a cylinder has no side walls, so that its support
+        // faces the block's walls as well as its base.
+        let mut corners = vec![(end(1.0), 0)];
+        let mut held_from = 0;
+        let mut base_divisions = columns;
+        if has_side(1.0) {
+            corners.push((corner(1.0), self.rows));
+            held_from = self.rows;
+        } else {
+            base_divisions += self.rows;
+        }
+        let left_wall = !self.zone.symmetric && has_side(-1.0);
+        if !self.zone.symmetric && !left_wall {
+            base_divisions += self.rows;
+        }
+        corners.push((last, base_divisions));
+        let held_to = held_from + base_divisions;
+        if left_wall {
+            corners.push((end(-1.0), self.rows));
+        }
+        let mut points = vec![corners[0].0];
+        for pair in corners.windows(2) {
+            let ([x0, y0], ([x1, y1], divisions)) = (pair[0].0, pair[1]);
+            for k in 1..=divisions {
+                let t = k as f64 / divisions as f64;
+                points.push([x0 + t * (x1 - x0), y0 + t * (y1 - y0)]);
+            }
+        }
+        points.into_iter().enumerate().map(|(s, p)| (p, (held_from..=held_to).contains(&s))).collect()
+    }
+
+    /// The rings, from the block outward.
+    fn rings(&mut self, refinement: Refinement) {
+        let perimeter = self.perimeter();
+        let outer = self.outer_boundary();
+        let centre = [0.5 * (self.zone.x_min + self.zone.x_max) * f64::from(!self.zone.symmetric), 0.0];
+        let polar = |p: [f64; 2]| -> Polar {
+            let (x, y) = (p[0] - centre[0], p[1] - centre[1]);
+            // Below the surface angles run from 0 (right) to -π (left); a surface that rises a little on the
+            // left must not jump to +π.
+            let angle = y.atan2(x);
+            Polar {
+                log_radius: x.hypot(y).ln(),
+                angle: if angle > 0.5 * PI { angle - 2.0 * PI } else { angle },
+            }
+        };
+        let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
+        let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
+        let steps = ring_steps(&inner, &outer_polar, self.zone.spacing(), refinement);
+        let last = perimeter.len() - 1;
+
+        let mut previous = perimeter;
+        for (k, &eta) in steps.iter().enumerate() {
+            let is_outermost = k + 1 == steps.len();
+            let sides = [
+                self.side_correction(&inner, &outer_polar, 0, eta, centre),
+                if self.zone.symmetric {
+                    0.0
+                } else {
+                    self.side_correction(&inner, &outer_polar, last, eta, centre)
+                },
+            ];
+            let mut current = Vec::with_capacity(previous.len());
+            for s in 0..=last {
+                let node = self.mesh.nodes.len() as u32;
+                let xi = s as f64 / last as f64;
+                let log_radius = (1.0 - eta) * inner[s].log_radius + eta * outer_polar[s].log_radius;
+                let angle = (1.0 - eta) * inner[s].angle
+                    + eta * outer_polar[s].angle
+                    + (1.0 - xi) * sides[0]
+                    + xi * sides[1];
+                let on_axis = self.zone.symmetric && s == last;
+                let position = if is_outermost {
+                    outer[s].0
+                } else if on_axis {
+                    [0.0, -log_radius.exp()]
+                } else {
+                    let (sin, cos) = angle.sin_cos();
+                    [centre[0] + log_radius.exp() * cos, centre[1] + log_radius.exp() * sin]
+                };
+                self.mesh.nodes.push(position);
+                self.mesh.lattice.push(LatticePoint { patch: 1, i: s as i32, j: k as i32 });
+                if is_outermost && outer[s].1 {
+                    self.mesh.support_nodes.push(node);
+                }
+                if on_axis {
+                    self.mesh.axis_nodes.push(node);
+                }
+                current.push(node);
+            }
+            for s in 0..last {
+                self.mesh.elements.push([previous[s], previous[s + 1], current[s + 1], current[s]]);
+                self.mesh.shells.push(k as u32 + 1);
+            }
+            previous = current;
+        }
+    }
+
+    /// By how much the free surface at one end of the rings deviates in angle from the straight line between
+    /// its two ends, at the ring of parameter `eta`.
+    fn side_correction(&self, inner: &[Polar], outer: &[Polar], s: usize, eta: f64, centre: [f64; 2]) -> f64 {
+        let radius = ((1.0 - eta) * inner[s].log_radius + eta * outer[s].log_radius).exp();
+        let sign = if s == 0 { 1.0 } else { -1.0 };
+        let [x, y] = self.outline.surface_point_at(centre, radius, sign);
+        let angle = (y - centre[1]).atan2(x - centre[0]);
+        let angle = if angle > 0.5 * PI { angle - 2.0 * PI } else { angle };
+        angle - ((1.0 - eta) * inner[s].angle + eta * outer[s].angle)
+    }
+
+    fn finish(self) -> Mesh {
+        self.mesh
+    }
+}
+
+/// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block element, each
+/// further one `growth` times thicker.
+fn ring_steps(inner: &[Polar], outer: &[Polar], spacing: f64, refinement: Refinement) -> Vec<f64> {
+    let mean = |curve: &[Polar]| curve.iter().map(|p| p.log_radius).sum::<f64>() / curve.len() as f64;
+    let (first, last) = (mean(inner).exp(), mean(outer).exp());
+    let growth = refinement.growth;
+    let (mut radii, mut radius, mut thickness) = (Vec::new(), first, spacing);
+    while radius < last {
+        thickness *= growth;
+        radius += thickness;
+        radii.push(radius);
+    }
+    // Stretch the series a little so that it ends on the boundary instead of beyond it.
+    let end = radii.last().copied().unwrap_or(last);
+    let mut steps: Vec<f64> = radii.iter().map(|r| (r / first).ln() / (end / first).ln()).collect();
+    if steps.is_empty() {
+        steps.push(1.0);
+    }
+    if let Some(step) = steps.last_mut() {
+        *step = 1.0;
+    }
+    steps
+}

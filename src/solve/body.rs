@@ -1,0 +1,192 @@
+//! A deformable body: meshed, factorized once, condensed to its contact.
+
+use super::phases::{Phase, PhaseTimes};
+use super::{Observer, SolveError};
+use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField};
+use crate::element::{Kinematics, QUADRATURE_POINTS};
+use crate::linalg::dense::SymmetricMatrix;
+use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
+use crate::mesh::Mesh;
+use crate::model::{Deformable, Support};
+use crate::plasticity::{HardeningLaw, UniaxialCurve};
+
+/// How far from the contact plastic flow is expected to reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PlasticReach {
+    /// Up to this distance from the middle of the contact \[mm\].
+    Within(f64),
+    /// Anywhere.
+    WholeBody,
+}
+
+/// Everything about one body that outlives an iteration.
+pub(super) struct BodyModel {
+    pub mesh: Mesh,
+    pub kinematics: Kinematics,
+    pub material: Deformable,
+    pub equations: Equations,
+    pub factor: Cholesky,
+    /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
+    pub flexibility: SymmetricMatrix,
+    /// Elements that may yield; `None` for an elastic body.
+    pub region: Option<InitialStressRegion>,
+    /// Last shell of that region; plastic flow beyond it has not been taken into account.
+    pub last_shell: u32,
+    /// Equations that an iteration loads or reads.
+    pub window: Vec<u32>,
+    /// Supernodes of the window.
+    pub reach: Reach,
+    /// Supernodes of the contact normals.
+    pub contact_reach: Reach,
+}
+
+impl BodyModel {
+    /// Orders, assembles and factorizes the elastic stiffness and reads the contact flexibility off the factor.
+    pub fn build(
+        mesh: Mesh,
+        material: &Deformable,
+        support: Support,
+        plastic_reach: PlasticReach,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, SolveError> {
+        let kinematics = Kinematics::PlaneStrain;
+        let curve = UniaxialCurve::of(material);
+        let last_shell = last_plastic_shell(&mesh, curve.as_ref(), plastic_reach);
+        let in_window = window_nodes(&mesh, curve.is_some().then_some(last_shell));
+
+        let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+            let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+            let order = EliminationOrder::new(&graph, &mesh.lattice, &in_window, &mesh.contact_nodes);
+            let restraint = Restraint::new(&mesh, support);
+            (Equations::new(&order, &restraint, mesh.contact_nodes.len()), graph)
+        });
+        super::checkpoint(observer)?;
+        let symbolic =
+            phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
+        super::checkpoint(observer)?;
+        let elastic = material.elastic();
+        let (bulk, shear) = (elastic.bulk_modulus(), elastic.shear_modulus());
+        let values = phases.time(Phase::Assembly, observer, || {
+            let assembler = StiffnessAssembler {
+                mesh: &mesh,
+                kinematics,
+                equations: &equations,
+                pattern: symbolic.pattern(),
+            };
+            assembler.assemble(bulk, |_| [shear; QUADRATURE_POINTS])
+        });
+        super::checkpoint(observer)?;
+        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(&symbolic, &values))?;
+        super::checkpoint(observer)?;
+        let contacts = mesh.contact_nodes.len();
+        let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
+        let region = phases.time(Phase::Plasticity, observer, || {
+            curve.map(|curve| {
+                InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, curve, shear)
+            })
+        });
+        let window = equations.of_nodes(&in_window);
+        let reach = symbolic.reach(&window);
+        let contact_reach = symbolic.trailing_reach(contacts);
+        Ok(Self {
+            mesh,
+            kinematics,
+            material: material.clone(),
+            equations,
+            factor,
+            flexibility,
+            region,
+            last_shell,
+            window,
+            reach,
+            contact_reach,
+        })
+    }
+
+    /// The stiffness of this body with other shear moduli, numbered and structured as the elastic one.
+    pub fn stiffness(&self, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+        let assembler = StiffnessAssembler {
+            mesh: &self.mesh,
+            kinematics: self.kinematics,
+            equations: &self.equations,
+            pattern: self.factor.symbolic().pattern(),
+        };
+        assembler.assemble(self.material.elastic().bulk_modulus(), shear)
+    }
+
+    /// A vector over the equations, zero, with the extra entry that stands for held components.
+    pub fn zeros(&self) -> Vec<f64> {
+        vec![0.0; self.equations.len() + 1]
+    }
+
+    /// Displacements `[u_x, u_y]` of every node \[mm\].
+    pub fn nodal(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        (0u32..)
+            .take(self.mesh.nodes.len())
+            .map(|node| self.equations.of_node(node).map(|k| x[k as usize]))
+            .collect()
+    }
+
+    /// Adds contact forces that press on the body to a load vector.
+    pub fn press(&self, force: &[f64], load: &mut [f64]) {
+        let start = self.equations.contact_start();
+        for (entry, r) in load[start..].iter_mut().zip(force) {
+            *entry -= r;
+        }
+    }
+
+    /// `‖∫B̄ᵀσ dV - R‖` over the free components \[N/mm\].
+    pub fn imbalance(&self, field: &StressField, force: &[f64]) -> f64 {
+        let mut rest = self.zeros();
+        self.press(force, &mut rest);
+        for (node, internal) in (0u32..).zip(&field.internal_force) {
+            for (&k, f) in self.equations.of_node(node).iter().zip(internal) {
+                rest[k as usize] -= f;
+            }
+        }
+        rest[..self.equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
+    }
+
+    /// Inward normal displacements of the contact nodes \[mm\].
+    pub fn contact_displacement<'a>(&self, x: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let start = self.equations.contact_start();
+        x[start..start + self.mesh.contact_nodes.len()].iter().map(|u| -u)
+    }
+}
+
+/// Shells around the expected plastic zone that are kept ready for it to grow into.
+const SPARE_SHELLS: u32 = 3;
+
+fn last_plastic_shell(mesh: &Mesh, curve: Option<&UniaxialCurve>, plastic_reach: PlasticReach) -> u32 {
+    let has_yield_point = curve.is_some_and(|curve| curve.yield_stress() > 0.0);
+    match plastic_reach {
+        PlasticReach::Within(radius) if has_yield_point => {
+            let distance = |node: u32| mesh.nodes[node as usize][0].hypot(mesh.nodes[node as usize][1]);
+            let touched = mesh
+                .elements
+                .iter()
+                .zip(&mesh.shells)
+                .filter(|(nodes, _)| nodes.iter().any(|&node| distance(node) < radius));
+            let outermost = touched.map(|(_, &shell)| shell).max().unwrap_or(0);
+            (outermost + SPARE_SHELLS).min(mesh.ring_count())
+        }
+        _ => mesh.ring_count(),
+    }
+}
+
+/// The nodes of all elements that may yield, and in any case the contact nodes.
+fn window_nodes(mesh: &Mesh, last_shell: Option<u32>) -> Vec<bool> {
+    let mut inside = vec![false; mesh.nodes.len()];
+    for &node in &mesh.contact_nodes {
+        inside[node as usize] = true;
+    }
+    if let Some(last) = last_shell {
+        for (nodes, _) in mesh.elements.iter().zip(&mesh.shells).filter(|(_, shell)| **shell <= last) {
+            for &node in nodes {
+                inside[node as usize] = true;
+            }
+        }
+    }
+    inside
+}

@@ -1,0 +1,87 @@
+//! Secant stiffness: the stiffness is reassembled with the secant moduli of the last state, factorized again
+//! and condensed to a new flexibility in every iteration. The paper's rival method.
+
+use super::SolveError;
+use super::body::BodyModel;
+use super::iteration::{Iteration, Outcome, State};
+use super::phases::Phase;
+use super::system::{Response, total_flexibility};
+use crate::assembly::StressField;
+use crate::contact::ContactProblem;
+use crate::linalg::Cholesky;
+use crate::linalg::dense::SymmetricMatrix;
+
+pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    let system = iteration.system;
+    // The elastic factors are there already.
+    let mut factors: Vec<Cholesky> = system.bodies.iter().map(|body| body.factor.clone()).collect();
+    let mut start = system.zeros();
+    loop {
+        let response = respond(&mut iteration, &factors)?;
+        let secant = secant_state(&mut iteration, &response);
+        if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.imbalance) {
+            let state = State { response, loads: system.zeros(), factors: Some(factors) };
+            return Ok(iteration.finish(state, status));
+        }
+        start = response.displacement;
+        for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {
+            super::checkpoint(iteration.observer)?;
+            let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
+                body.stiffness(|element| field.secant_shear(element))
+            });
+            *factor = iteration.phases.time(Phase::Numeric, iteration.observer, || {
+                Cholesky::factor(body.factor.symbolic(), &values)
+            })?;
+        }
+        iteration.count_factorizations();
+    }
+}
+
+/// What the plastic law says of a response.
+struct SecantState {
+    fields: Vec<StressField>,
+    plastic_points: usize,
+    imbalance: f64,
+}
+
+fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantState {
+    let system = iteration.system;
+    let (mut fields, mut plastic_points, mut squares) = (Vec::new(), 0, 0.0);
+    for ((body, x), &copies) in system.bodies.iter().zip(&response.displacement).zip(&system.multiplicity) {
+        let nodal = body.nodal(x);
+        let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
+            StressField::evaluate(&body.mesh, body.kinematics, &body.material, &nodal)
+        });
+        plastic_points += copies * field.plastic_points();
+        squares += copies as f64 * body.imbalance(&field, &response.contact.force).powi(2);
+        fields.push(field);
+    }
+    iteration.count_update();
+    SecantState { fields, plastic_points, imbalance: squares.sqrt() }
+}
+
+/// Contact and full displacements with the present factors.
+fn respond(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Response, SolveError> {
+    let system = iteration.system;
+    let n = system.initial_gap.len();
+    let flexibility = iteration.phases.time(Phase::Flexibility, iteration.observer, || {
+        let parts: Vec<SymmetricMatrix> = factors.iter().map(|factor| factor.trailing_inverse(n)).collect();
+        total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.multiplicity)
+    });
+    let problem = ContactProblem {
+        flexibility: &flexibility,
+        initial_gap: &system.initial_gap,
+        load: iteration.controls.load,
+    };
+    let contact = iteration.solve_contact(&problem)?;
+    let displacement = iteration.phases.time(Phase::Solves, iteration.observer, || {
+        let solve = |(body, factor): (&BodyModel, &Cholesky)| {
+            let mut x = body.zeros();
+            body.press(&contact.force, &mut x);
+            factor.solve(&mut x);
+            x
+        };
+        system.bodies.iter().zip(factors).map(solve).collect()
+    });
+    Ok(Response { displacement, contact })
+}

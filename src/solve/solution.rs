@@ -1,0 +1,221 @@
+//! What a solve hands over, and the checks that its final state has to pass.
+
+use std::sync::Arc;
+
+use super::iteration::relative;
+use super::pass::Pass;
+use super::patch::ContactPatch;
+use super::phases::{Phase, PhaseTimes};
+use super::{IterationRecord, Observer, SolveStatus};
+use crate::assembly::StressField;
+use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
+use crate::mesh::{Mesh, Quality};
+
+/// The answer to a job.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// One for each load.
+    pub steps: Vec<StepSolution>,
+    /// Time by phase.
+    pub phases: PhaseTimes,
+    /// Mesh passes made.
+    pub passes: usize,
+}
+
+/// The answer to one load. Half models are not mirrored here.
+#[derive(Debug, Clone)]
+pub struct StepSolution {
+    /// How the iteration ended, the final checks included.
+    pub status: SolveStatus,
+    /// What was prescribed, for both sides of the axis.
+    pub load: ContactLoad,
+    /// Approach α \[mm\].
+    pub approach: f64,
+    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is here.
+    pub symmetric: bool,
+    /// Tangential spacing of the candidate pairs \[mm\].
+    pub spacing: f64,
+    /// The candidate pairs in order of x.
+    pub pairs: Vec<PairState>,
+    /// Ends of the contact; `None` where nothing touches.
+    pub patch: Option<ContactPatch>,
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Upper and lower body; `None` for a rigid one.
+    pub bodies: [Option<Arc<BodySolution>>; 2],
+    /// Every iteration.
+    pub history: Vec<IterationRecord>,
+    /// The contact conditions, judged on the displacement field of both whole bodies.
+    pub contact_check: KktReport,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
+    pub equilibrium_residual: f64,
+    /// Times the candidate zone was widened.
+    pub enlargements: usize,
+    /// The same figures on a mesh of half the density, for error estimates.
+    pub coarse: Option<CoarseFigures>,
+}
+
+/// One candidate pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairState {
+    /// Abscissa \[mm\].
+    pub x: f64,
+    /// Contact pressure \[MPa\].
+    pub pressure: f64,
+    /// Contact force, both sides of the axis for a pair on it \[N/mm\].
+    pub force: f64,
+    /// Gap after loading \[mm\].
+    pub gap: f64,
+}
+
+/// Fields of one body, in its own frame (contact at the origin, y outward).
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySolution {
+    /// Mesh.
+    pub mesh: Mesh,
+    /// Mesh quality.
+    pub quality: Quality,
+    /// Displacements of the nodes \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// Stresses.
+    pub stress: StressField,
+    /// Equations solved.
+    pub equations: usize,
+}
+
+/// Headline figures of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoarseFigures {
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Half-width \[mm\].
+    pub half_width: f64,
+    /// Approach \[mm\].
+    pub approach: f64,
+}
+
+/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
+/// a converged state may have. Rounding leaves about 1e-12.
+const CONTACT_TOLERANCE: f64 = 1e-8;
+/// The residual over whole bodies may exceed that of the iteration's window by rounding only.
+const RESIDUAL_SLACK: f64 = 1.5;
+/// Rounding floor of the residual.
+const RESIDUAL_FLOOR: f64 = 1e-9;
+
+/// A finished step, and whether plastic flow was found where the iteration had not looked.
+pub(super) struct Finished {
+    pub step: StepSolution,
+    pub left_region: bool,
+}
+
+/// Forms the full displacement fields once, evaluates the material law everywhere and judges the state by it:
+/// nothing that the iteration believed is taken over.
+pub(super) fn finish(
+    pass: &Pass,
+    load: ContactLoad,
+    tolerance: f64,
+    phases: &mut PhaseTimes,
+    observer: &dyn Observer,
+) -> Finished {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let mut left_region = false;
+    let mut squares = 0.0;
+    // Equivalent gap that makes the solver's own gap the one of the displacement fields.
+    let mut gap = system.initial_gap.clone();
+    let mut models = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        let mut x = outcome.state.loads[k].clone();
+        body.press(&contact.force, &mut x);
+        let factor = outcome.state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
+        phases.time(Phase::Output, observer, || factor.solve(&mut x));
+        let displacement = body.nodal(&x);
+        let stress = phases.time(Phase::Output, observer, || {
+            StressField::evaluate(&body.mesh, body.kinematics, &body.material, &displacement)
+        });
+        let copies = system.multiplicity[k] as f64;
+        squares += copies * body.imbalance(&stress, &contact.force).powi(2);
+        for (g, w) in gap.iter_mut().zip(body.contact_displacement(&x)) {
+            *g += copies * w;
+        }
+        left_region |=
+            body.region.is_some()
+                && stress.points.iter().zip(&body.mesh.shells).any(|(points, &shell)| {
+                    shell > body.last_shell && points.iter().any(|point| point.yielded)
+                });
+        models.push(Arc::new(BodySolution {
+            quality: Quality::of(&body.mesh),
+            mesh: body.mesh.clone(),
+            displacement,
+            stress,
+            equations: body.equations.len(),
+        }));
+    }
+    let model_load = match load {
+        ContactLoad::Force(force) => ContactLoad::Force(force / system.copies() as f64),
+        approach @ ContactLoad::Approach(_) => approach,
+    };
+    let contact_check = check_contact(system, &gap, &contact.force, contact.approach, model_load);
+    let force_norm = contact.force.iter().map(|r| r * r).sum::<f64>().sqrt();
+    let equilibrium_residual = relative(squares.sqrt(), force_norm);
+    let sound = contact_check.passes(CONTACT_TOLERANCE)
+        && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let status = match outcome.status {
+        SolveStatus::Converged if !sound => SolveStatus::NotConverged,
+        status => status,
+    };
+    let pairs = pair_states(system, &contact.force, &gap, contact.approach);
+    let step = StepSolution {
+        status,
+        load,
+        approach: contact.approach,
+        symmetric: system.zone.symmetric,
+        spacing: system.zone.spacing(),
+        peak_pressure: system.peak_pressure(&contact.force),
+        pairs,
+        patch: pass.patch,
+        bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&models[k]))),
+        history: outcome.history.clone(),
+        contact_check,
+        equilibrium_residual,
+        enlargements: pass.enlargements,
+        coarse: None,
+    };
+    Finished { step, left_region }
+}
+
+/// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.
+fn check_contact(
+    system: &super::system::System,
+    opened: &[f64],
+    force: &[f64],
+    approach: f64,
+    load: ContactLoad,
+) -> KktReport {
+    let elastic = (0..force.len())
+        .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
+    let equivalent: Vec<f64> = opened.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
+    let problem = ContactProblem { flexibility: &system.flexibility, initial_gap: &equivalent, load };
+    kkt::check(&problem, force, approach)
+}
+
+fn pair_states(
+    system: &super::system::System,
+    force: &[f64],
+    opened: &[f64],
+    approach: f64,
+) -> Vec<PairState> {
+    let pressures = system.pressures(force);
+    (0..force.len())
+        .map(|k| {
+            let on_axis = k == 0 && system.zone.symmetric;
+            PairState {
+                x: system.zone.abscissa(k),
+                pressure: pressures[k],
+                force: force[k] * if on_axis { 2.0 } else { 1.0 },
+                // In contact the gap is zero by definition; what rounding leaves there is judged, not shown.
+                gap: if force[k] > 0.0 { 0.0 } else { opened[k] - approach },
+            }
+        })
+        .collect()
+}

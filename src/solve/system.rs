@@ -1,0 +1,232 @@
+//! Two bodies and the contact between them.
+
+use super::body::{BodyModel, PlasticReach};
+use super::phases::{Phase, PhaseTimes};
+use super::problem::Problem;
+use super::{Observer, SolveError};
+use crate::assembly::PlasticUpdate;
+use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::linalg::Cholesky;
+use crate::linalg::dense::SymmetricMatrix;
+use crate::mesh::{ContactZone, Mesh, Refinement};
+
+/// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
+/// contact forces they are mirror images of each other in every iteration.
+pub(super) struct System {
+    pub bodies: Vec<BodyModel>,
+    /// How many of the two bodies each model stands for.
+    pub multiplicity: Vec<usize>,
+    /// Model of the upper and the lower body; `None` for a rigid one.
+    pub model_of: [Option<usize>; 2],
+    pub zone: ContactZone,
+    /// Initial gap δ0 of each candidate pair \[mm\].
+    pub initial_gap: Vec<f64>,
+    /// Flexibility of both bodies together \[mm/N\].
+    pub flexibility: SymmetricMatrix,
+}
+
+/// One vector for each model.
+pub(super) type PerModel = Vec<Vec<f64>>;
+
+/// Displacements and contact for given initial-stress loads.
+#[derive(Debug, Clone)]
+pub(super) struct Response {
+    /// Displacements on the window of each model \[mm\].
+    pub displacement: PerModel,
+    pub contact: ContactSolution,
+}
+
+impl System {
+    /// Meshes and factorizes.
+    pub fn build(
+        problem: &Problem,
+        zone: ContactZone,
+        refinement: Refinement,
+        plastic_reach: PlasticReach,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, SolveError> {
+        let mut bodies: Vec<BodyModel> = Vec::new();
+        let mut multiplicity: Vec<usize> = Vec::new();
+        let mut model_of = [None; 2];
+        for (side, body) in problem.bodies.iter().enumerate() {
+            let Some(material) = &body.material else { continue };
+            if side == 1 && problem.bodies_are_equal() {
+                multiplicity[0] = 2;
+                model_of[1] = model_of[0];
+                continue;
+            }
+            let mesh =
+                phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
+            model_of[side] = Some(bodies.len());
+            bodies.push(BodyModel::build(mesh, material, body.support, plastic_reach, phases, observer)?);
+            multiplicity.push(1);
+        }
+        let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
+        let flexibilities: Vec<&SymmetricMatrix> = bodies.iter().map(|body| &body.flexibility).collect();
+        let flexibility = total_flexibility(zone.columns + 1, &flexibilities, &multiplicity);
+        Ok(Self { bodies, multiplicity, model_of, zone, initial_gap, flexibility })
+    }
+
+    /// Length of surface that each pair stands for \[mm\].
+    pub fn tributary(&self, k: usize) -> f64 {
+        let is_end = k == 0 || k == self.zone.columns;
+        self.zone.spacing() * if is_end { 0.5 } else { 1.0 }
+    }
+
+    /// Initial-stress loads that are all zero.
+    pub fn zeros(&self) -> PerModel {
+        self.bodies.iter().map(BodyModel::zeros).collect()
+    }
+
+    /// Solves contact and equilibrium for given initial-stress loads:
+    /// `u_p = K⁻¹ P_e`, contact forces R for the gap `δ0 + u_p`, then `u = K⁻¹ (P_e + R)`.
+    ///
+    /// The forward substitution is shared: of `K⁻¹ P_e` only the contact entries are needed before R is known,
+    /// and R enters at the end of the elimination.
+    pub fn respond(
+        &self,
+        loads: &PerModel,
+        solver: &dyn ContactSolver,
+        load: ContactLoad,
+        warm: Option<&ActiveSet>,
+        phases: &mut PhaseTimes,
+        observer: &dyn Observer,
+    ) -> Result<Response, SolveError> {
+        let mut gap = self.initial_gap.clone();
+        let mut displacement = phases.time(Phase::Solves, observer, || {
+            let mut forward = loads.clone();
+            for ((body, x), count) in self.bodies.iter().zip(&mut forward).zip(&self.multiplicity) {
+                body.factor.forward(&body.reach, x);
+                let mut plastic = x.clone();
+                body.factor.backward(&body.contact_reach, &mut plastic);
+                for (g, w) in gap.iter_mut().zip(body.contact_displacement(&plastic)) {
+                    *g += *count as f64 * w;
+                }
+            }
+            forward
+        });
+        let problem = ContactProblem { flexibility: &self.flexibility, initial_gap: &gap, load };
+        let contact = phases.time(Phase::Contact, observer, || solver.solve(&problem, warm))?;
+        phases.time(Phase::Solves, observer, || {
+            for (body, x) in self.bodies.iter().zip(&mut displacement) {
+                body.add_contact_response(&body.factor, &contact.force, x);
+            }
+        });
+        Ok(Response { displacement, contact })
+    }
+
+    /// `u = K⁻¹ (P_e + R)` on the windows.
+    pub fn displacement(&self, loads: &PerModel, force: &[f64]) -> PerModel {
+        let solve = |(body, load): (&BodyModel, &Vec<f64>)| {
+            let mut x = load.clone();
+            body.press(force, &mut x);
+            body.factor.solve_restricted(&body.reach, &mut x);
+            x
+        };
+        self.bodies.iter().zip(loads).map(solve).collect()
+    }
+
+    /// By how much plastic flow alone widens the gap at each pair, `u_p` \[mm\].
+    pub fn plastic_gap(&self, loads: &PerModel) -> Vec<f64> {
+        let mut growth = vec![0.0; self.initial_gap.len()];
+        for ((body, load), count) in self.bodies.iter().zip(loads).zip(&self.multiplicity) {
+            let mut x = load.clone();
+            body.factor.solve_restricted(&body.reach, &mut x);
+            for (g, w) in growth.iter_mut().zip(body.contact_displacement(&x)) {
+                *g += *count as f64 * w;
+            }
+        }
+        growth
+    }
+
+    /// Initial-stress loads of given displacements, summed into `loads`.
+    pub fn initial_stress(&self, displacement: &PerModel, loads: &mut PerModel) -> PlasticUpdate {
+        let mut total = PlasticUpdate::default();
+        for (k, body) in self.bodies.iter().enumerate() {
+            let Some(region) = &body.region else { continue };
+            let update = region.evaluate(&displacement[k], &mut loads[k]);
+            total.plastic_points += update.plastic_points * self.multiplicity[k];
+            total.reached_rim |= update.reached_rim;
+        }
+        total
+    }
+
+    /// The entries on the windows, one model after the other.
+    pub fn pack(&self, vectors: &PerModel) -> Vec<f64> {
+        let parts = self.bodies.iter().zip(vectors);
+        parts.flat_map(|(body, v)| body.window.iter().map(|&e| v[e as usize])).collect()
+    }
+
+    /// Writes entries on the windows back to where [`Self::pack`] took them from.
+    pub fn unpack(&self, packed: &[f64], vectors: &mut PerModel) {
+        let mut values = packed.iter();
+        for (body, v) in self.bodies.iter().zip(vectors) {
+            for (&e, value) in body.window.iter().zip(&mut values) {
+                v[e as usize] = *value;
+            }
+        }
+    }
+
+    /// 2 if the meshed half stands for both, else 1.
+    pub fn copies(&self) -> usize {
+        if self.zone.symmetric { 2 } else { 1 }
+    }
+
+    /// Pairs in contact on both sides of the axis.
+    pub fn mirrored_count(&self, active: &ActiveSet) -> usize {
+        let on_axis = self.zone.symmetric && active.contains(0);
+        active.len() * self.copies() - usize::from(on_axis)
+    }
+
+    /// Contact pressure of each pair \[MPa\]: its force over the length it stands for.
+    pub fn pressures(&self, force: &[f64]) -> Vec<f64> {
+        force.iter().enumerate().map(|(k, r)| r / self.tributary(k)).collect()
+    }
+
+    /// Largest contact pressure \[MPa\].
+    pub fn peak_pressure(&self, force: &[f64]) -> f64 {
+        self.pressures(force).into_iter().fold(0.0, f64::max)
+    }
+
+    /// `√Σ ‖v‖²` over both bodies on the windows.
+    pub fn norm(&self, vectors: &PerModel) -> f64 {
+        self.distance_or_norm(vectors, None)
+    }
+
+    /// `√Σ ‖v - w‖²` over both bodies on the windows.
+    pub fn distance(&self, v: &PerModel, w: &PerModel) -> f64 {
+        self.distance_or_norm(v, Some(w))
+    }
+
+    fn distance_or_norm(&self, v: &PerModel, w: Option<&PerModel>) -> f64 {
+        let sum = self.bodies.iter().enumerate().map(|(k, body)| {
+            let squares = body.window.iter().map(|&e| {
+                let e = e as usize;
+                (v[k][e] - w.map_or(0.0, |w| w[k][e])).powi(2)
+            });
+            self.multiplicity[k] as f64 * squares.sum::<f64>()
+        });
+        sum.sum::<f64>().sqrt()
+    }
+}
+
+impl BodyModel {
+    /// Completes `x = L⁻¹ P` to `K⁻¹ (P + R)` on the window, with the contact forces R of both bodies' pairs.
+    fn add_contact_response(&self, factor: &Cholesky, force: &[f64], x: &mut [f64]) {
+        let mut contact = vec![0.0; x.len()];
+        self.press(force, &mut contact);
+        factor.forward(&self.contact_reach, &mut contact);
+        for (value, addition) in x.iter_mut().zip(&contact) {
+            *value += addition;
+        }
+        factor.backward(&self.reach, x);
+    }
+}
+
+/// `Σ count · F`.
+pub(super) fn total_flexibility(n: usize, parts: &[&SymmetricMatrix], counts: &[usize]) -> SymmetricMatrix {
+    SymmetricMatrix::from_fn(n, |i, j| {
+        parts.iter().zip(counts).map(|(part, count)| *count as f64 * part[(i, j)]).sum()
+    })
+}

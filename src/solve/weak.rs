@@ -1,0 +1,138 @@
+//! Weak coupling: plasticity is converged at fixed contact forces between contact solves.
+//!
+//! Taken literally this diverges once the elastic peak pressure passes about three yield stresses: the contact
+//! answers a plastic displacement that its own next answer will take back. The displacement that the contact
+//! sees is therefore relaxed, `u_p ← u_p + ω (u_p* - u_p)`, with Aitken's factor
+//! `ω ← -ω rᵀΔr / ‖Δr‖²`, `r = u_p* - u_p`.
+//!
+//! # Reference
+//! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J. Numer. Meth.
+//! Engng 1 (1969) 275–277.
+
+use super::SolveError;
+use super::anderson::Anderson;
+use super::iteration::{Iteration, Outcome, State};
+use super::system::{PerModel, Response};
+
+const FIRST_FACTOR: f64 = 0.3;
+const SMALLEST_FACTOR: f64 = 0.02;
+const LARGEST_FACTOR: f64 = 1.0;
+/// Initial-stress updates within one alternation at most.
+const MAX_INNER: usize = 200;
+/// Displacement change that ends the plastic iteration, over that of the alternation.
+const INNER_ACCURACY: f64 = 0.01;
+
+pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    let system = iteration.system;
+    let mut relaxation = Aitken::new(system.initial_gap.len());
+    let mut loads = system.zeros();
+    let mut start = system.zeros();
+    loop {
+        let contact = iteration.contact(relaxation.value())?;
+        let displacement = iteration.displacement(&loads, &contact.force);
+        let mut response = Response { displacement, contact };
+        let (mut plastic_points, mut imbalance) =
+            converge_plasticity(&mut iteration, &start, &mut response, &mut loads);
+        if iteration.displacement_change(&start, &response.displacement) <= iteration.controls.tolerance {
+            // The contact has answered a relaxed displacement so far; let it answer the true one before
+            // anything is called converged.
+            response = iteration.respond(&loads)?;
+            let mut image = system.zeros();
+            plastic_points = iteration.initial_stress(&response.displacement, &mut image);
+            imbalance = system.distance(&image, &loads);
+        }
+        if let Some(status) = iteration.record(&start, &response, plastic_points, imbalance) {
+            return Ok(iteration.finish(State { response, loads, factors: None }, status));
+        }
+        start = response.displacement;
+        relaxation.advance(&system.plastic_gap(&loads));
+    }
+}
+
+/// Initial-stress iteration at fixed contact forces, accelerated like the strong coupling. On return
+/// displacements, forces and loads are in elastic equilibrium; returned are the points beyond yield and what the
+/// plastic law says against that state.
+///
+/// `alternation` are the displacements at the start of the alternation: plasticity is converged to a hundredth
+/// of what the contact has moved since then, so that Aitken's factor compares converged states.
+fn converge_plasticity(
+    iteration: &mut Iteration<'_>,
+    alternation: &PerModel,
+    response: &mut Response,
+    loads: &mut PerModel,
+) -> (usize, f64) {
+    let system = iteration.system;
+    let moved = iteration.displacement_change(alternation, &response.displacement);
+    let sufficient = INNER_ACCURACY * moved.min(1.0);
+    let tolerance = iteration.controls.tolerance;
+    let mut anderson = Anderson::default();
+    let mut start = response.displacement.clone();
+    let mut image = system.zeros();
+    let mut judgement = (0, 0.0);
+    for _ in 0..MAX_INNER {
+        iteration.initial_stress(&start, loads);
+        iteration.count_update();
+        response.displacement = iteration.displacement(loads, &response.contact.force);
+        judgement.0 = iteration.initial_stress(&response.displacement, &mut image);
+        judgement.1 = system.distance(&image, loads);
+        let change = iteration.displacement_change(&start, &response.displacement);
+        let balanced = judgement.1 <= tolerance * iteration.force_norm(response);
+        if change <= sufficient || (change <= tolerance && balanced) {
+            break;
+        }
+        let next = anderson.next(&system.pack(&start), system.pack(&response.displacement));
+        system.unpack(&next, &mut start);
+    }
+    judgement
+}
+
+/// A vector that follows a target with Aitken's relaxation.
+struct Aitken {
+    value: Vec<f64>,
+    factor: f64,
+    last_residual: Option<Vec<f64>>,
+}
+
+impl Aitken {
+    fn new(n: usize) -> Self {
+        Self { value: vec![0.0; n], factor: FIRST_FACTOR, last_residual: None }
+    }
+
+    fn value(&self) -> &[f64] {
+        &self.value
+    }
+
+    fn advance(&mut self, target: &[f64]) {
+        let residual: Vec<f64> = target.iter().zip(&self.value).map(|(t, v)| t - v).collect();
+        if let Some(last) = &self.last_residual {
+            let (mut product, mut square) = (0.0, 0.0);
+            for (new, old) in residual.iter().zip(last) {
+                product += old * (new - old);
+                square += (new - old).powi(2);
+            }
+            if square > 0.0 {
+                self.factor = (-self.factor * product / square).clamp(SMALLEST_FACTOR, LARGEST_FACTOR);
+            }
+        }
+        for (value, r) in self.value.iter_mut().zip(&residual) {
+            *value += self.factor * r;
+        }
+        self.last_residual = Some(residual);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn relaxation_finds_the_fixed_point_of_a_diverging_map() {
+        // x = 3 - 1.8 x oscillates and diverges by itself; its fixed point is 3 / 2.8.
+        let mut aitken = Aitken::new(1);
+        for _ in 0..6 {
+            let target = [3.0 - 1.8 * aitken.value()[0]];
+            aitken.advance(&target);
+        }
+        assert!((aitken.value()[0] - 3.0 / 2.8).abs() < 1e-12);
+    }
+}
