@@ -80,8 +80,8 @@ impl InitialStressRegion {
             }
             for (g, &square) in squares.iter().enumerate() {
                 let equivalent = square.sqrt();
-                let factor = self.initial_stress_factor(equivalent);
-                update.plastic_points += usize::from(factor > 0.0);
+                let (factor, yielded) = self.initial_stress_factor(equivalent);
+                update.plastic_points += usize::from(yielded);
                 for component in &mut stress {
                     component[g] *= factor;
                 }
@@ -101,14 +101,15 @@ impl InitialStressRegion {
         update
     }
 
-    /// `2 (G - G_s)` at an equivalent strain \[MPa\].
-    fn initial_stress_factor(&self, equivalent_strain: f64) -> f64 {
+    /// `2 (G - G_s)` at an equivalent strain \[MPa\], and whether the point has yielded.
+    fn initial_stress_factor(&self, equivalent_strain: f64) -> (f64, bool) {
         let elastic = 3.0 * self.shear_modulus * equivalent_strain;
         if elastic <= self.curve.yield_stress() {
-            return 0.0;
+            return (0.0, false);
         }
         let stress = self.curve.equivalent_stress(equivalent_strain);
-        2.0 / 3.0 * (elastic - stress) / equivalent_strain
+        let plastic_strain = (elastic - stress) / (3.0 * self.shear_modulus);
+        (2.0 / 3.0 * (elastic - stress) / equivalent_strain, self.curve.has_yielded(stress, plastic_strain))
     }
 }
 

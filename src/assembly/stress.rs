@@ -97,12 +97,13 @@ impl PointLaw {
         let deviator = [strain[0] - mean, strain[1] - mean, strain[2] - mean, strain[3]];
         let equivalent = equivalent_strain(deviator);
         let elastic = 3.0 * self.shear_modulus * equivalent;
-        let (secant_shear, plastic) = match &self.curve {
+        let (secant_shear, plastic, yielded) = match &self.curve {
             Some(curve) if elastic > curve.yield_stress() => {
                 let q = curve.equivalent_stress(equivalent);
-                (q / (3.0 * equivalent), (elastic - q) / (3.0 * self.shear_modulus))
+                let plastic = (elastic - q) / (3.0 * self.shear_modulus);
+                (q / (3.0 * equivalent), plastic, curve.has_yielded(q, plastic))
             }
-            _ => (self.shear_modulus, 0.0),
+            _ => (self.shear_modulus, 0.0, false),
         };
         let pressure = self.bulk_modulus * dilatation;
         GaussPoint {
@@ -116,7 +117,7 @@ impl PointLaw {
             ],
             equivalent_plastic_strain: plastic,
             secant_shear,
-            yielded: plastic > 0.0,
+            yielded,
         }
     }
 }

@@ -81,6 +81,23 @@ fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
     ((wanted / zone.spacing()).round() as usize).max(2)
 }
 
+/// About how many nodes [`generate`] will make.
+pub(super) fn estimated_nodes(
+    outline: &Outline,
+    zone_half_width: f64,
+    columns: usize,
+    symmetric: bool,
+    refinement: Refinement,
+) -> usize {
+    let zone = ContactZone { x_min: 0.0, x_max: zone_half_width, columns, symmetric };
+    let rows = block_rows(outline, &zone);
+    let (columns, sides) = if symmetric { (columns, 1) } else { (2 * columns, 2) };
+    // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
+    let (growth, distance) = (refinement.growth, outline.depth().max(outline.half_span()));
+    let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
+    (columns + 1) * (rows + 1) + rings.ceil().max(1.0) as usize * (columns + sides * rows + 1)
+}
+
 struct Builder<'a> {
     outline: &'a Outline,
     zone: ContactZone,

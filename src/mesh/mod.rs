@@ -48,6 +48,17 @@ pub enum MeshError {
     },
 }
 
+/// About how many nodes a mesh with a candidate zone of this half-width and so many columns over it will have.
+pub fn estimated_nodes(
+    outline: &Outline,
+    zone_half_width: f64,
+    columns: usize,
+    symmetric: bool,
+    refinement: Refinement,
+) -> usize {
+    half_o_grid::estimated_nodes(outline, zone_half_width, columns, symmetric, refinement)
+}
+
 /// A mesh of 4-node quadrilaterals with the node sets that mechanics needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {

@@ -32,12 +32,12 @@ impl Outline {
                 half_span: 0.5 * width.get(),
                 depth: depth.get(),
             },
-            Shape::Groove { radius, width, depth } => Self {
-                surface: Surface::Arc { curvature: -radius.get().recip() },
-                half_span: 0.5 * width.get(),
-                depth: depth.get(),
+            Shape::Groove(groove) => Self {
+                surface: Surface::Arc { curvature: -groove.radius().get().recip() },
+                half_span: 0.5 * groove.width().get(),
+                depth: groove.depth().get(),
             },
-            Shape::Profile { .. } => unreachable!("profiles are refused before meshing"),
+            Shape::Profile(_) => unreachable!("profiles are refused before meshing"),
         }
     }
 

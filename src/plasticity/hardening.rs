@@ -7,6 +7,12 @@ pub trait HardeningLaw {
     /// Stress up to which the response is elastic \[MPa\]; 0 where plastic strain begins at once.
     fn yield_stress(&self) -> f64;
 
+    /// Whether a point in this state counts as yielded: where plastic strain has begun or, for a curve without an
+    /// elastic limit, by convention above its reference stress.
+    fn has_yielded(&self, _equivalent_stress: f64, plastic_strain: f64) -> bool {
+        plastic_strain > 0.0
+    }
+
     /// The equivalent stress q \[MPa\] that solves `ε_q = q / (3G) + ε_p(q)` for an equivalent strain `ε_q >= 0`.
     ///
     /// The left side minus the right falls monotonically in q, so the root is unique; it is never above
@@ -50,15 +56,26 @@ impl UniaxialCurve {
     }
 }
 
+impl UniaxialCurve {
+    fn law(&self) -> &dyn HardeningLaw {
+        match self {
+            Self::Bilinear(law) => law,
+            Self::RambergOsgood(law) => law,
+        }
+    }
+}
+
 impl HardeningLaw for UniaxialCurve {
     fn yield_stress(&self) -> f64 {
-        match self {
-            Self::Bilinear(law) => law.yield_stress(),
-            Self::RambergOsgood(law) => law.yield_stress(),
-        }
+        self.law().yield_stress()
+    }
+
+    fn has_yielded(&self, equivalent_stress: f64, plastic_strain: f64) -> bool {
+        self.law().has_yielded(equivalent_stress, plastic_strain)
     }
 
     fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
+        // Not through `law()`: this is the innermost loop, and the closed form is worth inlining.
         match self {
             Self::Bilinear(law) => law.equivalent_stress(equivalent_strain),
             Self::RambergOsgood(law) => law.equivalent_stress(equivalent_strain),
@@ -105,24 +122,30 @@ impl HardeningLaw for RambergOsgood {
         0.0
     }
 
+    fn has_yielded(&self, equivalent_stress: f64, _plastic_strain: f64) -> bool {
+        equivalent_stress > self.reference_stress
+    }
+
     /// Newton's method on `f(q) = q/(3G) + ε_p(q) - ε_q`, which is convex and rising: started above the root it
-    /// falls to it without overshoot. The start is the lesser of the purely elastic and purely plastic answers,
-    /// both of which lie above the root.
+    /// falls to it without overshoot. The purely elastic answer lies above the root; where it is far above, the
+    /// purely plastic one is nearer and above it too.
     fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
         if equivalent_strain <= 0.0 {
             return 0.0;
         }
-        let elastic = self.triple_shear * equivalent_strain;
-        let plastic =
-            self.reference_stress * (equivalent_strain / self.reference_strain).powf(self.exponent.recip());
-        let mut q = elastic.min(plastic);
-        for _ in 0..50 {
+        let mut q = self.triple_shear * equivalent_strain;
+        if q > self.reference_stress {
+            let strain_ratio = equivalent_strain / self.reference_strain;
+            q = q.min(self.reference_stress * strain_ratio.powf(self.exponent.recip()));
+        }
+        for _ in 0..60 {
             let plastic_strain = self.reference_strain * (q / self.reference_stress).powf(self.exponent);
             let excess = q / self.triple_shear + plastic_strain - equivalent_strain;
             let slope = self.triple_shear.recip() + self.exponent * plastic_strain / q;
             let step = excess / slope;
             q -= step;
-            if step.abs() <= 1e-14 * q {
+            // Convergence is quadratic: a step this small has left the error at rounding.
+            if step.abs() <= 1e-9 * q {
                 break;
             }
         }

@@ -1,3 +1,12 @@
-//! What a solution means to its reader.
+//! What a solution means to its reader: the report, its validity and its error bars.
+
+mod build;
+mod recovery;
 mod report;
+mod run;
+mod subsurface;
+mod units;
+mod validity;
+
 pub use report::*;
+pub use run::{JobEstimate, RunError, preflight, run};

@@ -27,7 +27,8 @@ mod weak;
 pub use patch::ContactPatch;
 pub use phases::{Phase, PhaseTimes};
 pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
-pub use run::run;
+pub use problem::ElasticReference;
+pub use run::{Estimate, estimate, run};
 pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
 
 use std::ops::ControlFlow;

@@ -33,6 +33,8 @@ pub(super) struct Pass {
     pub outcome: Outcome,
     /// `None` where nothing touches.
     pub patch: Option<ContactPatch>,
+    /// Whether the contact reaches the edge of the zone all the same.
+    pub reaches_edge: bool,
     /// Times the zone was widened.
     pub enlargements: usize,
 }
@@ -85,7 +87,8 @@ pub(super) fn run(
             request.plastic_reach = PlasticReach::WholeBody;
             continue;
         }
-        if !interrupted && reaches_edge(&system, &outcome) && enlargements < MAX_ENLARGEMENTS {
+        let reaches_edge = reaches_edge(&system, &outcome);
+        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
             enlargements += 1;
             request.zone_half_width *= ENLARGEMENT;
             request.columns = (request.columns as f64 * ENLARGEMENT).round() as usize;
@@ -94,7 +97,7 @@ pub(super) fn run(
         let x: Vec<f64> = (0..=zone.columns).map(|k| zone.abscissa(k)).collect();
         let pressures = system.pressures(&outcome.state.response.contact.force);
         let patch = ContactPatch::find(&x, &pressures, zone.symmetric);
-        return Ok(Pass { system, outcome, patch, enlargements });
+        return Ok(Pass { system, outcome, patch, reaches_edge, enlargements });
     }
 }
 

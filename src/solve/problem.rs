@@ -1,8 +1,37 @@
 //! The job as mechanics sees it: two outlines with materials and supports.
 
-use crate::analytical::{ElasticConstants, HertzLine, effective_modulus};
+use crate::analytical::{ElasticConstants, HertzLine, YieldOnset, effective_modulus, effective_radius};
 use crate::mesh::Outline;
 use crate::model::{Body, Deformable, Hardening, Job, Material, Support};
+use crate::plasticity::{HardeningLaw, UniaxialCurve};
+
+/// The elastic contact of the same bodies in closed form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticReference {
+    /// Hertz's contact under the same force.
+    pub hertz: HertzLine,
+    /// Effective radius \[mm\].
+    pub effective_radius: f64,
+    /// Force at which the first body begins to yield \[N/mm\]; `None` if none has a yield stress.
+    pub yield_onset_force: Option<f64>,
+}
+
+impl ElasticReference {
+    /// The reference for a job under a force \[N/mm\]; `None` where Hertz's theory does not apply.
+    pub fn of(job: &Job, force: f64) -> Option<Self> {
+        let problem = Problem::of(job);
+        let (effective_radius, modulus) = problem.effective()?;
+        let onset = |body: &ProblemBody| {
+            let material = body.material.as_ref()?;
+            let yield_stress = UniaxialCurve::of(material)?.yield_stress();
+            let ratio = YieldOnset::line_von_mises(material.elastic().poisson_ratio.get());
+            (yield_stress > 0.0).then(|| ratio.line_force(yield_stress, effective_radius, modulus))
+        };
+        let yield_onset_force = problem.bodies.iter().filter_map(onset).reduce(f64::min);
+        let hertz = HertzLine::new(force, effective_radius, modulus);
+        Some(Self { hertz, effective_radius, yield_onset_force })
+    }
+}
 
 /// Two bodies in contact at the origin.
 pub(super) struct Problem {
@@ -44,19 +73,14 @@ impl Problem {
         -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>()
     }
 
-    /// Sum of the curvatures of both surfaces at the origin \[1/mm\].
-    pub fn curvature(&self) -> f64 {
-        self.bodies.iter().map(|body| body.outline.curvature()).sum()
-    }
-
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
         self.bodies.iter().all(|body| body.outline.is_symmetric())
     }
 
-    /// Hertz's contact of the same bodies under a force \[N/mm\]; `None` if the surfaces do not open away from
+    /// Effective radius \[mm\] and modulus \[MPa\] of Hertz's theory; `None` if the surfaces do not open away from
     /// the origin.
-    pub fn hertz(&self, force: f64) -> Option<HertzLine> {
+    fn effective(&self) -> Option<(f64, f64)> {
         let constants = |body: &ProblemBody| {
             let elastic = body.material.as_ref()?.elastic();
             Some(ElasticConstants {
@@ -64,18 +88,29 @@ impl Problem {
                 poisson_ratio: elastic.poisson_ratio.get(),
             })
         };
+        let radius = effective_radius(self.bodies.each_ref().map(|body| body.outline.curvature()));
         let modulus = effective_modulus(self.bodies.each_ref().map(constants));
-        let opens = self.curvature() > 0.0 && modulus.is_finite();
-        opens.then(|| HertzLine::new(force, self.curvature().recip(), modulus))
+        (radius > 0.0 && radius.is_finite() && modulus.is_finite()).then_some((radius, modulus))
     }
 
     /// Half-width for sizing the first mesh \[mm\]: Hertz's, or what a fully plastic contact of the softer body
     /// needs to carry the force, whichever is more.
     pub fn first_half_width(&self, force: f64) -> Option<f64> {
-        let hertz = self.hertz(force)?;
+        let (radius, modulus) = self.effective()?;
+        let hertz = HertzLine::new(force, radius, modulus);
         let hardness = |body: &ProblemBody| Some(2.6 * flow_stress(body.material.as_ref()?.plasticity()?));
         let softest = self.bodies.iter().filter_map(hardness).fold(f64::INFINITY, f64::min);
         Some(hertz.half_width().max(force / (2.0 * softest)))
+    }
+
+    /// Outlines of the bodies that deform.
+    pub fn deformable_outlines(&self) -> impl Iterator<Item = &Outline> {
+        self.bodies.iter().filter(|body| body.material.is_some()).map(|body| &body.outline)
+    }
+
+    /// How many bodies deform.
+    pub fn deformable_count(&self) -> usize {
+        self.deformable_outlines().count()
     }
 
     /// Narrowest half-span of the surfaces \[mm\].

@@ -39,12 +39,54 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveErro
         return Err(SolveError::Unsupported("a prescribed approach"));
     };
     let mut solution = Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0 };
-    for force in forces {
+    for force in forces.iter() {
         let mut run = Run { problem: &problem, job, force: force.get(), solution: &mut solution, observer };
         let step = run.step()?;
         solution.steps.push(step);
     }
     Ok(solution)
+}
+
+/// What a job will cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Estimate {
+    /// Equations of both bodies together.
+    pub equations: usize,
+    /// Peak memory \[bytes\].
+    pub bytes: u64,
+}
+
+/// Estimates the cost of a job without meshing it.
+///
+/// # Errors
+/// [`SolveError::Conforming`] or [`SolveError::TooWide`] for contacts that are not solved.
+pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
+    let problem = Problem::of(job);
+    let Load::Forces(forces) = &job.load else {
+        return Err(SolveError::Unsupported("a prescribed approach"));
+    };
+    let elements = job.mesh.elements_per_half_width as usize;
+    let mut worst = Estimate { equations: 0, bytes: 0 };
+    for force in forces.iter() {
+        let half_width = ZONE * expected_half_width(&problem, force.get())?;
+        let columns = (ZONE * elements as f64).round() as usize;
+        let models = if problem.bodies_are_equal() { 1 } else { problem.deformable_count() };
+        let nodes: usize = problem.deformable_outlines().map(|outline| {
+            crate::mesh::estimated_nodes(outline, half_width, columns, problem.is_symmetric(), refinement(elements))
+        }).sum();
+        let equations = 2 * nodes;
+        worst.equations = worst.equations.max(equations);
+        worst.bytes = worst.bytes.max(estimated_bytes(equations / problem.deformable_count().max(1), models));
+    }
+    Ok(worst)
+}
+
+/// Peak memory of `models` bodies of so many equations each: the factor of nested dissection grows as
+/// `n log₂ n`, everything else as n. The constants were measured.
+fn estimated_bytes(equations: usize, models: usize) -> u64 {
+    let n = equations as f64;
+    let per_model = FACTOR_BYTES * n * n.max(2.0).log2() + OTHER_BYTES * n;
+    (per_model * models as f64) as u64
 }
 
 /// The half-width that a job's contact is expected to have \[mm\].
@@ -59,6 +101,11 @@ fn expected_half_width(problem: &Problem, force: f64) -> Result<f64, SolveError>
     }
     Ok(half_width)
 }
+
+/// Bytes of factor for each equation and binary digit of their number.
+const FACTOR_BYTES: f64 = 40.0;
+/// Bytes of everything else for each equation.
+const OTHER_BYTES: f64 = 2000.0;
 
 struct Run<'a> {
     problem: &'a Problem,

@@ -49,6 +49,10 @@ pub struct StepSolution {
     pub contact_check: KktReport,
     /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
     pub equilibrium_residual: f64,
+    /// Whether those conditions hold.
+    pub contact_is_sound: bool,
+    /// Whether the contact still reaches the edge of the candidate zone.
+    pub reaches_edge: bool,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.
@@ -81,6 +85,19 @@ pub struct BodySolution {
     pub stress: StressField,
     /// Equations solved.
     pub equations: usize,
+}
+
+impl BodySolution {
+    /// Largest equivalent plastic strain at a Gauss point.
+    pub fn max_plastic_strain(&self) -> f64 {
+        let strains = self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
+        strains.fold(0.0, f64::max)
+    }
+
+    /// Depth of the lowest node below the contact \[mm\].
+    pub fn depth(&self) -> f64 {
+        -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)
+    }
 }
 
 /// Headline figures of a mesh.
@@ -178,6 +195,8 @@ pub(super) fn finish(
         history: outcome.history.clone(),
         contact_check,
         equilibrium_residual,
+        contact_is_sound: contact_check.passes(CONTACT_TOLERANCE),
+        reaches_edge: pass.reaches_edge,
         enlargements: pass.enlargements,
         coarse: None,
     };
