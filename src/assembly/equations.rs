@@ -10,6 +10,13 @@ pub struct Restraint {
     held: Vec<[bool; 2]>,
 }
 
+impl From<Vec<[bool; 2]>> for Restraint {
+    /// Holds the components of each node that are marked.
+    fn from(held: Vec<[bool; 2]>) -> Self {
+        Self { held }
+    }
+}
+
 impl Restraint {
     /// Holds the support and, on a half model, the tangential component along the symmetry axis.
     ///

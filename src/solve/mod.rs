@@ -28,7 +28,7 @@ pub use patch::ContactPatch;
 pub use phases::{Phase, PhaseTimes};
 pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use problem::ElasticReference;
-pub use run::{Estimate, estimate, run};
+pub use run::{Estimate, Options, estimate, run, run_with};
 pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
 
 use std::ops::ControlFlow;

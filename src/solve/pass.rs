@@ -9,13 +9,14 @@ use super::solution::CoarseFigures;
 use super::system::System;
 use super::{Observer, SolveError, SolveStatus, coupling};
 use crate::assembly::StressField;
-use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::contact::{ContactLoad, ContactSolver};
 use crate::mesh::{ContactZone, Refinement};
-use crate::model::{ContactMethod, SolverSettings};
+use crate::model::SolverSettings;
 
 /// What a pass is asked to do.
 #[derive(Clone, Copy)]
-pub(super) struct PassRequest {
+pub(super) struct PassRequest<'a> {
+    pub contact: &'a dyn ContactSolver,
     /// Half-width of the candidate zone \[mm\].
     pub zone_half_width: f64,
     /// Elements over that half-width.
@@ -71,7 +72,7 @@ const MAX_ENLARGEMENTS: usize = 12;
 /// plastic region where plastic flow leaves the one that was prepared.
 pub(super) fn run(
     problem: &Problem,
-    request: &PassRequest,
+    request: &PassRequest<'_>,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Pass, SolveError> {
@@ -101,7 +102,7 @@ pub(super) fn run(
     }
 }
 
-fn zone(problem: &Problem, request: &PassRequest) -> ContactZone {
+fn zone(problem: &Problem, request: &PassRequest<'_>) -> ContactZone {
     let half = request.zone_half_width;
     if problem.is_symmetric() {
         ContactZone { x_min: 0.0, x_max: half, columns: request.columns, symmetric: true }
@@ -112,20 +113,16 @@ fn zone(problem: &Problem, request: &PassRequest) -> ContactZone {
 
 fn iterate(
     system: &System,
-    request: &PassRequest,
+    request: &PassRequest<'_>,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
-    let contact: &dyn ContactSolver = match request.solver.contact {
-        ContactMethod::ActiveSet => &ActiveSetSolver,
-        ContactMethod::Simplex => &SimplexSolver,
-    };
     let load = match request.load {
         ContactLoad::Force(force) => ContactLoad::Force(force / system.copies() as f64),
         approach @ ContactLoad::Approach(_) => approach,
     };
     let controls = Controls {
-        contact,
+        contact: request.contact,
         load,
         tolerance: request.solver.tolerance.get(),
         max_iterations: request.solver.max_iterations as usize,

@@ -37,6 +37,8 @@ impl ElasticReference {
 pub(super) struct Problem {
     /// Upper and lower body.
     pub bodies: [ProblemBody; 2],
+    /// Whether symmetry is made use of where there is one.
+    pub use_symmetry: bool,
 }
 
 pub(super) struct ProblemBody {
@@ -56,7 +58,7 @@ impl Problem {
             },
             support: body.support,
         };
-        Self { bodies: [body(&job.upper), body(&job.lower)] }
+        Self { bodies: [body(&job.upper), body(&job.lower)], use_symmetry: true }
     }
 
     /// Whether both bodies are deformable and mirror images of each other.
@@ -75,7 +77,7 @@ impl Problem {
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        self.bodies.iter().all(|body| body.outline.is_symmetric())
+        self.use_symmetry && self.bodies.iter().all(|body| body.outline.is_symmetric())
     }
 
     /// Effective radius \[mm\] and modulus \[MPa\] of Hertz's theory; `None` if the surfaces do not open away from

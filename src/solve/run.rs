@@ -9,7 +9,7 @@ use super::phases::PhaseTimes;
 use super::problem::Problem;
 use super::solution::{self, Solution, StepSolution};
 use super::{Interrupt, Observer, SolveError};
-use crate::contact::ContactLoad;
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
 use crate::mesh::Refinement;
 use crate::model::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
 
@@ -25,6 +25,21 @@ const PLASTIC_MARGIN: f64 = 1.15;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 
+/// What the wire format does not offer: for verification, and for trying out methods.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// Whether a symmetric problem is solved on one half. Default true.
+    pub use_symmetry: bool,
+    /// Contact method of the final mesh in place of the one that the job names.
+    pub contact_solver: Option<&'a dyn ContactSolver>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { use_symmetry: true, contact_solver: None }
+    }
+}
+
 /// Solves a job.
 ///
 /// Three meshes: a small one that finds out how wide the contact is, one of half the requested density for error
@@ -34,13 +49,27 @@ const RING_GROWTH: f64 = 0.065;
 /// # Errors
 /// [`SolveError`]. An iteration that does not converge is no error: see [`super::SolveStatus`].
 pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    let problem = Problem::of(job);
+    run_with(job, Options::default(), observer)
+}
+
+/// [`run`] with options.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    let mut problem = Problem::of(job);
+    problem.use_symmetry = options.use_symmetry;
     let Load::Forces(forces) = &job.load else {
         return Err(SolveError::Unsupported("a prescribed approach"));
     };
+    let contact = options.contact_solver.unwrap_or(match job.solver.contact {
+        ContactMethod::ActiveSet => &ActiveSetSolver,
+        ContactMethod::Simplex => &SimplexSolver,
+    });
     let mut solution = Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0 };
     for force in forces.iter() {
-        let mut run = Run { problem: &problem, job, force: force.get(), solution: &mut solution, observer };
+        let mut run =
+            Run { problem: &problem, job, contact, force: force.get(), solution: &mut solution, observer };
         let step = run.step()?;
         solution.steps.push(step);
     }
@@ -110,6 +139,7 @@ const OTHER_BYTES: f64 = 2000.0;
 struct Run<'a> {
     problem: &'a Problem,
     job: &'a Job,
+    contact: &'a dyn ContactSolver,
     force: f64,
     solution: &'a mut Solution,
     observer: &'a mut dyn Observer,
@@ -122,7 +152,7 @@ struct Extent {
     plastic_radius: f64,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
     fn step(&mut self) -> Result<StepSolution, SolveError> {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let sized = self.sizing_pass()?;
@@ -135,6 +165,7 @@ impl Run<'_> {
         drop(coarse);
 
         let mut request = self.request(extent, elements, self.job.solver);
+        request.contact = self.contact;
         let mut finished = self.fine_pass(&request)?;
         if finished.left_region {
             request.plastic_reach = PlasticReach::WholeBody;
@@ -160,7 +191,7 @@ impl Run<'_> {
         })
     }
 
-    fn fine_pass(&mut self, request: &PassRequest) -> Result<solution::Finished, SolveError> {
+    fn fine_pass(&mut self, request: &PassRequest<'_>) -> Result<solution::Finished, SolveError> {
         let phases = &mut self.solution.phases;
         let pass = pass::run(self.problem, request, phases, self.observer)?;
         self.solution.passes += 1 + pass.enlargements;
@@ -168,15 +199,16 @@ impl Run<'_> {
         Ok(solution::finish(&pass, request.load, tolerance, phases, self.observer))
     }
 
-    fn quietly(&mut self, request: &PassRequest) -> Result<pass::Pass, SolveError> {
+    fn quietly(&mut self, request: &PassRequest<'_>) -> Result<pass::Pass, SolveError> {
         let mut quiet = Quiet { inner: self.observer };
         let pass = pass::run(self.problem, request, &mut self.solution.phases, &mut quiet)?;
         self.solution.passes += 1 + pass.enlargements;
         Ok(pass)
     }
 
-    fn request(&self, extent: Extent, elements: usize, solver: SolverSettings) -> PassRequest {
+    fn request(&self, extent: Extent, elements: usize, solver: SolverSettings) -> PassRequest<'a> {
         PassRequest {
+            contact: &ActiveSetSolver,
             zone_half_width: ZONE * extent.half_width,
             columns: (ZONE * elements as f64).round() as usize,
             refinement: refinement(elements),

@@ -1,3 +1,13 @@
-//! Verification against closed forms and independent conditions, one file for each named problem.
+//! Verification against closed forms, invariants and independent programs, one file for each named problem.
 
+mod bodies;
 mod contact_solvers;
+mod independent_program;
+mod invariants;
+mod line_contact;
+mod paper_problem;
+mod problems;
+mod soundness;
+mod subsurface;
+mod thick_cylinder;
+mod yield_onset;
