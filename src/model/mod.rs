@@ -17,6 +17,8 @@ pub mod settings;
 pub mod shape;
 pub mod units;
 
+mod stub;
+
 pub use body::{Body, Support};
 pub use error::{FieldError, JobError};
 pub use job::{Analysis, Job, Load};
