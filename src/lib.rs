@@ -2,3 +2,8 @@
 pub mod model;
 pub mod results;
 pub mod solve;
+
+#[cfg(feature = "service")]
+pub mod jobs;
+#[cfg(feature = "service")]
+pub mod store;
