@@ -7,3 +7,5 @@ pub mod solve;
 pub mod jobs;
 #[cfg(feature = "service")]
 pub mod store;
+#[cfg(feature = "service")]
+pub mod worker;
