@@ -4,6 +4,8 @@ pub mod results;
 pub mod solve;
 
 #[cfg(feature = "service")]
+pub mod http;
+#[cfg(feature = "service")]
 pub mod jobs;
 #[cfg(feature = "service")]
 pub mod store;
