@@ -105,9 +105,12 @@ fn body(faults: &mut Faults, root: &Value, at: &str) -> Body {
         });
     let modulus =
         faults.number(root, &format!("{at}/material/young_modulus"), "must be greater than 0", |v| v > 0.0);
-    faults.number(root, &format!("{at}/material/poisson_ratio"), "must be at least 0 and less than 0.5", |v| {
-        (0.0..0.5).contains(&v)
-    });
+    faults.number(
+        root,
+        &format!("{at}/material/poisson_ratio"),
+        "must be at least 0 and less than 0.5",
+        |v| (0.0..0.5).contains(&v),
+    );
     faults.keys(root, &format!("{at}/shape"), &["type", "radius"]);
     faults.keys(root, &format!("{at}/material"), &["young_modulus", "poisson_ratio", "plasticity", "rigid"]);
     let tangent = format!("{at}/material/plasticity/tangent_modulus");
