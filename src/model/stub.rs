@@ -114,7 +114,8 @@ fn body(faults: &mut Faults, root: &Value, at: &str) -> Body {
     faults.keys(root, &format!("{at}/shape"), &["type", "radius"]);
     faults.keys(root, &format!("{at}/material"), &["young_modulus", "poisson_ratio", "plasticity", "rigid"]);
     let tangent = format!("{at}/material/plasticity/tangent_modulus");
-    if root.pointer(&tangent).and_then(Value::as_f64).is_some_and(|value| value >= modulus) {
+    let has_modulus = root.pointer(&format!("{at}/material/young_modulus")).is_some_and(Value::is_number);
+    if has_modulus && root.pointer(&tangent).and_then(Value::as_f64).is_some_and(|value| value >= modulus) {
         faults.add(&tangent, "must be less than young_modulus");
     }
     Body {
