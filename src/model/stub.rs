@@ -85,7 +85,8 @@ impl Job {
                 coupling: Coupling::Accelerated,
                 contact: ContactMethod::ActiveSet,
                 tolerance: positive(1e-6),
-                max_iterations: 500,
+                max_iterations: root.pointer("/solver/max_iterations").and_then(Value::as_u64).unwrap_or(500)
+                    as u32,
             },
             output: OutputSettings::default(),
             tags,

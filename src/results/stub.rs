@@ -71,7 +71,7 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
             };
             break;
         }
-        if job.tags.get("stub").is_some_and(|v| v == "not_converged") && iteration == 5 {
+        if iteration.unsigned_abs() >= job.solver.max_iterations {
             status = SolveStatus::NotConverged;
             break;
         }
