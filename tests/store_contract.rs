@@ -1,4 +1,5 @@
 //! What every `JobStore` promises. Each backend runs the whole suite: `contract!(name, start)`.
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};

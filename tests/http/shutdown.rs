@@ -1,8 +1,11 @@
 //! Going down in order.
 
+use std::io::Write;
+use std::net::TcpStream;
+use std::time::{Duration, Instant};
+
 use crate::in_process::{InProcess, job};
 use crate::server::{DEADLINE, Server, example};
-use std::time::Instant;
 
 #[test]
 fn sigterm_ends_an_idle_service_with_success() {
@@ -39,9 +42,28 @@ fn while_draining_jobs_finish_new_ones_are_refused_and_questions_answered() {
 
 #[test]
 fn what_is_left_after_the_grace_time_is_cancelled() {
-    let service = InProcess::start(|config| config.grace = std::time::Duration::from_millis(50));
+    let service = InProcess::start(|config| config.grace = Duration::from_millis(50));
     let running = service.target.submit(&job("slow"));
     service.target.wait_for(&running, &["running"]);
     service.stop.cancel();
     service.wait();
+}
+
+#[test]
+fn a_second_signal_stops_at_once() {
+    let mut server = Server::start();
+    let address = server.target.url.strip_prefix("http://").unwrap().to_owned();
+    // A client that never finishes its request holds the shutdown up.
+    let mut client = TcpStream::connect(&address).unwrap();
+    let head =
+        "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{";
+    client.write_all(head.as_bytes()).unwrap();
+    server.target.assert_alive();
+    server.signal("TERM");
+    let started = Instant::now();
+    while TcpStream::connect(&address).is_ok() {
+        assert!(started.elapsed() < DEADLINE, "still listening");
+    }
+    server.signal("TERM");
+    assert_eq!(server.wait().code(), Some(130));
 }
