@@ -5,6 +5,7 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
+use axum::serve::ListenerExt;
 use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::time::timeout;
@@ -77,7 +78,9 @@ impl Service {
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
         let close = CancellationToken::new();
         let closed = close.clone().cancelled_owned();
-        let serve = axum::serve(self.listener, router(self.state.clone())).with_graceful_shutdown(closed);
+        // Answers are single writes; waiting to fill a packet would only delay them.
+        let listener = self.listener.tap_io(|stream| drop(stream.set_nodelay(true)));
+        let serve = axum::serve(listener, router(self.state.clone())).with_graceful_shutdown(closed);
         let mut server = tokio::spawn(async move { serve.await });
         tokio::select! {
             () = stop.cancelled() => {}

@@ -30,7 +30,7 @@ const EXAMPLE: &[u8] = include_bytes!("../../api/examples/two_cylinders.json");
 #[derive(Debug, Args)]
 pub(super) struct DemoArgs {
     /// Address and port to listen on; port 0 is any free one
-    #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:0")]
+    #[arg(long, value_name = "ADDR", default_value = "127.0.0.1:0")]
     listen: String,
 
     /// Exit after printing instead of serving on (as without a terminal)

@@ -11,7 +11,7 @@ mod progress;
 mod serve;
 mod solve;
 mod style;
-pub mod table;
+mod table;
 mod validate;
 
 use std::process::ExitCode;

@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use super::table::significant;
 use crate::jobs::IterationRecord;
 use crate::solve::{Interrupt, Observer};
 
@@ -42,8 +43,10 @@ impl ProgressLine {
     /// Shows an iteration.
     pub(super) fn show(&mut self, record: &IterationRecord) {
         self.text = format!(
-            "iteration {}, residual {:.1e}, peak pressure {:.5e}",
-            record.iteration, record.equilibrium_residual, record.peak_pressure
+            "iteration {}, residual {:.1e}, peak pressure {}",
+            record.iteration,
+            record.equilibrium_residual,
+            significant(record.peak_pressure, 5)
         );
         self.refresh();
     }

@@ -11,7 +11,7 @@ use super::style::Style;
 use crate::model::{Analysis, Job, Units};
 use crate::results::{HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings};
 use crate::solve::SolveStatus;
-use number::significant;
+pub(super) use number::significant;
 
 /// Widest line.
 const WIDTH: usize = 80;

@@ -2,7 +2,7 @@
 //!
 //! [`Worker`] claims as many jobs as it has free solvers. Each job has a supervisor, an async task that forwards
 //! progress to the store and the wish to stop to the solver; the solver thread itself only ever talks to its
-//! [`observer`], which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
+//! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
 
 mod attempt;
 mod observer;

@@ -1,7 +1,7 @@
 //! Figures with as many digits as they deserve.
 
 /// Writes a number with this many significant digits; very large and very small ones in powers of ten.
-pub(super) fn significant(value: f64, digits: i32) -> String {
+pub(in crate::cli) fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

@@ -134,7 +134,7 @@ fn framed(
             _ => String::new(),
         };
         let axis = if label.is_empty() { '│' } else { '┤' };
-        let line: String = cells.iter().map(|cell| drawn(*cell, style)).collect();
+        let line = drawn(cells, style);
         text.push_str(format!("{label:>LABEL$} {axis}{line}").trim_end());
         text.push('\n');
     }
@@ -160,16 +160,24 @@ fn x_labels(edge: f64, units: UnitNames) -> String {
     text
 }
 
-fn drawn(cell: Cell, style: Style) -> String {
-    let dots = cell.contact | cell.hertz;
-    if dots == 0 {
-        return " ".to_owned();
-    }
-    let symbol = match (style.unicode, cell.contact) {
-        (true, _) => char::from_u32(0x2800 + u32::from(dots)).unwrap_or('?'),
-        (false, 0) => '.',
-        (false, _) => '*',
+/// One row of characters, neighbours of one colour painted together.
+fn drawn(cells: &[Cell], style: Style) -> String {
+    let is_contact = |cell: &Cell| cell.contact != 0;
+    let is_blank = |cell: &Cell| cell.contact | cell.hertz == 0;
+    let last = cells.iter().rposition(|cell| !is_blank(cell)).map_or(0, |last| last + 1);
+    let runs = cells[..last].chunk_by(|one, other| is_contact(one) == is_contact(other));
+    let paint = |run: &[Cell]| {
+        let text: String = run.iter().map(|cell| symbol(*cell, style)).collect();
+        if is_contact(&run[0]) { style.cyan(&text) } else { style.dim(&text) }
     };
-    let symbol = symbol.to_string();
-    if cell.contact == 0 { style.dim(&symbol) } else { style.cyan(&symbol) }
+    runs.map(paint).collect()
+}
+
+fn symbol(cell: Cell, style: Style) -> char {
+    match (style.unicode, cell.contact, cell.hertz) {
+        (_, 0, 0) => ' ',
+        (true, contact, hertz) => char::from_u32(0x2800 + u32::from(contact | hertz)).unwrap_or('?'),
+        (false, 0, _) => '.',
+        (false, _, _) => '*',
+    }
 }
