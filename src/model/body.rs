@@ -1,8 +1,11 @@
 //! One of the two bodies.
 
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 
-use super::{Material, Shape};
+use super::reader::Cursor;
+use super::wire::InUnits;
+use super::{Material, Named, Shape, Units};
 
 /// One body of the contact: its shape, what it is made of and how its far boundary is held.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +18,27 @@ pub struct Body {
     pub support: Support,
 }
 
+impl Body {
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
+        let object = cursor.object()?;
+        object.only(&["shape", "support", "material"]);
+        let shape = object.required("shape", |c| Shape::read(c, units));
+        let support = object.or("support", Support::default(), |c| c.named());
+        let material = object.required("material", |c| Material::read(c, units));
+        Some(Self { shape: shape?, material: material?, support: support? })
+    }
+}
+
+impl Serialize for InUnits<'_, Body> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("shape", &InUnits(&self.0.shape, self.1))?;
+        map.serialize_entry("support", &self.0.support)?;
+        map.serialize_entry("material", &InUnits(&self.0.material, self.1))?;
+        map.end()
+    }
+}
+
 /// How the far boundary of a body is held (diametral plane of a cylinder, base of a block).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -24,4 +48,15 @@ pub enum Support {
     Clamped,
     /// The normal component is held, the tangential one is free.
     Roller,
+}
+
+impl Named for Support {
+    const ALL: &'static [Self] = &[Self::Clamped, Self::Roller];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Clamped => "clamped",
+            Self::Roller => "roller",
+        }
+    }
 }

@@ -3,8 +3,15 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use serde::de::Deserialize;
+use serde::ser::{SerializeMap, Serializer};
 
-use super::{Body, MeshSettings, OutputSettings, PositiveF64, SolverSettings, Units};
+use super::reader::{self, Cursor, Faults, Node};
+use super::wire::InUnits;
+use super::{
+    Body, FieldError, JobError, Load, MeshSettings, Named, OutputSettings, Quantity, SolverSettings, Units,
+    tags,
+};
 
 /// A complete, valid request. All figures are in N–mm–MPa whatever [`Job::units`] says; `units` is how they
 /// were written and how the result is to be written.
@@ -34,20 +41,139 @@ pub struct Job {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Analysis {
-    /// ε_zz = 0: long bodies.
+    /// `ε_zz` = 0: long bodies.
     PlaneStrain,
-    /// σ_zz = 0: thin discs.
+    /// `σ_zz` = 0: thin discs.
     PlaneStress,
     /// Bodies of revolution about the line of approach.
     Axisymmetric,
 }
 
-/// What presses the bodies together. Several values are a sweep, one step each; never empty.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Load {
-    /// Forces for the whole contact, both sides of the axis: N per mm of thickness in plane analyses, N in
-    /// axisymmetry.
-    Forces(Vec<PositiveF64>),
-    /// Approaches α of the supports \[mm\].
-    Approaches(Vec<PositiveF64>),
+impl Named for Analysis {
+    const ALL: &'static [Self] = &[Self::PlaneStrain, Self::PlaneStress, Self::Axisymmetric];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::PlaneStrain => "plane_strain",
+            Self::PlaneStress => "plane_stress",
+            Self::Axisymmetric => "axisymmetric",
+        }
+    }
+}
+
+impl Analysis {
+    /// What a force is: per thickness in plane analyses, whole in axisymmetry.
+    pub const fn force(self) -> Quantity {
+        match self {
+            Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
+            Self::Axisymmetric => Quantity::Force,
+        }
+    }
+}
+
+const KEYS: &[&str] = &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
+
+impl Job {
+    /// Parses the wire format. The text is read whole: every fault is reported, not only the first.
+    ///
+    /// # Errors
+    /// [`JobError::Syntax`] if the text is not JSON; [`JobError::Fields`] with every fault in document order if it
+    /// is not a job or not one this version solves (see [`Job::unsupported`]). The list ends with a note after
+    /// 100 faults.
+    pub fn from_json(text: &[u8]) -> Result<Self, JobError> {
+        Self::solvable(&reader::parse(text)?)
+    }
+
+    /// As [`Job::from_json`], from JSON that is already parsed. Duplicate keys have been lost by then.
+    ///
+    /// # Errors
+    /// [`JobError::Fields`], as in [`Job::from_json`].
+    pub fn from_value(value: &serde_json::Value) -> Result<Self, JobError> {
+        Self::solvable(&Node::deserialize(value).map_err(|error| reader::explain("", &error))?)
+    }
+
+    /// Holds a job that was put together in code to every limit of the wire format.
+    ///
+    /// # Errors
+    /// [`JobError::Fields`], as in [`Job::from_json`].
+    pub fn validate(&self) -> Result<(), JobError> {
+        let wire = serde_json::to_value(self).map_err(|error| reader::explain("", &error))?;
+        Self::from_value(&wire).map(drop)
+    }
+
+    fn solvable(document: &Node) -> Result<Self, JobError> {
+        let job = Self::read(document)?;
+        let faults = Faults::default();
+        faults.extend(job.unsupported());
+        let refused = faults.into_sorted(document);
+        if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
+    }
+
+    /// Reads a job of the whole format, solvable or not.
+    pub(super) fn read(document: &Node) -> Result<Self, JobError> {
+        let faults = Faults::default();
+        let job = Self::read_members(Cursor::root(document, &faults));
+        faults.extend(both_rigid(document));
+        let faults = faults.into_sorted(document);
+        match job {
+            Some(job) if faults.is_empty() => Ok(job),
+            _ => Err(JobError::Fields(faults)),
+        }
+    }
+
+    fn read_members(cursor: Cursor<'_>) -> Option<Self> {
+        let object = cursor.object()?;
+        object.only(KEYS);
+        let analysis = object.required("analysis", |c| c.named::<Analysis>());
+        let units = object.or("units", Units::default(), |c| c.named());
+        let upper = object.required("upper", |c| Body::read(c, units));
+        let lower = object.required("lower", |c| Body::read(c, units));
+        let force = analysis.map_or(Quantity::LineForce, Analysis::force);
+        let load = object.required("load", |c| Load::read(c, force, units));
+        let mesh = object.or("mesh", MeshSettings::default(), MeshSettings::read);
+        let solver = object.or("solver", SolverSettings::default(), SolverSettings::read);
+        let output = object.or("output", OutputSettings::default(), OutputSettings::read);
+        let tags = object.or("tags", BTreeMap::new(), tags::read);
+        Some(Self {
+            analysis: analysis?,
+            units: units?,
+            upper: upper?,
+            lower: lower?,
+            load: load?,
+            mesh: mesh?,
+            solver: solver?,
+            output: output?,
+            tags: tags?,
+        })
+    }
+}
+
+/// Two rigid bodies do not deform. Looked up in the document, so that it is seen whatever else is wrong.
+fn both_rigid(document: &Node) -> Vec<FieldError> {
+    let pointers = ["/upper/material", "/lower/material"];
+    let rigid = |pointer: &&str| document.at(&format!("{pointer}/rigid")) == Some(&Node::Bool(true));
+    if !pointers.iter().all(rigid) {
+        return Vec::new();
+    }
+    pointers.map(|pointer| FieldError::new(pointer, "both bodies are rigid; one of them must deform")).into()
+}
+
+/// The wire format, in the job's own units: what [`Job::from_json`] reads back as the same job.
+impl Serialize for Job {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let units = self.units;
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("analysis", &self.analysis)?;
+        map.serialize_entry("units", &units)?;
+        map.serialize_entry("upper", &InUnits(&self.upper, units))?;
+        map.serialize_entry("lower", &InUnits(&self.lower, units))?;
+        map.serialize_entry("load", &InUnits(&self.load, units).with_force(self.analysis.force()))?;
+        map.serialize_entry("mesh", &self.mesh)?;
+        map.serialize_entry("solver", &self.solver)?;
+        map.serialize_entry("output", &self.output)?;
+        if !self.tags.is_empty() {
+            map.serialize_entry("tags", &self.tags)?;
+        }
+        map.end()
+    }
 }

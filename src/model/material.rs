@@ -1,8 +1,11 @@
-//! Elastic constants and uniaxial hardening curves.
+//! Elastic constants, and the material as a whole.
 
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 
-use super::{NonNegativeF64, PoissonRatio, PositiveF64};
+use super::reader::{Cursor, Object};
+use super::wire::InUnits;
+use super::{FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
 
 /// What a body is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,14 +16,47 @@ pub enum Material {
     Deformable(Deformable),
 }
 
+impl Material {
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
+        let object = cursor.object()?;
+        if !object.has("rigid") {
+            return Deformable::read(&object, units).map(Self::Deformable);
+        }
+        let rigid = object.required("rigid", |c| c.boolean())?;
+        if !rigid {
+            object.fault("rigid", format_args!("must be true, or left out for a body that deforms"));
+            return None;
+        }
+        object.only(&["rigid"]);
+        Some(Self::Rigid)
+    }
+}
+
 /// Elastic constants and, beside them, a hardening curve that is physical for these constants.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Deformable {
     elastic: Elastic,
     plasticity: Option<Hardening>,
 }
 
 impl Deformable {
+    /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent in range
+    /// (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
+    ///
+    /// # Errors
+    /// Every fault, with a pointer relative to the material, e.g. `/plasticity/tangent_modulus`.
+    pub fn new(elastic: Elastic, plasticity: Option<Hardening>) -> Result<Self, Vec<FieldError>> {
+        let mut faults =
+            plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(elastic.young_modulus));
+        if faults.is_empty() {
+            return Ok(Self { elastic, plasticity });
+        }
+        for fault in &mut faults {
+            fault.pointer.insert_str(0, "/plasticity");
+        }
+        Err(faults)
+    }
+
     /// Elastic constants.
     pub fn elastic(&self) -> &Elastic {
         &self.elastic
@@ -29,6 +65,16 @@ impl Deformable {
     /// Uniaxial hardening curve; `None` is purely elastic.
     pub fn plasticity(&self) -> Option<&Hardening> {
         self.plasticity.as_ref()
+    }
+
+    fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
+        object.only(&["young_modulus", "poisson_ratio", "plasticity", "rigid"]);
+        let young_modulus = object.required("young_modulus", |c| c.quantity(Quantity::Modulus, units));
+        let poisson_ratio = object.required("poisson_ratio", |c| c.in_type(PoissonRatio::new));
+        let plasticity =
+            object.or("plasticity", None, |c| Hardening::read(c, units, young_modulus).map(Some));
+        let elastic = Elastic { young_modulus: young_modulus?, poisson_ratio: poisson_ratio? };
+        object.checked(Self::new(elastic, plasticity?))
     }
 }
 
@@ -58,57 +104,71 @@ impl Elastic {
     }
 }
 
-/// Uniaxial curve of stress against plastic strain. Its numerics live in `plasticity`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "law", rename_all = "snake_case")]
-pub enum Hardening {
-    /// Straight line of slope `E_t` (total strain) beyond the yield stress; `E_t = 0` is perfectly plastic.
-    Bilinear {
-        /// σ_y \[MPa\].
-        yield_stress: PositiveF64,
-        /// E_t \[MPa\], below Young's modulus.
-        tangent_modulus: NonNegativeF64,
-    },
-    /// `ε_p = a (σ_0 / E) (q / σ_0)^m`.
-    RambergOsgood {
-        /// σ_0 \[MPa\].
-        reference_stress: PositiveF64,
-        /// Offset a.
-        offset: PositiveF64,
-        /// Exponent m, at least 1.
-        exponent: PositiveF64,
-    },
-    /// Piecewise linear through `[plastic_strain, stress]`, the first at zero plastic strain; constant beyond
-    /// the last.
-    Table {
-        /// Points, plastic strain strictly increasing, stress \[MPa\] not falling.
-        points: Vec<[f64; 2]>,
-    },
-    /// `q = σ_y (1 + ε_p / ε_0)^n`.
-    Swift {
-        /// σ_y \[MPa\].
-        yield_stress: PositiveF64,
-        /// ε_0.
-        strain_offset: PositiveF64,
-        /// n, between 0 and 1.
-        exponent: PositiveF64,
-    },
-    /// `q = σ_y + k ε_p^n`.
-    Ludwik {
-        /// σ_y \[MPa\].
-        yield_stress: PositiveF64,
-        /// k \[MPa\].
-        coefficient: PositiveF64,
-        /// n, between 0 and 1.
-        exponent: PositiveF64,
-    },
-    /// `q = σ_y + (σ_s - σ_y) (1 - exp(-b ε_p))`.
-    Voce {
-        /// σ_y \[MPa\].
-        yield_stress: PositiveF64,
-        /// Saturation stress σ_s \[MPa\], at least σ_y.
-        saturation_stress: PositiveF64,
-        /// b.
-        rate: PositiveF64,
-    },
+impl Serialize for InUnits<'_, Material> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        match self.0 {
+            Material::Rigid => map.serialize_entry("rigid", &true)?,
+            Material::Deformable(deformable) => {
+                self.entry(&mut map, "young_modulus", Quantity::Modulus, deformable.elastic.young_modulus)?;
+                map.serialize_entry("poisson_ratio", &deformable.elastic.poisson_ratio)?;
+                if let Some(curve) = &deformable.plasticity {
+                    map.serialize_entry("plasticity", &InUnits(curve, self.1))?;
+                }
+            }
+        }
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn positive(value: f64) -> PositiveF64 {
+        PositiveF64::new(value).unwrap()
+    }
+
+    fn faults_of(curve: Hardening) -> Vec<String> {
+        let poisson_ratio = PoissonRatio::new(0.3).unwrap();
+        let steel = Elastic { young_modulus: positive(210_000.0), poisson_ratio };
+        let built = Deformable::new(steel, Some(curve));
+        built.map_or_else(|faults| faults.iter().map(ToString::to_string).collect(), |_| Vec::new())
+    }
+
+    #[test]
+    fn moduli() {
+        let poisson_ratio = PoissonRatio::new(0.25).unwrap();
+        let elastic = Elastic { young_modulus: positive(100.0), poisson_ratio };
+        assert!((elastic.shear_modulus() - 40.0).abs() < 1e-12);
+        assert!((elastic.bulk_modulus() - 200.0 / 3.0).abs() < 1e-12);
+        assert!((elastic.plane_strain_modulus() - 1600.0 / 15.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_tangent_lies_below_the_elastic_slope() {
+        let bilinear = |slope| Hardening::Bilinear {
+            yield_stress: positive(500.0),
+            tangent_modulus: super::super::NonNegativeF64::new(slope).unwrap(),
+        };
+        assert!(faults_of(bilinear(0.0)).is_empty());
+        assert!(faults_of(bilinear(209_999.0)).is_empty());
+        let expected = ["/plasticity/tangent_modulus: must be less than `young_modulus`"];
+        assert_eq!(faults_of(bilinear(210_000.0)), expected);
+    }
+
+    #[test]
+    fn exponents_and_saturation_are_checked() {
+        let (reference_stress, offset) = (positive(500.0), positive(0.3));
+        let exponent = positive(0.9);
+        let faults = faults_of(Hardening::RambergOsgood { reference_stress, offset, exponent });
+        assert_eq!(faults, ["/plasticity/exponent: must be between 1 and 200"]);
+        let (yield_stress, rate) = (positive(300.0), positive(10.0));
+        let saturation_stress = positive(299.0);
+        let faults = faults_of(Hardening::Voce { yield_stress, saturation_stress, rate });
+        assert_eq!(faults, ["/plasticity/saturation_stress: must be at least `yield_stress`"]);
+        let (strain_offset, exponent) = (positive(0.01), positive(1.1));
+        let faults = faults_of(Hardening::Swift { yield_stress, strain_offset, exponent });
+        assert_eq!(faults, ["/plasticity/exponent: must be between 0.001 and 1"]);
+    }
 }

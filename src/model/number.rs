@@ -52,6 +52,11 @@ ranged!(
     |value| value > 0.0,
     "must be a finite number greater than 0"
 );
+impl PositiveF64 {
+    /// One millionth.
+    pub(super) const MICRO: Self = Self(1e-6);
+}
+
 ranged!(
     /// A finite number, zero or above.
     NonNegativeF64,

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::Named;
+
 /// How lengths, forces and stresses are written in a job and its result.
 ///
 /// Inside the core everything is in [`Units::MmNMpa`].
@@ -47,5 +49,13 @@ impl Units {
             Self::MmNMpa => "mm_N_MPa",
             Self::Si => "SI",
         }
+    }
+}
+
+impl Named for Units {
+    const ALL: &'static [Self] = &[Self::MmNMpa, Self::Si];
+
+    fn name(self) -> &'static str {
+        Self::name(self)
     }
 }

@@ -11,14 +11,14 @@ pub(super) fn describe(body: &Body, units: Units) -> Vec<String> {
         Shape::Block { width, depth } => {
             format!("block {} wide {} deep", length(width.get()), length(depth.get()))
         }
-        Shape::Groove { radius, width, depth } => format!(
+        Shape::Groove(groove) => format!(
             "groove R {} in a block {} wide {} deep",
-            length(radius.get()),
-            length(width.get()),
-            length(depth.get())
+            length(groove.radius().get()),
+            length(groove.width().get()),
+            length(groove.depth().get())
         ),
-        Shape::Profile { points, depth } => {
-            format!("profile of {} points, {} deep", points.len(), length(depth.get()))
+        Shape::Profile(profile) => {
+            format!("profile of {} points, {} deep", profile.points().len(), length(profile.depth().get()))
         }
     }];
     match &body.material {
@@ -51,7 +51,7 @@ fn describe_material(material: &Deformable, units: Units) -> Vec<String> {
             short(offset.get()),
             short(exponent.get())
         ),
-        Hardening::Table { points } => format!("hardening table of {} points", points.len()),
+        Hardening::Table { points } => format!("hardening table of {} points", points.as_slice().len()),
         Hardening::Swift { yield_stress, .. } => format!("Swift σ_y {}", stress(yield_stress.get())),
         Hardening::Ludwik { yield_stress, .. } => format!("Ludwik σ_y {}", stress(yield_stress.get())),
         Hardening::Voce { yield_stress, .. } => format!("Voce σ_y {}", stress(yield_stress.get())),

@@ -1,0 +1,126 @@
+//! Physical quantities of a job: their units, their conversion and how far they may reasonably go.
+//!
+//! The ranges are generous, from a nanometre to a kilometre, from jelly to far beyond diamond. Their purpose is
+//! that no product of figures in a valid job overflows, and that a mistaken unit or exponent is met by a message
+//! and not by a strange answer.
+
+use super::Units;
+
+/// A dimensional figure of the wire format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// A dimension of a shape, `1e-6..=1e6` mm.
+    Length,
+    /// A signed position, `-1e6..=1e6` mm.
+    Position,
+    /// An approach, `1e-9..=1e6` mm.
+    Approach,
+    /// Young's modulus, `1e-3..=1e8` MPa.
+    Modulus,
+    /// A tangent modulus, `0..=1e8` MPa.
+    TangentModulus,
+    /// A yield, reference or saturation stress, `1e-6..=1e7` MPa.
+    Stress,
+    /// A force on unit thickness, `1e-9..=1e9` N/mm.
+    LineForce,
+    /// A force, `1e-9..=1e9` N.
+    Force,
+}
+
+impl Quantity {
+    /// Smallest and largest figure accepted, in the core's N–mm–MPa.
+    pub const fn range(self) -> (f64, f64) {
+        match self {
+            Self::Length => (1e-6, 1e6),
+            Self::Position => (-1e6, 1e6),
+            Self::Approach => (1e-9, 1e6),
+            Self::Modulus => (1e-3, 1e8),
+            Self::TangentModulus => (0.0, 1e8),
+            Self::Stress => (1e-6, 1e7),
+            Self::LineForce | Self::Force => (1e-9, 1e9),
+        }
+    }
+
+    /// How the unit of this quantity is written.
+    pub const fn symbol(self, units: Units) -> &'static str {
+        match (self, units) {
+            (Self::Length | Self::Position | Self::Approach, Units::MmNMpa) => "mm",
+            (Self::Length | Self::Position | Self::Approach, Units::Si) => "m",
+            (Self::Modulus | Self::TangentModulus | Self::Stress, Units::MmNMpa) => "MPa",
+            (Self::Modulus | Self::TangentModulus | Self::Stress, Units::Si) => "Pa",
+            (Self::LineForce, Units::MmNMpa) => "N/mm",
+            (Self::LineForce, Units::Si) => "N/m",
+            (Self::Force, _) => "N",
+        }
+    }
+
+    /// A figure of the wire format in N–mm–MPa.
+    pub fn to_core(self, units: Units, wire: f64) -> f64 {
+        let (multiplier, divisor) = self.factors(units);
+        wire * multiplier / divisor
+    }
+
+    /// A figure in N–mm–MPa as it is written on the wire.
+    pub fn to_wire(self, units: Units, core: f64) -> f64 {
+        let (multiplier, divisor) = self.factors(units);
+        core * divisor / multiplier
+    }
+
+    /// `core = wire * multiplier / divisor`. One of the two is 1 and the other a power of ten that is exact in
+    /// binary, so either direction rounds once: 210e9 Pa is exactly 210000 MPa.
+    const fn factors(self, units: Units) -> (f64, f64) {
+        match (units, self) {
+            (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),
+            (Units::Si, Self::Length | Self::Position | Self::Approach) => (1e3, 1.0),
+            (Units::Si, Self::Modulus | Self::TangentModulus | Self::Stress) => (1.0, 1e6),
+            (Units::Si, Self::LineForce) => (1.0, 1e3),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Quantity; 8] = [
+        Quantity::Length,
+        Quantity::Position,
+        Quantity::Approach,
+        Quantity::Modulus,
+        Quantity::TangentModulus,
+        Quantity::Stress,
+        Quantity::LineForce,
+        Quantity::Force,
+    ];
+
+    #[test]
+    fn agrees_with_the_factors_of_units() {
+        for units in [Units::MmNMpa, Units::Si] {
+            let near = |quantity: Quantity, factor: f64| {
+                assert!((quantity.to_core(units, 1.0) / factor - 1.0).abs() < 1e-15, "{quantity:?}");
+            };
+            near(Quantity::Length, units.length());
+            near(Quantity::Stress, units.stress());
+            near(Quantity::LineForce, units.line_force());
+            near(Quantity::Force, 1.0);
+        }
+    }
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "the conversion is meant to be exact here")]
+    fn round_figures_stay_round() {
+        assert_eq!(Quantity::Modulus.to_core(Units::Si, 210e9), 210_000.0);
+        assert_eq!(Quantity::LineForce.to_core(Units::Si, 612_610.6), 612.6106);
+        assert_eq!(Quantity::Length.to_core(Units::Si, 0.02), 20.0);
+    }
+
+    #[test]
+    fn round_trips_to_one_part_in_1e15() {
+        for quantity in ALL {
+            for value in [1e-9, 0.1, 0.3, 7.0, 612.6106, 1e9] {
+                let back = quantity.to_wire(Units::Si, quantity.to_core(Units::Si, value));
+                assert!((back / value - 1.0).abs() < 1e-15, "{quantity:?} {value} {back}");
+            }
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Reading a document whole: every fault is collected, with its place, before anything is refused.
+//!
+//! A [`Cursor`] is a value with its place. Each of its methods returns `None` after recording what is wrong, so
+//! that a reader first reads *all* of its members and only then combines them with `?`:
+//! ```text
+//! let radius = object.required("radius", |c| c.quantity(Quantity::Length, units));
+//! let depth = object.required("depth", |c| c.quantity(Quantity::Length, units));
+//! Some(Shape::… { radius: radius?, depth: depth? })
+//! ```
+
+mod faults;
+mod object;
+mod syntax;
+mod text;
+mod tree;
+
+use std::fmt;
+use std::ops::RangeInclusive;
+
+pub(super) use self::faults::{Faults, Place};
+pub(super) use self::object::Object;
+pub(super) use self::syntax::{explain, parse};
+pub(super) use self::tree::Node;
+
+use self::text::{Figure, Got, Guess, List, Quoted, Rounded};
+use super::number::OutOfRange;
+use super::{FieldError, Quantity, Units};
+
+/// An enumeration that the wire format writes as a word.
+pub trait Named: Copy + 'static {
+    /// Every value, in the order in which messages list them.
+    const ALL: &'static [Self];
+
+    /// The word.
+    fn name(self) -> &'static str;
+}
+
+/// A value of the document, its place, and where to report what is wrong with it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cursor<'a> {
+    node: &'a Node,
+    place: &'a Place<'a>,
+    faults: &'a Faults,
+}
+
+impl<'a> Cursor<'a> {
+    /// The whole document.
+    pub fn root(document: &'a Node, faults: &'a Faults) -> Self {
+        Self { node: document, place: &Place::Root, faults }
+    }
+
+    /// Records a fault of this value.
+    pub fn fault(&self, detail: fmt::Arguments<'_>) {
+        self.faults.add(self.place, detail);
+    }
+
+    /// Records faults found by a checked constructor, whose pointers are relative to this value, and adds what
+    /// was written there.
+    pub fn report(&self, found: impl IntoIterator<Item = FieldError>) {
+        for fault in found {
+            let pointer = format!("{}{}", self.place.pointer(), fault.pointer);
+            let detail = match self.node.at(&fault.pointer) {
+                Some(got @ (Node::Number(_) | Node::Text(_))) => {
+                    format!("{}, got {}", fault.detail, Got(got))
+                }
+                _ => fault.detail,
+            };
+            self.faults.push(FieldError { pointer, detail });
+        }
+    }
+
+    /// The value of a checked constructor, whose faults are reported.
+    pub fn checked<T>(&self, built: Result<T, Vec<FieldError>>) -> Option<T> {
+        built.map_err(|faults| self.report(faults)).ok()
+    }
+
+    /// An object. A key that is given twice is a fault, and the first of the two is read.
+    pub fn object(self) -> Option<Object<'a>> {
+        let Node::Object(members) = self.node else { return self.not("an object") };
+        Some(Object::new(self, members))
+    }
+
+    /// Any finite number.
+    pub fn number(&self) -> Option<f64> {
+        let Node::Number(value) = self.node else { return self.not("a number") };
+        Some(*value)
+    }
+
+    /// A number in a range.
+    pub fn number_in<T: TryFrom<f64>>(&self, range: &RangeInclusive<f64>) -> Option<T> {
+        let value = self.number()?;
+        if range.contains(&value)
+            && let Ok(value) = T::try_from(value)
+        {
+            return Some(value);
+        }
+        let (low, high) = (Figure(*range.start()), Figure(*range.end()));
+        self.fault(format_args!("must be between {low} and {high}, got {}", Figure(value)));
+        None
+    }
+
+    /// A number that a checked type takes.
+    pub fn in_type<T>(&self, new: fn(f64) -> Result<T, OutOfRange>) -> Option<T> {
+        let value = self.number()?;
+        new(value).map_err(|range| self.fault(format_args!("{range}, got {}", Figure(value)))).ok()
+    }
+
+    /// A whole number in a range; `20.0` is one.
+    pub fn integer(&self, range: &RangeInclusive<u32>) -> Option<u32> {
+        let value = self.number()?;
+        let (low, high) = (*range.start(), *range.end());
+        if value.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&value) {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "checked just above"
+            )]
+            return Some(value as u32);
+        }
+        self.fault(format_args!("must be a whole number between {low} and {high}, got {}", Figure(value)));
+        None
+    }
+
+    /// A figure with a unit, in the range of its quantity, converted to N–mm–MPa. While the unit system is
+    /// unknown only the sign is checked: everything else would be a guess.
+    pub fn quantity<T: TryFrom<f64>>(&self, quantity: Quantity, units: Option<Units>) -> Option<T> {
+        let written = self.number()?;
+        let (low, high) = quantity.range();
+        let known = units.unwrap_or_default();
+        let (wire_low, wire_high) = (quantity.to_wire(known, low), quantity.to_wire(known, high));
+        if low > 0.0 && written <= 0.0 {
+            self.fault(format_args!("must be greater than 0, got {}", Figure(written)));
+        } else if low >= 0.0 && written < 0.0 {
+            self.fault(format_args!("must be at least 0, got {}", Figure(written)));
+        } else if units.is_some() && !(wire_low..=wire_high).contains(&written) {
+            let (low, high, written) = (Rounded(wire_low), Rounded(wire_high), Figure(written));
+            let (unit, system) = (quantity.symbol(known), known.name());
+            self.fault(format_args!(
+                "must be between {low} and {high} {unit} (units {system}), got {written}"
+            ));
+        } else {
+            return T::try_from(quantity.to_core(known, written)).ok();
+        }
+        None
+    }
+
+    /// `true` or `false`.
+    pub fn boolean(&self) -> Option<bool> {
+        let Node::Bool(value) = self.node else { return self.not("true or false") };
+        Some(*value)
+    }
+
+    /// A string.
+    pub fn text(&self) -> Option<&'a str> {
+        let Node::Text(value) = self.node else { return self.not("a string") };
+        Some(value)
+    }
+
+    /// One of the words that are known here.
+    pub fn word(&self, known: &[&'static str]) -> Option<&'static str> {
+        let written = self.text()?;
+        let found = known.iter().copied().find(|word| *word == written);
+        if found.is_none() {
+            let (list, got, guess) = (List(known), Quoted(written), Guess { written, known });
+            self.fault(format_args!("must be one of: {list}, got {got}{guess}"));
+        }
+        found
+    }
+
+    /// A value of an enumeration.
+    pub fn named<T: Named>(&self) -> Option<T> {
+        let names: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
+        let word = self.word(&names)?;
+        T::ALL.iter().copied().find(|value| value.name() == word)
+    }
+
+    /// An array whose number of items is in a range, all of which are read.
+    pub fn array<T>(
+        &self,
+        lengths: RangeInclusive<usize>,
+        read: impl Fn(Cursor<'_>) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let Node::Array(items) = self.node else { return self.not("an array") };
+        if !lengths.contains(&items.len()) {
+            let (least, most) = (lengths.start(), lengths.end());
+            self.fault(format_args!("must have between {least} and {most} items, got {}", items.len()));
+            return None;
+        }
+        let read = items.iter().enumerate().map(|(index, node)| {
+            let place = Place::Index(self.place, index);
+            read(Cursor { node, place: &place, faults: self.faults })
+        });
+        // Every item is read before the first missing one can end the collection.
+        read.collect::<Vec<_>>().into_iter().collect()
+    }
+
+    /// A pair of numbers, `[x, y]`.
+    pub fn pair<T>(
+        &self,
+        read_first: impl FnOnce(Cursor<'_>) -> Option<T>,
+        read_second: impl FnOnce(Cursor<'_>) -> Option<T>,
+    ) -> Option<[T; 2]> {
+        let Node::Array(items) = self.node else { return self.not("an array of 2 numbers") };
+        let [first, second] = items.as_slice() else {
+            self.fault(format_args!("must be an array of 2 numbers, got {}", Got(self.node)));
+            return None;
+        };
+        let first = read_first(Cursor { node: first, place: &Place::Index(self.place, 0), ..*self });
+        let second = read_second(Cursor { node: second, place: &Place::Index(self.place, 1), ..*self });
+        Some([first?, second?])
+    }
+
+    /// Records that this value is of the wrong kind.
+    fn not<T>(&self, expected: &str) -> Option<T> {
+        self.fault(format_args!("must be {expected}, got {}", self.node.kind()));
+        None
+    }
+}

@@ -1,0 +1,167 @@
+//! How figures and the user's own words are repeated in messages: readable, and never longer than a line.
+
+use std::fmt;
+
+use super::tree::Node;
+
+/// Characters of the user's text that a message repeats.
+const LONGEST_QUOTE: usize = 40;
+
+/// A figure without a train of zeros: `0.3`, `210000`, `2.1e11`.
+pub struct Figure(pub f64);
+
+impl fmt::Display for Figure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = self.0 == 0.0 || (1e-4..1e7).contains(&self.0.abs());
+        if plain { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+    }
+}
+
+/// A limit that went through a change of units, without the digits that the conversion left at its end.
+pub struct Rounded(pub f64);
+
+impl fmt::Display for Rounded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Figure(format!("{:.5e}", self.0).parse().unwrap_or(self.0)).fmt(f)
+    }
+}
+
+/// A string in quotation marks, control characters escaped, cut off with `…` when it is long.
+pub struct Quoted<'a>(pub &'a str);
+
+impl fmt::Display for Quoted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.char_indices().nth(LONGEST_QUOTE) {
+            None => write!(f, "{:?}", self.0),
+            Some((end, _)) => write!(f, "{:?}…", self.0.get(..end).unwrap_or_default()),
+        }
+    }
+}
+
+/// A value as it is repeated behind "got".
+pub struct Got<'a>(pub &'a Node);
+
+impl fmt::Display for Got<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Node::Bool(value) => write!(f, "{value}"),
+            Node::Number(value) => Figure(*value).fmt(f),
+            Node::Text(text) => Quoted(text).fmt(f),
+            Node::Array(items) => write!(f, "an array of {}", items.len()),
+            other => f.write_str(other.kind()),
+        }
+    }
+}
+
+/// Words in a list: `type, radius`.
+pub struct List<'a>(pub &'a [&'a str]);
+
+impl fmt::Display for List<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, word) in self.0.iter().enumerate() {
+            write!(f, "{}{word}", if index == 0 { "" } else { ", " })?;
+        }
+        Ok(())
+    }
+}
+
+/// Ends a message with the known word that was probably meant, or with nothing.
+pub struct Guess<'a> {
+    /// What was written.
+    pub written: &'a str,
+    /// What could have been.
+    pub known: &'a [&'a str],
+}
+
+impl fmt::Display for Guess<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.nearest().map_or(Ok(()), |word| write!(f, "; did you mean `{word}`?"))
+    }
+}
+
+impl Guess<'_> {
+    /// The known word at the smallest edit distance, if that is at most a third of its length. Case, hyphens
+    /// and underscores do not count, so that `youngModulus` finds `young_modulus`.
+    fn nearest(&self) -> Option<&str> {
+        let written = bare(self.written);
+        if written.len() > 2 * LONGEST_QUOTE {
+            return None;
+        }
+        self.known
+            .iter()
+            .map(|word| (edit_distance(&written, &bare(word)), *word))
+            .filter(|(distance, word)| *distance <= word.len() / 3)
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, word)| word)
+    }
+}
+
+fn bare(word: &str) -> Vec<char> {
+    let significant = word.chars().filter(|c| !matches!(c, '_' | '-' | ' '));
+    significant.map(|c| c.to_ascii_lowercase()).take(2 * LONGEST_QUOTE + 1).collect()
+}
+
+/// Levenshtein distance with swaps of neighbours counted as one edit (optimal string alignment).
+fn edit_distance(left: &[char], right: &[char]) -> usize {
+    let mut before_last: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=right.len()).collect();
+    for (i, a) in left.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, b) in right.iter().enumerate() {
+            let substituted = last[j] + usize::from(a != b);
+            let mut best = substituted.min(last[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && *a == right[j - 1] && left[i - 1] == *b {
+                best = best.min(before_last[j - 1] + 1);
+            }
+            row.push(best);
+        }
+        before_last = std::mem::replace(&mut last, row);
+    }
+    last[right.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHAPE_KEYS: &[&str] = &["type", "radius", "width", "depth"];
+
+    #[test]
+    fn figures_are_short() {
+        let shown = [0.3, 210_000.0, 2.1e11, 1e300, -1e-9, 0.0].map(|v| Figure(v).to_string());
+        assert_eq!(shown, ["0.3", "210000", "2.1e11", "1e300", "-1e-9", "0"]);
+    }
+
+    #[test]
+    fn limits_are_rounded() {
+        assert_eq!(Rounded(1.000_000_000_000_000_2e-6).to_string(), "1e-6");
+        assert_eq!(Rounded(1e12).to_string(), "1e12");
+    }
+
+    #[test]
+    fn long_text_is_cut_between_characters() {
+        assert_eq!(Quoted(&"é".repeat(1_000_000)).to_string(), format!("\"{}\"…", "é".repeat(40)));
+        assert_eq!(Quoted("a\n\"b").to_string(), r#""a\n\"b""#);
+    }
+
+    #[test]
+    fn guesses_the_word_that_was_meant() {
+        let guess = |written| Guess { written, known: SHAPE_KEYS }.nearest().map(str::to_owned);
+        assert_eq!(guess("raduis").as_deref(), Some("radius"));
+        assert_eq!(guess("Radius").as_deref(), Some("radius"));
+        assert_eq!(guess("with").as_deref(), Some("width"));
+        assert_eq!(guess("colour"), None);
+        assert_eq!(guess(""), None);
+        let keys = Guess { written: "youngModulus", known: &["young_modulus"] };
+        assert_eq!(keys.nearest(), Some("young_modulus"));
+        assert_eq!(guess(&"radius".repeat(100_000)), None);
+    }
+
+    #[test]
+    fn swapped_neighbours_are_one_edit() {
+        let distance = |a: &str, b: &str| edit_distance(&bare(a), &bare(b));
+        assert_eq!(distance("raduis", "radius"), 1);
+        assert_eq!(distance("", "abc"), 3);
+        assert_eq!(distance("kitten", "sitting"), 3);
+    }
+}
