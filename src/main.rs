@@ -1,1 +1,7 @@
-fn main() {}
+//! The `brinell` program.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    brinell::cli::main()
+}

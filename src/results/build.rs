@@ -5,8 +5,8 @@ use std::time::Duration;
 use super::subsurface;
 use super::units::Writer;
 use super::{
-    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport,
-    Report, StepReport, Timings, validity,
+    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LoadReport, MeshReport, PerBody,
+    PlasticityReport, Report, StepReport, Timings, validity,
 };
 use crate::contact::ContactLoad;
 use crate::model::{Body, Job, Material, Named, Quantity, Shape};
@@ -63,7 +63,8 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         approach_datum: approach_datum(job, write),
         contact,
         subsurface,
-        plasticity: bodies.each(|body| body.as_ref().map(|body| plasticity_report(body, step.symmetric, write))),
+        plasticity: bodies
+            .each(|body| body.as_ref().map(|body| plasticity_report(body, step.symmetric, write))),
         hertz: reference.map(|reference| HertzReport {
             half_width: write.length(reference.hertz.half_width()),
             peak_pressure: write.stress(reference.hertz.peak_pressure()),
@@ -99,7 +100,8 @@ fn contact_report(step: &StepSolution, write: Writer) -> ContactReport {
     let mean = if half_width > 0.0 { force / (2.0 * half_width) } else { 0.0 };
     // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n.
     let mirrored = if step.symmetric { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
-    let pairs = || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
+    let pairs =
+        || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
     ContactReport {
         force: write.force(force),
         half_width: write.length(half_width),
@@ -146,7 +148,10 @@ fn approach_datum(job: &Job, write: Writer) -> String {
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
         (_, Shape::Cylinder { radius }) => {
-            format!("the diametral plane of the {side} body, {} from the contact", write.length_text(radius.get()))
+            format!(
+                "the diametral plane of the {side} body, {} from the contact",
+                write.length_text(radius.get())
+            )
         }
         (_, Shape::Block { depth, .. }) => block_base(side, depth.get(), write),
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),

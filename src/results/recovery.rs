@@ -74,7 +74,8 @@ impl<'a> Recovery<'a> {
             patch.sort_unstable();
             patch.dedup();
         }
-        let mut samples: Vec<([f64; 2], Values)> = patch.iter().map(|&e| self.element_mean(e as usize)).collect();
+        let mut samples: Vec<([f64; 2], Values)> =
+            patch.iter().map(|&e| self.element_mean(e as usize)).collect();
         if on_axis {
             let images = samples.clone();
             samples.extend(images.into_iter().map(|([x, y], mut values)| {
@@ -162,7 +163,8 @@ fn shape_functions(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]>
         let n = shape(xi, eta);
         let d_xi = [-0.25 * (1.0 - eta), 0.25 * (1.0 - eta), 0.25 * (1.0 + eta), -0.25 * (1.0 + eta)];
         let d_eta = [-0.25 * (1.0 - xi), -0.25 * (1.0 + xi), 0.25 * (1.0 + xi), 0.25 * (1.0 - xi)];
-        let sum = |weights: &[f64; 4], k: usize| weights.iter().zip(corners).map(|(w, c)| w * c[k]).sum::<f64>();
+        let sum =
+            |weights: &[f64; 4], k: usize| weights.iter().zip(corners).map(|(w, c)| w * c[k]).sum::<f64>();
         let rest = [point[0] - sum(&n, 0), point[1] - sum(&n, 1)];
         let [a, b, c, d] = [sum(&d_xi, 0), sum(&d_eta, 0), sum(&d_xi, 1), sum(&d_eta, 1)];
         let determinant = a * d - b * c;

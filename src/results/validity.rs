@@ -20,7 +20,9 @@ pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) 
     match step.status {
         SolveStatus::Converged => {}
         SolveStatus::NotConverged => say("not_converged", not_converged(step)),
-        SolveStatus::Cancelled => say("cancelled", "Stopped on request; the figures are those of the last iteration.".into()),
+        SolveStatus::Cancelled => {
+            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into())
+        }
         SolveStatus::TimedOut => {
             say("timed_out", "The deadline passed; the figures are those of the last iteration.".into());
         }
@@ -40,7 +42,10 @@ pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) 
     if strain > LARGE_STRAIN {
         say(
             "large_strain",
-            format!("Plastic strain reaches {:.1} %; small-strain theory is meant for up to 5 %.", 100.0 * strain),
+            format!(
+                "Plastic strain reaches {:.1} %; small-strain theory is meant for up to 5 %.",
+                100.0 * strain
+            ),
         );
     }
     if strain > 0.0 {
@@ -55,7 +60,8 @@ pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) 
     if step.reaches_edge {
         say(
             "contact_at_edge",
-            "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing.".into(),
+            "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing."
+                .into(),
         );
     }
     if half_width > 0.0 && half_width < COARSE_MESH * step.spacing {

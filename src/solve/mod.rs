@@ -26,8 +26,8 @@ mod weak;
 
 pub use patch::ContactPatch;
 pub use phases::{Phase, PhaseTimes};
-pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use problem::ElasticReference;
+pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use run::{Estimate, Options, estimate, run, run_with};
 pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
 

@@ -56,7 +56,11 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveErro
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+pub fn run_with(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;
     let Load::Forces(forces) = &job.load else {
@@ -100,9 +104,18 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
         let half_width = ZONE * expected_half_width(&problem, force.get())?;
         let columns = (ZONE * elements as f64).round() as usize;
         let models = if problem.bodies_are_equal() { 1 } else { problem.deformable_count() };
-        let nodes: usize = problem.deformable_outlines().map(|outline| {
-            crate::mesh::estimated_nodes(outline, half_width, columns, problem.is_symmetric(), refinement(elements))
-        }).sum();
+        let nodes: usize = problem
+            .deformable_outlines()
+            .map(|outline| {
+                crate::mesh::estimated_nodes(
+                    outline,
+                    half_width,
+                    columns,
+                    problem.is_symmetric(),
+                    refinement(elements),
+                )
+            })
+            .sum();
         let equations = 2 * nodes;
         worst.equations = worst.equations.max(equations);
         worst.bytes = worst.bytes.max(estimated_bytes(equations / problem.deformable_count().max(1), models));

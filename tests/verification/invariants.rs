@@ -86,10 +86,7 @@ fn the_unit_system_changes_figures_not_physics() {
 
 #[test]
 fn half_and_full_models_agree() {
-    for job in [
-        paper(FORCE_3, "accelerated"),
-        unequal(&cylinder("roller", bilinear()), &block(bilinear())),
-    ] {
+    for job in [paper(FORCE_3, "accelerated"), unequal(&cylinder("roller", bilinear()), &block(bilinear()))] {
         let mut job = job;
         job["solver"] = json!({"tolerance": 1e-9});
         let half = solve(&job);

@@ -6,7 +6,9 @@
 use brinell::solve::{IterationRecord, SolveStatus};
 use serde_json::json;
 
-use crate::problems::{FORCE_3, FORCE_4, FORCE_5, assert_within, bilinear, paper, report, solve, two_cylinders};
+use crate::problems::{
+    FORCE_3, FORCE_4, FORCE_5, assert_within, bilinear, paper, report, solve, two_cylinders,
+};
 
 const COUPLINGS: [&str; 4] = ["accelerated", "strong", "weak", "secant_stiffness"];
 
@@ -89,7 +91,10 @@ fn iteration_counts_stay_near_the_prototypes() {
         assert!(found <= most(secant), "secant at {tolerance:e}: {found} against {secant}");
         if let Some((alternations, updates)) = weak {
             let found = with(force, "weak", tolerance);
-            assert!(found.0 <= most(alternations) && found.1 <= most(updates), "weak at {tolerance:e}: {found:?}");
+            assert!(
+                found.0 <= most(alternations) && found.1 <= most(updates),
+                "weak at {tolerance:e}: {found:?}"
+            );
         }
     }
 }

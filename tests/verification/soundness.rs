@@ -42,7 +42,7 @@ impl ContactSolver for TooNarrow {
         for force in &mut solution.force {
             *force *= scale;
         }
-        solution.active_set = ActiveSet::from_fn(solution.force.len(), |k| k < kept);
+        solution.active_set = ActiveSet::from_fn(solution.force.len(), |k| *k < kept);
         Ok(solution)
     }
 }

@@ -44,7 +44,11 @@ fn stresses_converge_at_second_order() {
         job["mesh"] = serde_json::json!({"elements_per_half_width": elements});
         let report = report(&job);
         let profile = report.steps[0].subsurface.clone().unwrap().upper.unwrap();
-        let inside = profile.depth.iter().enumerate().filter(|(_, d)| (0.3..1.2).contains(&(**d / hertz.half_width())));
+        let inside = profile
+            .depth
+            .iter()
+            .enumerate()
+            .filter(|(_, d)| (0.3..1.2).contains(&(**d / hertz.half_width())));
         let squares: Vec<f64> = inside
             .map(|(k, &d)| (profile.sigma_x[k] - hertz.stress_on_axis(d, 0.3).sigma_x).powi(2))
             .collect();

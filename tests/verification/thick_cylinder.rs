@@ -62,7 +62,8 @@ fn perfectly_plastic(poisson: f64) -> Deformable {
 
 /// Radial displacement at the outer surface.
 fn outer_displacement(mesh: &Mesh, loaded: &Loaded) -> f64 {
-    let outermost = mesh.nodes.iter().zip(&loaded.displacement).filter(|([x, y], _)| *y == 0.0 && *x > OUTER - 1e-9);
+    let outermost =
+        mesh.nodes.iter().zip(&loaded.displacement).filter(|([x, y], _)| *y == 0.0 && *x > OUTER - 1e-9);
     outermost.map(|(_, u)| u[0]).next().unwrap()
 }
 
@@ -86,8 +87,14 @@ fn the_plastic_zone_spreads_as_hill_says() {
         assert_within(outer_displacement(&mesh, &loaded), exact.displacement(OUTER), 1e-2);
 
         // The yielded area is that of a ring up to c.
-        let area: f64 =
-            loaded.field.points.iter().flatten().filter(|point| point.yielded).map(|point| point.weight).sum();
+        let area: f64 = loaded
+            .field
+            .points
+            .iter()
+            .flatten()
+            .filter(|point| point.yielded)
+            .map(|point| point.weight)
+            .sum();
         let found = (INNER.powi(2) + area / std::f64::consts::FRAC_PI_4).sqrt();
         assert!((found - radius).abs() < 2.5, "c = {found:.2} instead of {radius}");
 

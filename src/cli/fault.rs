@@ -1,0 +1,90 @@
+//! What can go wrong on the command line, and how it is told.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use thiserror::Error;
+
+use super::style::Style;
+use crate::app::AppError;
+use crate::jobs::EncodeError;
+use crate::model::{FieldError, JobError};
+use crate::results::RunError;
+
+/// Exit code for faults of the program or its surroundings.
+const FAILED: u8 = 1;
+/// Exit code for bad input.
+const BAD_INPUT: u8 = 2;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug, Error)]
+pub(super) enum Fault {
+    /// The job cannot be read.
+    #[error("cannot read {name}: {source}")]
+    Read { name: String, source: io::Error },
+    /// The answer cannot be written.
+    #[error("cannot write {name}: {source}")]
+    Write { name: String, source: io::Error },
+    /// The text is not a job.
+    #[error("{name} is {error}")]
+    Syntax { name: String, error: JobError },
+    /// The job is at fault.
+    #[error("{name} is not a valid job")]
+    Fields { name: String, errors: Vec<FieldError> },
+    /// The solver failed.
+    #[error("the job could not be solved: {0}")]
+    Run(RunError),
+    /// The result has numbers that are none.
+    #[error("the result is not usable: {0}")]
+    Encode(#[from] EncodeError),
+    /// The service does not run.
+    #[error(transparent)]
+    App(#[from] AppError),
+    /// The demonstration's own request failed.
+    #[error("the demonstration failed: {0}")]
+    Demo(String),
+    /// The operating system refuses something.
+    #[error(transparent)]
+    System(#[from] io::Error),
+}
+
+impl Fault {
+    /// A job that cannot be solved as it stands.
+    pub(super) fn of_job(name: &str, error: JobError) -> Self {
+        let name = name.to_owned();
+        match error {
+            JobError::Fields(errors) => Self::Fields { name, errors },
+            error @ JobError::Syntax { .. } => Self::Syntax { name, error },
+        }
+    }
+
+    fn exit_code(&self) -> u8 {
+        match self {
+            Self::Read { .. } | Self::Syntax { .. } | Self::Fields { .. } => BAD_INPUT,
+            _ => FAILED,
+        }
+    }
+
+    /// Whether the reader of our output has gone, as in `brinell solve job.json | head`.
+    fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+/// Tells a fault on standard error, one line for each field.
+pub(super) fn report_fault(fault: &Fault) -> ExitCode {
+    if !fault.is_broken_pipe() {
+        let style = Style::of_stderr();
+        let mut text = format!("{} {fault}\n", style.red("error:"));
+        if let Fault::Fields { errors, .. } = fault {
+            for error in errors {
+                let pointer = if error.pointer.is_empty() { "(the job)" } else { &error.pointer };
+                let _ = writeln!(text, "  {}: {}", style.bold(pointer), error.detail);
+            }
+        }
+        // Nothing is left to tell it to.
+        let _ = io::stderr().write_all(text.as_bytes());
+    }
+    ExitCode::from(fault.exit_code())
+}

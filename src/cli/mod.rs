@@ -1,0 +1,83 @@
+//! The command line.
+//!
+//! Exit codes: 0 done (and, for `solve`, converged), 1 the program or its surroundings are at fault, 2 bad input
+//! or usage, 3 not converged.
+
+mod client;
+mod demo;
+mod fault;
+mod input;
+mod progress;
+mod serve;
+mod solve;
+mod style;
+mod table;
+mod validate;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::config::ServeConfig;
+use crate::telemetry::{self, LogConfig};
+use demo::DemoArgs;
+use fault::{Fault, report_fault};
+use solve::SolveArgs;
+use validate::ValidateArgs;
+
+/// Exit code for a job that did not converge.
+const NOT_CONVERGED: u8 = 3;
+
+/// Elasto-plastic contact between two bodies, solved in milliseconds
+#[derive(Debug, Parser)]
+#[command(name = "brinell", version, propagate_version = true)]
+struct Cli {
+    #[command(flatten)]
+    log: LogConfig,
+
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run the HTTP service
+    Serve(ServeConfig),
+    /// Solve one job here and now, without a server
+    Solve(SolveArgs),
+    /// Check a job and estimate its cost without solving it
+    Validate(ValidateArgs),
+    /// Start the service, send it the reference problem over HTTP and show the answer
+    Demo(DemoArgs),
+}
+
+/// How to print an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// JSON, for programs
+    Json,
+    /// A table, for people
+    Table,
+}
+
+/// Runs the program with the process's arguments.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let default_filter = if matches!(cli.command, Command::Serve(_)) { "info" } else { "warn" };
+    telemetry::start(&cli.log, default_filter);
+    let done = match cli.command {
+        Command::Serve(config) => serve::serve(&config),
+        Command::Solve(args) => solve::solve(&args),
+        Command::Validate(args) => validate::validate(&args),
+        Command::Demo(args) => demo::demo(&args),
+    };
+    done.unwrap_or_else(|fault| report_fault(&fault))
+}
+
+/// Runs async work on a runtime of its own.
+fn block_on<T>(work: impl Future<Output = Result<T, Fault>>) -> Result<T, Fault> {
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
+    let done = runtime.block_on(work);
+    runtime.shutdown_background();
+    done
+}

@@ -1,0 +1,183 @@
+//! The contact pressure drawn with characters: this contact as a line, Hertz as dots.
+
+use std::fmt::Write;
+
+use super::UnitNames;
+use super::number::{round_up, short};
+use crate::cli::style::Style;
+use crate::results::{ContactNodes, ContactReport, HertzReport};
+
+/// Size of the picture in characters; each is 2 × 4 dots.
+const COLUMNS: usize = 64;
+const ROWS: usize = 12;
+const DOTS_X: usize = 2 * COLUMNS;
+const DOTS_Y: usize = 4 * ROWS;
+/// Width of the numbers beside the picture.
+const LABEL: usize = 9;
+/// Distance, in dots, between the dots of Hertz's curve.
+const DOTTED: f64 = 3.0;
+
+/// Two bits of every character: which of its dots belong to which curve.
+#[derive(Debug, Clone, Copy, Default)]
+struct Cell {
+    contact: u8,
+    hertz: u8,
+}
+
+/// The picture with its axes; empty when there is nothing to draw.
+pub(super) fn pressure(
+    contact: &ContactReport,
+    hertz: Option<&HertzReport>,
+    units: UnitNames,
+    style: Style,
+) -> String {
+    let peak = contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
+    let pressed = contact.nodes.x.iter().zip(&contact.nodes.pressure).filter(|(_, p)| **p > 0.0);
+    let reach = pressed.map(|(x, _)| x.abs()).fold(hertz.map_or(0.0, |hertz| hertz.half_width), f64::max);
+    if peak <= 0.0 || reach <= 0.0 {
+        return String::new();
+    }
+    let (top, edge) = (round_up(peak), round_up(1.1 * reach));
+    let mut cells = [[Cell::default(); COLUMNS]; ROWS];
+    let at = |column: usize| edge * ((2 * column + 1) as f64 / DOTS_X as f64 - 1.0);
+    if let Some(hertz) = hertz {
+        dot_ellipse(&mut cells, hertz, top, edge);
+    }
+    let mut before = None;
+    for column in 0..DOTS_X {
+        let here = level(interpolated(&contact.nodes, at(column)), top);
+        for level in stroke(before, here) {
+            let (row, bit) = dot(column, level);
+            cells[row][column / 2].contact |= bit;
+        }
+        before = here;
+    }
+    framed(&cells, top, edge, hertz.is_some(), units, style)
+}
+
+/// Hertz's ellipse, `p = p0 sin θ` at `x = -a cos θ`, dotted evenly along the curve.
+fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, top: f64, edge: f64) {
+    let scale_x = 0.5 * DOTS_X as f64 / edge;
+    let scale_y = DOTS_Y as f64 / top;
+    let mut angle = 0.0_f64;
+    while angle < std::f64::consts::PI {
+        let (sine, cosine) = angle.sin_cos();
+        if let Some(level) = level(hertz.peak_pressure * sine, top) {
+            let column = ((edge - hertz.half_width * cosine) * scale_x).floor().max(0.0);
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped to the picture"
+            )]
+            let column = (column as usize).min(DOTS_X - 1);
+            let (row, bit) = dot(column, level);
+            cells[row][column / 2].hertz |= bit;
+        }
+        let along_x = hertz.half_width * sine * scale_x;
+        let along_y = hertz.peak_pressure * cosine * scale_y;
+        angle += DOTTED / along_x.hypot(along_y).max(1.0);
+    }
+}
+
+/// Pressure at x, linear between nodes and zero beyond them.
+fn interpolated(nodes: &ContactNodes, x: f64) -> f64 {
+    let right = nodes.x.partition_point(|node| *node < x);
+    let (Some(&x_right), Some(&p_right)) = (nodes.x.get(right), nodes.pressure.get(right)) else {
+        return 0.0;
+    };
+    let Some(left) = right.checked_sub(1) else { return 0.0 };
+    let (x_left, p_left) = (nodes.x[left], nodes.pressure[left]);
+    p_left + (p_right - p_left) * (x - x_left) / (x_right - x_left)
+}
+
+/// Height of a pressure in dots above the axis; none for no pressure.
+fn level(pressure: f64, top: f64) -> Option<usize> {
+    let height = (pressure / top * DOTS_Y as f64).floor();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the picture")]
+    (pressure > 0.0).then(|| height.clamp(0.0, (DOTS_Y - 1) as f64) as usize)
+}
+
+/// The dots of one column that join this height to the one before, so that steep curves do not break.
+fn stroke(before: Option<usize>, here: Option<usize>) -> std::ops::Range<usize> {
+    match (before, here) {
+        (Some(before), Some(here)) if here > before => before + 1..here + 1,
+        (Some(before), Some(here)) if here < before => here..before,
+        (_, Some(here)) if before.is_none() => 0..here + 1,
+        (_, Some(here)) => here..here + 1,
+        (Some(before), None) => 0..before,
+        (None, None) => 0..0,
+    }
+}
+
+/// Row of characters and bit of the braille pattern of a dot.
+fn dot(column: usize, level: usize) -> (usize, u8) {
+    const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+    let from_top = DOTS_Y - 1 - level.min(DOTS_Y - 1);
+    (from_top / 4, BITS[from_top % 4][column % 2])
+}
+
+fn framed(
+    cells: &[[Cell; COLUMNS]; ROWS],
+    top: f64,
+    edge: f64,
+    has_hertz: bool,
+    units: UnitNames,
+    style: Style,
+) -> String {
+    let legend = if has_hertz { "line: this contact, dots: Hertz" } else { "" };
+    let mut text =
+        format!("{:>LABEL$}  {}\n", "pressure", style.dim(&format!("[{}] {legend}", units.stress)));
+    for (row, cells) in cells.iter().enumerate() {
+        let label = match row {
+            0 => short(top),
+            row if row == ROWS / 2 => short(0.5 * top),
+            _ => String::new(),
+        };
+        let axis = if label.is_empty() { '│' } else { '┤' };
+        let line = drawn(cells, style);
+        text.push_str(format!("{label:>LABEL$} {axis}{line}").trim_end());
+        text.push('\n');
+    }
+    let quarter = "─".repeat(COLUMNS / 4 - 1);
+    let axis = format!("└{quarter}┴{quarter}┴{quarter}┴{quarter}┴");
+    let _ = writeln!(text, "{:>LABEL$} {axis}", "0");
+    text.push_str(&x_labels(edge, units));
+    text
+}
+
+fn x_labels(edge: f64, units: UnitNames) -> String {
+    let mut text = " ".repeat(LABEL + 1);
+    for quarter in 0..=4 {
+        let label = short(edge * (0.5 * f64::from(quarter) - 1.0));
+        let label = if quarter == 2 { format!("x = 0 {}", units.length) } else { label };
+        let middle = LABEL + 1 + COLUMNS / 4 * usize::try_from(quarter).unwrap_or(0);
+        let start = middle.saturating_sub(label.len() / 2).min(super::WIDTH - label.len());
+        let pad = start.saturating_sub(text.len());
+        text.push_str(&" ".repeat(pad));
+        text.push_str(&label);
+    }
+    text.push('\n');
+    text
+}
+
+/// One row of characters, neighbours of one colour painted together.
+fn drawn(cells: &[Cell], style: Style) -> String {
+    let is_contact = |cell: &Cell| cell.contact != 0;
+    let is_blank = |cell: &Cell| cell.contact | cell.hertz == 0;
+    let last = cells.iter().rposition(|cell| !is_blank(cell)).map_or(0, |last| last + 1);
+    let runs = cells[..last].chunk_by(|one, other| is_contact(one) == is_contact(other));
+    let paint = |run: &[Cell]| {
+        let text: String = run.iter().map(|cell| symbol(*cell, style)).collect();
+        if is_contact(&run[0]) { style.cyan(&text) } else { style.dim(&text) }
+    };
+    runs.map(paint).collect()
+}
+
+fn symbol(cell: Cell, style: Style) -> char {
+    match (style.unicode, cell.contact, cell.hertz) {
+        (_, 0, 0) => ' ',
+        (true, contact, hertz) => char::from_u32(0x2800 + u32::from(contact | hertz)).unwrap_or('?'),
+        (false, 0, _) => '.',
+        (false, _, _) => '*',
+    }
+}

@@ -1,0 +1,46 @@
+//! `brinell validate`
+
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+use serde_json::json;
+
+use super::Format;
+use super::fault::Fault;
+use super::input::{read_job, write_answer};
+use super::style::Style;
+use crate::model::JobError;
+use crate::results;
+
+/// Arguments of `brinell validate`.
+#[derive(Debug, Args)]
+pub(super) struct ValidateArgs {
+    /// The job (JSON); - is standard input
+    #[arg(value_name = "FILE")]
+    job: PathBuf,
+
+    /// How to print the answer [default: table on a terminal, json elsewhere]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+}
+
+pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, Fault> {
+    let (name, job) = read_job(&args.job)?;
+    let estimate =
+        results::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
+    let default = if io::stdout().is_terminal() { Format::Table } else { Format::Json };
+    let text = match args.format.unwrap_or(default) {
+        Format::Json => {
+            let estimate = json!({"equations": estimate.equations, "bytes": estimate.bytes});
+            format!("{}\n", json!({"valid": true, "estimate": estimate}))
+        }
+        Format::Table => {
+            let (verdict, mebibytes) = (Style::of_stdout().green("valid"), estimate.bytes.div_ceil(1 << 20));
+            format!("{name} is {verdict}: {} equations, about {mebibytes} MiB\n", estimate.equations)
+        }
+    };
+    write_answer(None, text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}

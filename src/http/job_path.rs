@@ -1,0 +1,52 @@
+//! The job an address names, and how long its asker will wait.
+
+use std::time::Duration;
+
+use axum::extract::{FromRequestParts, Path, Query};
+use axum::http::request::Parts;
+use serde::Deserialize;
+
+use super::HttpState;
+use super::problem::Problem;
+use super::problem_type::ProblemType;
+use crate::jobs::{JobId, StoreError};
+
+/// The `{id}` of an address. What is no id names no job.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct JobPath(pub(super) JobId);
+
+impl FromRequestParts<HttpState> for JobPath {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let text = Path::<String>::from_request_parts(parts, state).await.ok();
+        let id = text.and_then(|Path(text)| text.parse().ok());
+        id.map(Self).ok_or_else(|| StoreError::NotFound.into())
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WaitQuery {
+    wait: Option<f64>,
+}
+
+/// The `?wait=` of an address: seconds, fractions allowed, cut at the service's limit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wait(pub(super) Duration);
+
+impl FromRequestParts<HttpState> for Wait {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let wrong = |detail: String| Problem::new(ProblemType::InvalidQuery, detail);
+        let Query(query) = Query::<WaitQuery>::from_request_parts(parts, state)
+            .await
+            .map_err(|rejection| wrong(rejection.body_text()))?;
+        let seconds = query.wait.unwrap_or(0.0);
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            return Err(wrong(format!("wait must be a number of seconds, 0 or greater, got {seconds}")));
+        }
+        Ok(Self(Duration::from_secs_f64(seconds.min(state.settings.wait_limit.as_secs_f64()))))
+    }
+}

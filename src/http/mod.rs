@@ -1,0 +1,121 @@
+//! The service over HTTP. [`router`] lists the routes; each is one file in `routes`.
+//!
+//! Every error, including those of the framework and panics, leaves as `application/problem+json`
+//! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
+
+mod body;
+mod job_path;
+mod problem;
+mod problem_type;
+mod routes;
+pub mod wire;
+
+use std::any::Any;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Router;
+use axum::extract::Request;
+use axum::http::Uri;
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use tower_http::catch_panic::CatchPanicLayer;
+use tower_http::compression::CompressionLayer;
+use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
+use tower_http::trace::{DefaultOnResponse, TraceLayer};
+use tracing::{Level, Span};
+
+use crate::jobs::Desk;
+use routes::cancel_job::cancel_job;
+use routes::get_job::get_job;
+use routes::get_problem::get_problem;
+use routes::get_result::get_result;
+use routes::health::{livez, readyz};
+use routes::post_job::post_job;
+use routes::post_solve::post_solve;
+use routes::post_validate::post_validate;
+
+pub use problem::Problem;
+pub use problem_type::ProblemType;
+
+/// Bounds on a single request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HttpSettings {
+    /// Largest body.
+    pub max_body_bytes: usize,
+    /// Longest time a body may take to arrive.
+    pub body_timeout: Duration,
+    /// Longest time `POST /v1/solve` waits for its result.
+    pub solve_limit: Duration,
+    /// Longest time `?wait=` waits.
+    pub wait_limit: Duration,
+}
+
+impl Default for HttpSettings {
+    fn default() -> Self {
+        Self {
+            max_body_bytes: 1 << 20,
+            body_timeout: Duration::from_secs(30),
+            solve_limit: Duration::from_secs(30),
+            wait_limit: Duration::from_mins(1),
+        }
+    }
+}
+
+/// What the handlers share.
+#[derive(Clone)]
+pub struct HttpState {
+    /// Where jobs are handed in.
+    pub desk: Arc<Desk>,
+    /// Bounds.
+    pub settings: HttpSettings,
+}
+
+/// The whole HTTP surface.
+pub fn router(state: HttpState) -> Router {
+    Router::new()
+        .route("/v1/jobs", post(post_job))
+        .route("/v1/jobs/{id}", get(get_job))
+        .route("/v1/jobs/{id}/result", get(get_result))
+        .route("/v1/jobs/{id}/cancel", post(cancel_job))
+        .route("/v1/solve", post(post_solve))
+        .route("/v1/validate", post(post_validate))
+        .route("/problems/{name}", get(get_problem))
+        .route("/livez", get(livez))
+        .route("/readyz", get(readyz))
+        .fallback(no_route)
+        .method_not_allowed_fallback(no_method)
+        .with_state(state)
+        .layer(CatchPanicLayer::custom(panicked))
+        .layer(CompressionLayer::new())
+        .layer(PropagateRequestIdLayer::x_request_id())
+        .layer(
+            TraceLayer::new_for_http()
+                .make_span_with(span)
+                .on_response(DefaultOnResponse::new().level(Level::INFO)),
+        )
+        .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
+}
+
+async fn no_route(uri: Uri) -> Problem {
+    Problem::new(ProblemType::NotFound, format!("there is nothing at {}", uri.path()))
+}
+
+async fn no_method(request: Request) -> Problem {
+    let (method, path) = (request.method(), request.uri().path());
+    Problem::new(ProblemType::MethodNotAllowed, format!("{path} does not know {method}"))
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "the layer hands the panic over")]
+fn panicked(panic: Box<dyn Any + Send>) -> Response {
+    let message = panic.downcast_ref::<String>().map(String::as_str);
+    let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("(no message)");
+    tracing::error!(panic = message, "a request handler panicked");
+    Problem::new(ProblemType::Internal, "the request could not be answered; the fault has been logged")
+        .into_response()
+}
+
+fn span(request: &Request) -> Span {
+    let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).unwrap_or_default();
+    tracing::info_span!("request", method = %request.method(), path = request.uri().path(), id)
+}

@@ -1,0 +1,168 @@
+//! Errors as `application/problem+json` (RFC 9457).
+
+use axum::http::header::{CONTENT_TYPE, RETRY_AFTER};
+use axum::http::{HeaderValue, StatusCode};
+use axum::response::{IntoResponse, Response};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::problem_type::ProblemType;
+use crate::jobs::{FailureKind, FieldError, JobFailure, Refusal, StoreError, SubmitError};
+
+/// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
+const RETRY_AFTER_SECONDS: &str = "2";
+
+/// An error as the client sees it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Problem {
+    #[serde(rename = "type")]
+    uri: String,
+    title: &'static str,
+    status: u16,
+    detail: String,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    errors: Vec<FieldError>,
+    #[serde(flatten)]
+    extensions: Map<String, Value>,
+    #[serde(skip)]
+    kind: ProblemType,
+}
+
+impl Problem {
+    /// An error of this kind; `detail` is about this occurrence.
+    pub fn new(kind: ProblemType, detail: impl Into<String>) -> Self {
+        Self {
+            uri: kind.uri(),
+            title: kind.title(),
+            status: kind.status().as_u16(),
+            detail: detail.into(),
+            errors: Vec::new(),
+            extensions: Map::new(),
+            kind,
+        }
+    }
+
+    /// The same with faults at fields.
+    #[must_use]
+    pub fn with_errors(mut self, errors: Vec<FieldError>) -> Self {
+        self.errors = errors;
+        self
+    }
+
+    /// The same with a member of its kind's own.
+    #[must_use]
+    pub fn with(mut self, member: &str, value: impl Into<Value>) -> Self {
+        self.extensions.insert(member.to_owned(), value.into());
+        self
+    }
+
+    /// The kind of error.
+    pub const fn kind(&self) -> ProblemType {
+        self.kind
+    }
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let status = self.kind.status();
+        let body = serde_json::to_vec(&self).unwrap_or_default();
+        let mut response = (status, body).into_response();
+        let headers = response.headers_mut();
+        headers.insert(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"));
+        if matches!(status, StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE) {
+            headers.insert(RETRY_AFTER, HeaderValue::from_static(RETRY_AFTER_SECONDS));
+        }
+        response
+    }
+}
+
+impl From<Refusal> for Problem {
+    fn from(refusal: Refusal) -> Self {
+        use crate::model::JobError;
+        let detail = refusal.to_string();
+        match refusal {
+            Refusal::Invalid(JobError::Syntax { line, column, .. }) => {
+                Self::new(ProblemType::InvalidJson, detail).with("line", line).with("column", column)
+            }
+            Refusal::Invalid(JobError::Fields(errors)) => {
+                Self::new(ProblemType::InvalidJob, detail).with_errors(errors)
+            }
+            Refusal::TooLarge { estimate, limit } => Self::new(ProblemType::JobTooLarge, detail)
+                .with("estimate", json!({"equations": estimate.equations, "bytes": estimate.bytes}))
+                .with("limit_bytes", limit),
+        }
+    }
+}
+
+impl From<SubmitError> for Problem {
+    fn from(error: SubmitError) -> Self {
+        match error {
+            SubmitError::Refused(refusal) => refusal.into(),
+            SubmitError::Closed => Self::new(ProblemType::ShuttingDown, error.to_string()),
+            SubmitError::Store(error) => error.into(),
+        }
+    }
+}
+
+impl From<StoreError> for Problem {
+    fn from(error: StoreError) -> Self {
+        let kind = match &error {
+            StoreError::NotFound => ProblemType::JobNotFound,
+            StoreError::QueueFull { .. } => ProblemType::QueueFull,
+            StoreError::Unfinished(_) => ProblemType::JobUnfinished,
+            StoreError::LeaseLost => ProblemType::Internal,
+            StoreError::Unavailable(source) => {
+                tracing::error!(
+                    error = source.as_ref() as &dyn std::error::Error,
+                    "the store does not answer"
+                );
+                ProblemType::StoreUnavailable
+            }
+        };
+        Self::new(kind, error.to_string())
+    }
+}
+
+impl From<&JobFailure> for Problem {
+    fn from(failure: &JobFailure) -> Self {
+        let kind = match failure.kind {
+            FailureKind::Input => ProblemType::InvalidJob,
+            FailureKind::Solver => ProblemType::SolveFailed,
+            FailureKind::Internal => ProblemType::Internal,
+        };
+        Self::new(kind, failure.detail.clone()).with_errors(failure.errors.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::jobs::JobEstimate;
+
+    #[test]
+    fn a_job_too_large_comes_with_its_estimate() {
+        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30 };
+        let problem = Problem::from(Refusal::TooLarge { estimate, limit: 4 << 30 });
+        insta::assert_json_snapshot!(problem, @r#"
+        {
+          "type": "/problems/job-too-large",
+          "title": "The job is too large",
+          "status": 422,
+          "detail": "the job has 5000000 equations and needs about 8192 MiB; a job may need 4096 MiB at most",
+          "estimate": {
+            "bytes": 8589934592,
+            "equations": 5000000
+          },
+          "limit_bytes": 4294967296
+        }
+        "#);
+    }
+
+    #[test]
+    fn names_are_unique() {
+        let mut names: Vec<_> = ProblemType::ALL.iter().map(|kind| kind.name()).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), ProblemType::ALL.len());
+    }
+}

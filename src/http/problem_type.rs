@@ -1,0 +1,105 @@
+//! The kinds of errors a client can meet. Their names are part of the API.
+
+use axum::http::StatusCode;
+
+macro_rules! problem_types {
+    ($($(#[$doc:meta])* $variant:ident, $name:literal, $status:ident, $title:literal, $explanation:literal;)*) => {
+        /// A kind of error, told apart by its `type` URI `/problems/{name}`.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum ProblemType { $($(#[$doc])* $variant,)* }
+
+        impl ProblemType {
+            /// Every kind.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
+
+            /// Stable name.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// HTTP status it is sent with.
+            pub const fn status(self) -> StatusCode {
+                match self { $(Self::$variant => StatusCode::$status,)* }
+            }
+
+            /// One line, the same for every occurrence.
+            pub const fn title(self) -> &'static str {
+                match self { $(Self::$variant => $title,)* }
+            }
+
+            /// What it means and what to do, for a person.
+            pub const fn explanation(self) -> &'static str {
+                match self { $(Self::$variant => $explanation,)* }
+            }
+        }
+    };
+}
+
+problem_types! {
+    /// The body is not JSON.
+    InvalidJson, "invalid-json", BAD_REQUEST, "The body is not valid JSON",
+        "The body could not be read as JSON. `line` and `column` say where. JSON knows no NaN, no Infinity, no \
+         comments and no trailing commas.";
+    /// The query string is wrong.
+    InvalidQuery, "invalid-query", BAD_REQUEST, "The query string is not valid",
+        "A query parameter is unknown or has a value it cannot have.";
+    /// The body is JSON but not a job.
+    InvalidJob, "invalid-job", UNPROCESSABLE_ENTITY, "The job is not valid",
+        "The body is JSON but not a job that can be solved. `errors` lists every field at fault with its JSON \
+         pointer (RFC 6901).";
+    /// The job would need too much memory.
+    JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
+        "The job is valid, but its estimated memory is above the limit of this service. `estimate` has the \
+         number of equations and the bytes, `limit_bytes` the limit. Ask for fewer elements_per_half_width.";
+    /// No such address.
+    NotFound, "not-found", NOT_FOUND, "There is nothing at this address",
+        "No resource has this address.";
+    /// No such job.
+    JobNotFound, "job-not-found", NOT_FOUND, "There is no such job",
+        "No job has this id, or it finished long ago and has been removed.";
+    /// The address exists, the method does not.
+    MethodNotAllowed, "method-not-allowed", METHOD_NOT_ALLOWED, "This address does not know this method",
+        "The `Allow` header lists the methods this address knows.";
+    /// The body did not arrive in time.
+    BodyTimeout, "body-timeout", REQUEST_TIMEOUT, "The body did not arrive in time",
+        "The request's body arrived too slowly.";
+    /// The job has no result yet.
+    JobUnfinished, "job-unfinished", CONFLICT, "The job has not finished",
+        "The job is queued or running. Ask for /v1/jobs/{id}?wait=30 to wait for it.";
+    /// The job will never have a result.
+    NoResult, "no-result", CONFLICT, "The job has no result",
+        "The job failed, or was stopped before there was anything to report. /v1/jobs/{id} tells why.";
+    /// The body is too large.
+    BodyTooLarge, "body-too-large", PAYLOAD_TOO_LARGE, "The body is too large",
+        "The request's body is above the limit of this service and was not read.";
+    /// The body is not declared as JSON.
+    UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body must be JSON",
+        "Send the job with the header `Content-Type: application/json`.";
+    /// The queue is full.
+    QueueFull, "queue-full", TOO_MANY_REQUESTS, "The queue is full",
+        "As many jobs are waiting as may wait. Try again after the seconds in the `Retry-After` header.";
+    /// The solver gave up.
+    SolveFailed, "solve-failed", INTERNAL_SERVER_ERROR, "The job could not be solved",
+        "The job is valid, but the solver could not produce a result for it.";
+    /// The program is at fault.
+    Internal, "internal", INTERNAL_SERVER_ERROR, "The service is at fault",
+        "A fault in the service. Its log has more, under the id in the `x-request-id` header or the job's id.";
+    /// The store does not answer.
+    StoreUnavailable, "store-unavailable", SERVICE_UNAVAILABLE, "The job store does not answer",
+        "The place where jobs are kept cannot be reached. Try again.";
+    /// The service is shutting down.
+    ShuttingDown, "shutting-down", SERVICE_UNAVAILABLE, "The service is shutting down",
+        "The service takes no new jobs because it is about to stop. Try again.";
+}
+
+impl ProblemType {
+    /// The kind of that name.
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|kind| kind.name() == name)
+    }
+
+    /// The `type` member: a relative URI that this service answers.
+    pub fn uri(self) -> String {
+        format!("/problems/{}", self.name())
+    }
+}

@@ -1,0 +1,29 @@
+//! `GET /v1/jobs/{id}/result`: the report, complete or as far as a stopped job came.
+
+use axum::extract::State;
+use axum::response::Response;
+
+use crate::http::job_path::JobPath;
+use crate::http::{HttpState, Problem, ProblemType, wire};
+use crate::jobs::JobRecord;
+
+pub(in crate::http) async fn get_result(
+    State(state): State<HttpState>,
+    JobPath(id): JobPath,
+) -> Result<Response, Problem> {
+    if let Some(json) = state.desk.report(id).await? {
+        return Ok(wire::report(id, json));
+    }
+    Err(no_result(&state.desk.get(id).await?))
+}
+
+/// Why this job has no report.
+pub(super) fn no_result(record: &JobRecord) -> Problem {
+    let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
+    let problem = Problem::new(kind, format!("the job is {}", record.state));
+    match &record.failure {
+        Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))
+            .with_errors(failure.errors.clone()),
+        None => problem,
+    }
+}

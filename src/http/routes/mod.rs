@@ -1,0 +1,10 @@
+//! One endpoint a file.
+
+pub(super) mod cancel_job;
+pub(super) mod get_job;
+pub(super) mod get_problem;
+pub(super) mod get_result;
+pub(super) mod health;
+pub(super) mod post_job;
+pub(super) mod post_solve;
+pub(super) mod post_validate;

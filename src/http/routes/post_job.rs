@@ -1,0 +1,15 @@
+//! `POST /v1/jobs`: queue a job.
+
+use axum::extract::State;
+use axum::response::Response;
+
+use crate::http::body::JobBody;
+use crate::http::{HttpState, Problem, wire};
+
+pub(in crate::http) async fn post_job(
+    State(state): State<HttpState>,
+    JobBody(text): JobBody,
+) -> Result<Response, Problem> {
+    let record = state.desk.submit(text).await?;
+    Ok(wire::accepted(&record))
+}

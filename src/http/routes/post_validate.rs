@@ -1,0 +1,16 @@
+//! `POST /v1/validate`: check a job and estimate its cost without solving it.
+
+use axum::Json;
+use axum::extract::State;
+
+use crate::http::body::JobBody;
+use crate::http::wire::Validation;
+use crate::http::{HttpState, Problem};
+
+pub(in crate::http) async fn post_validate(
+    State(state): State<HttpState>,
+    JobBody(text): JobBody,
+) -> Result<Json<Validation>, Problem> {
+    let (_, estimate) = state.desk.check(&text)?;
+    Ok(Json(Validation { valid: true, estimate }))
+}

@@ -1,0 +1,149 @@
+//! Tells waiting parties in this process that a job has changed.
+//!
+//! The store announces every change here after making it (a store shared by several machines forwards the
+//! others' changes too); those who wait then ask the store. A signal carries no data, so a slow listener costs
+//! nothing and misses nothing: it sees the latest state whenever it looks.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::sync::{Notify, watch};
+
+use super::JobId;
+
+/// What has happened to a job since it was first watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Signal {
+    /// Number of changes announced.
+    pub changes: u64,
+    /// Somebody asked the job to stop.
+    pub cancel_requested: bool,
+    /// The job has reached its final state.
+    pub finished: bool,
+}
+
+/// Switchboard between the store and those who wait for it.
+#[derive(Debug, Default)]
+pub struct Hub {
+    jobs: Mutex<HashMap<JobId, watch::Sender<Signal>>>,
+    work: Notify,
+}
+
+impl Hub {
+    /// A hub nobody listens to yet.
+    pub fn new() -> Arc<Self> {
+        Arc::new(Self::default())
+    }
+
+    /// Listens to one job. Watch first, then ask the store: a change in between is not missed.
+    pub fn watch(self: &Arc<Self>, id: JobId) -> Watch {
+        let receiver =
+            self.lock().entry(id).or_insert_with(|| watch::Sender::new(Signal::default())).subscribe();
+        Watch { id, receiver, hub: Arc::clone(self) }
+    }
+
+    /// Progress was recorded.
+    pub fn announce_progress(&self, id: JobId) {
+        self.announce(id, |_| ());
+    }
+
+    /// The job was asked to stop.
+    pub fn announce_cancel(&self, id: JobId) {
+        self.announce(id, |signal| signal.cancel_requested = true);
+    }
+
+    /// The job reached its final state.
+    pub fn announce_finished(&self, id: JobId) {
+        self.announce(id, |signal| signal.finished = true);
+    }
+
+    /// There is a job to claim.
+    pub fn announce_work(&self) {
+        self.work.notify_one();
+    }
+
+    /// Waits for [`Hub::announce_work`]; one announced while nobody waited counts. For one waiter a process.
+    pub async fn work(&self) {
+        self.work.notified().await;
+    }
+
+    fn announce(&self, id: JobId, change: impl FnOnce(&mut Signal)) {
+        if let Some(sender) = self.lock().get(&id) {
+            sender.send_modify(|signal| {
+                signal.changes += 1;
+                change(signal);
+            });
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, HashMap<JobId, watch::Sender<Signal>>> {
+        self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// One party's ear on one job.
+#[derive(Debug)]
+pub struct Watch {
+    id: JobId,
+    receiver: watch::Receiver<Signal>,
+    hub: Arc<Hub>,
+}
+
+impl Watch {
+    /// Waits for the next change and returns all that has happened so far.
+    pub async fn changed(&mut self) -> Signal {
+        // The sender lives as long as this receiver does, so waiting cannot fail.
+        let _ = self.receiver.changed().await;
+        *self.receiver.borrow_and_update()
+    }
+
+    /// Waits until the job is announced finished.
+    pub async fn finished(&mut self) {
+        let _ = self.receiver.wait_for(|signal| signal.finished).await;
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        let mut jobs = self.hub.lock();
+        if jobs.get(&self.id).is_some_and(|sender| sender.receiver_count() <= 1) {
+            jobs.remove(&self.id);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn changes_between_watching_and_waiting_are_not_missed() {
+        let hub = Hub::new();
+        let id = JobId::generate();
+        let mut watch = hub.watch(id);
+        hub.announce_progress(id);
+        hub.announce_cancel(id);
+        assert_eq!(watch.changed().await, Signal { changes: 2, cancel_requested: true, finished: false });
+        hub.announce_finished(id);
+        watch.finished().await;
+    }
+
+    #[tokio::test]
+    async fn nothing_is_kept_for_jobs_nobody_watches() {
+        let hub = Hub::new();
+        let id = JobId::generate();
+        let (first, second) = (hub.watch(id), hub.watch(id));
+        drop(first);
+        assert_eq!(hub.lock().len(), 1);
+        drop(second);
+        hub.announce_finished(id);
+        assert!(hub.lock().is_empty());
+    }
+
+    #[tokio::test]
+    async fn work_announced_before_anyone_waits_counts() {
+        let hub = Hub::new();
+        hub.announce_work();
+        hub.work().await;
+    }
+}

@@ -1,0 +1,39 @@
+//! What a job is once it has been handed in: its identity, its life, where it is kept and who solves it.
+//!
+//! ```text
+//!             claim                    finish
+//!   queued ─────────▶ running ─────────────────▶ succeeded | not_converged | failed
+//!     │  ▲               │                        cancelled | timed_out
+//!     │  └── lease lost ─┘
+//!     └── cancel ───────────────────────────────▶ cancelled
+//! ```
+//!
+//! [`JobStore`] is the only door to storage and decides every transition; a worker owns a running job by a
+//! [`Lease`], and whatever it writes is fenced on that lease. [`Hub`] tells waiting parties in this process
+//! that a job has changed; [`Desk`] is what the HTTP layer talks to.
+
+mod clock;
+mod desk;
+mod encode;
+mod failure;
+mod hub;
+mod id;
+mod record;
+mod solver;
+mod state;
+mod store;
+
+pub use clock::{Clock, SystemClock};
+pub use desk::{Desk, DeskLimits, Refusal, SubmitError};
+pub use encode::{EncodeError, check_finite, encode};
+pub use failure::{FailureKind, JobFailure, Outcome};
+pub use hub::{Hub, Signal, Watch};
+pub use id::{JobId, WorkerId};
+pub use record::{JobRecord, NewJob};
+pub use solver::{CoreSolver, JobSolver};
+pub use state::JobState;
+pub use store::{Claim, ClaimRequest, Counts, JobFilter, JobPage, JobStore, Lease, LeaseStatus, StoreError};
+
+pub use crate::model::FieldError;
+pub use crate::results::JobEstimate;
+pub use crate::solve::IterationRecord;

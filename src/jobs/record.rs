@@ -1,0 +1,51 @@
+//! What is known about one job.
+
+use std::collections::BTreeMap;
+
+use bytes::Bytes;
+use jiff::Timestamp;
+
+use super::{IterationRecord, JobFailure, JobId, JobState};
+
+/// A job on its way into the store. It has been checked: its text parses and its cost is allowed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewJob {
+    /// Its name.
+    pub id: JobId,
+    /// The job as it was submitted (JSON).
+    pub request: Bytes,
+    /// Labels to search by.
+    pub tags: BTreeMap<String, String>,
+}
+
+/// What is known about one job, without the bulky parts (request, history, report), which have doors of their
+/// own in [`JobStore`](super::JobStore).
+#[derive(Debug, Clone, PartialEq)]
+pub struct JobRecord {
+    /// Its name.
+    pub id: JobId,
+    /// Where it stands.
+    pub state: JobState,
+    /// Labels.
+    pub tags: BTreeMap<String, String>,
+    /// When it was accepted.
+    pub created_at: Timestamp,
+    /// When its latest attempt began.
+    pub started_at: Option<Timestamp>,
+    /// When it reached its final state.
+    pub finished_at: Option<Timestamp>,
+    /// How often a worker took it up.
+    pub attempts: u32,
+    /// Jobs that will be taken up before it, while it is queued.
+    pub queue_position: Option<usize>,
+    /// Whether somebody asked it to stop.
+    pub cancel_requested: bool,
+    /// Iterations of the latest attempt so far.
+    pub iterations: usize,
+    /// The latest of them.
+    pub latest: Option<IterationRecord>,
+    /// Whether there is a report to fetch.
+    pub has_report: bool,
+    /// Why it failed.
+    pub failure: Option<JobFailure>,
+}

@@ -1,0 +1,185 @@
+//! The only door to storage.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use async_trait::async_trait;
+use bytes::Bytes;
+use thiserror::Error;
+
+use super::{IterationRecord, JobId, JobRecord, JobState, NewJob, Outcome, WorkerId};
+
+/// Keeps jobs, hands them out and remembers how they ended.
+///
+/// Every change is one atomic step, and every step that alters a job is announced on the store's
+/// [`Hub`](super::Hub) *after* it can be read. The store stamps all times, so that several processes sharing
+/// one store share one clock. Implementations are checked by one suite, `tests/store_contract`.
+#[async_trait]
+pub trait JobStore: Send + Sync + 'static {
+    /// Takes in a job, durably as far as the store is durable, and queues it behind those already waiting.
+    ///
+    /// # Errors
+    /// [`StoreError::QueueFull`]; nothing is kept then.
+    async fn enqueue(&self, job: NewJob) -> Result<JobRecord, StoreError>;
+
+    /// What is known about a job.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn get(&self, id: JobId) -> Result<JobRecord, StoreError>;
+
+    /// Iterations of the latest attempt from the `after`-th on (0 is all of them), in order.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError>;
+
+    /// The report (JSON), if the job has one.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError>;
+
+    /// Hands out up to `request.slots` jobs, oldest first: jobs whose lease ran out, then queued ones. A job
+    /// whose lease ran out for the `max_attempts`-th time fails, or is cancelled if that was asked, instead.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn claim(&self, request: &ClaimRequest) -> Result<Vec<Claim>, StoreError>;
+
+    /// Extends leases by `lease` from now and tells of each whether it is still held, in the given order.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError>;
+
+    /// Appends iterations to the history of a leased job.
+    ///
+    /// # Errors
+    /// [`StoreError::LeaseLost`]; nothing is written then.
+    async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError>;
+
+    /// Ends a leased job.
+    ///
+    /// # Errors
+    /// [`StoreError::LeaseLost`]; nothing is written then.
+    async fn finish(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError>;
+
+    /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished one is left.
+    /// Returns the job as it is afterwards.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError>;
+
+    /// One page of jobs, newest first.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError>;
+
+    /// Removes a finished job.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`], [`StoreError::Unfinished`].
+    async fn delete(&self, id: JobId) -> Result<(), StoreError>;
+
+    /// How many jobs are in each state; states without jobs may be missing.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn counts(&self) -> Result<Counts, StoreError>;
+}
+
+/// Jobs in each state.
+pub type Counts = BTreeMap<JobState, usize>;
+
+/// A worker asking for jobs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ClaimRequest {
+    /// Who asks.
+    pub owner: WorkerId,
+    /// How many solvers are free; never ask for more.
+    pub slots: usize,
+    /// How long the jobs are his without a heartbeat.
+    pub lease: Duration,
+    /// How often a job may be taken up in all.
+    pub max_attempts: u32,
+}
+
+/// The right to write to a running job. It is lost for good when another worker takes the job up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Lease {
+    /// The job.
+    pub job: JobId,
+    /// Whose it is.
+    pub owner: WorkerId,
+    /// Which attempt, counted from 1.
+    pub attempt: u32,
+}
+
+/// A job handed out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Claim {
+    /// The right to it.
+    pub lease: Lease,
+    /// The job as it was submitted (JSON).
+    pub request: Bytes,
+}
+
+/// What a heartbeat learns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeaseStatus {
+    /// Extended.
+    Held {
+        /// Somebody asked the job to stop.
+        cancel_requested: bool,
+    },
+    /// The job is another's, or gone.
+    Lost,
+}
+
+/// Which jobs to list.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JobFilter {
+    /// Only jobs in this state.
+    pub state: Option<JobState>,
+    /// Only jobs with this label.
+    pub tag: Option<(String, String)>,
+    /// Only jobs submitted before this one: the previous page's [`JobPage::next`].
+    pub before: Option<JobId>,
+    /// Most jobs on the page.
+    pub limit: usize,
+}
+
+/// One page of a list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JobPage {
+    /// Newest first.
+    pub jobs: Vec<JobRecord>,
+    /// Where the next page starts; `None` on the last.
+    pub next: Option<JobId>,
+}
+
+/// Why a store did not do as it was asked.
+#[derive(Debug, Error)]
+pub enum StoreError {
+    /// No job of that name, or it has been removed since.
+    #[error("there is no such job")]
+    NotFound,
+    /// As many jobs wait as may wait.
+    #[error("the queue is full ({queued} jobs waiting)")]
+    QueueFull {
+        /// Jobs waiting.
+        queued: usize,
+    },
+    /// Another worker owns the job, or nobody does any more.
+    #[error("the job's lease is lost")]
+    LeaseLost,
+    /// The job is still queued or running.
+    #[error("the job is {0}")]
+    Unfinished(JobState),
+    /// The storage does not answer.
+    #[error("storage is unavailable")]
+    Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
+}

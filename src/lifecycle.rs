@@ -1,0 +1,60 @@
+//! When to stop.
+
+use std::io;
+
+use tokio_util::sync::CancellationToken;
+
+/// Exit code after a second signal: the shell's for an interrupted program.
+const INTERRUPTED: i32 = 130;
+
+/// A token that the first SIGTERM or SIGINT cancels. The second ends the process at once.
+///
+/// # Errors
+/// If the signals cannot be listened to. Needs a Tokio runtime.
+pub fn stop_on_signal() -> io::Result<CancellationToken> {
+    let mut signals = Signals::new()?;
+    let stop = CancellationToken::new();
+    let first = stop.clone();
+    tokio::spawn(async move {
+        signals.next().await;
+        tracing::info!("stopping; a second signal stops at once");
+        first.cancel();
+        signals.next().await;
+        tracing::warn!("stopped at once");
+        std::process::exit(INTERRUPTED);
+    });
+    Ok(stop)
+}
+
+#[cfg(unix)]
+struct Signals {
+    interrupt: tokio::signal::unix::Signal,
+    terminate: tokio::signal::unix::Signal,
+}
+
+#[cfg(unix)]
+impl Signals {
+    fn new() -> io::Result<Self> {
+        use tokio::signal::unix::{SignalKind, signal};
+        Ok(Self { interrupt: signal(SignalKind::interrupt())?, terminate: signal(SignalKind::terminate())? })
+    }
+
+    async fn next(&mut self) {
+        tokio::select! { _ = self.interrupt.recv() => {}, _ = self.terminate.recv() => {} }
+    }
+}
+
+#[cfg(not(unix))]
+struct Signals;
+
+#[cfg(not(unix))]
+impl Signals {
+    #[expect(clippy::unnecessary_wraps, reason = "listening can fail elsewhere")]
+    fn new() -> io::Result<Self> {
+        Ok(Self)
+    }
+
+    async fn next(&mut self) {
+        let _ = tokio::signal::ctrl_c().await;
+    }
+}

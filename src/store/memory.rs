@@ -1,0 +1,122 @@
+//! Jobs in this process's memory: nothing to set up, nothing left after a restart, and never more than the
+//! limits allow.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use async_trait::async_trait;
+use bytes::Bytes;
+
+use super::shelf::Shelf;
+use crate::jobs::{
+    Claim, ClaimRequest, Clock, Counts, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord, JobState,
+    JobStore, Lease, LeaseStatus, NewJob, Outcome, StoreError,
+};
+
+/// Bounds of a [`MemoryStore`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MemoryLimits {
+    /// Most jobs that may wait.
+    pub queued_jobs: usize,
+    /// Most bytes that waiting jobs may take.
+    pub queued_bytes: usize,
+    /// Most finished jobs that are kept; the ones finished first go first.
+    pub finished_jobs: usize,
+    /// Most bytes that finished jobs may take. The one finished last is kept whatever its size.
+    pub finished_bytes: usize,
+}
+
+impl Default for MemoryLimits {
+    fn default() -> Self {
+        Self { queued_jobs: 1000, queued_bytes: 64 << 20, finished_jobs: 1000, finished_bytes: 256 << 20 }
+    }
+}
+
+/// A [`JobStore`] in memory.
+pub struct MemoryStore {
+    shelf: Mutex<Shelf>,
+    hub: Arc<Hub>,
+    clock: Arc<dyn Clock>,
+}
+
+impl MemoryStore {
+    /// An empty store that announces on `hub`.
+    pub fn new(limits: MemoryLimits, hub: Arc<Hub>, clock: Arc<dyn Clock>) -> Self {
+        Self { shelf: Mutex::new(Shelf::new(limits)), hub, clock }
+    }
+
+    fn shelf(&self) -> MutexGuard<'_, Shelf> {
+        self.shelf.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[async_trait]
+impl JobStore for MemoryStore {
+    async fn enqueue(&self, job: NewJob) -> Result<JobRecord, StoreError> {
+        let record = self.shelf().enqueue(job, self.clock.now())?;
+        self.hub.announce_work();
+        Ok(record)
+    }
+
+    async fn get(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        self.shelf().record(id)
+    }
+
+    async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
+        let shelf = self.shelf();
+        Ok(shelf.entry(id)?.history.iter().skip(after).cloned().collect())
+    }
+
+    async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
+        Ok(self.shelf().entry(id)?.report.clone())
+    }
+
+    async fn claim(&self, request: &ClaimRequest) -> Result<Vec<Claim>, StoreError> {
+        let (claims, ended) = self.shelf().claim(request, self.clock.now());
+        for id in ended {
+            self.hub.announce_finished(id);
+        }
+        for claim in &claims {
+            self.hub.announce_progress(claim.lease.job);
+        }
+        Ok(claims)
+    }
+
+    async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError> {
+        Ok(self.shelf().heartbeat(leases, lease, self.clock.now()))
+    }
+
+    async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError> {
+        self.shelf().leased(lease)?.history.extend_from_slice(records);
+        self.hub.announce_progress(lease.job);
+        Ok(())
+    }
+
+    async fn finish(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError> {
+        self.shelf().finish(lease, outcome, self.clock.now())?;
+        self.hub.announce_finished(lease.job);
+        Ok(())
+    }
+
+    async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        let record = self.shelf().cancel(id, self.clock.now())?;
+        match record.state {
+            JobState::Running => self.hub.announce_cancel(id),
+            JobState::Cancelled => self.hub.announce_finished(id),
+            _ => {}
+        }
+        Ok(record)
+    }
+
+    async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError> {
+        Ok(self.shelf().list(filter))
+    }
+
+    async fn delete(&self, id: JobId) -> Result<(), StoreError> {
+        self.shelf().delete(id)
+    }
+
+    async fn counts(&self) -> Result<Counts, StoreError> {
+        Ok(self.shelf().counts())
+    }
+}

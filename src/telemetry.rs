@@ -1,0 +1,52 @@
+//! Where the log goes: to standard error, for a person or as JSON lines.
+
+use std::io::{self, IsTerminal};
+
+use clap::{Args, ValueEnum};
+use tracing_subscriber::EnvFilter;
+
+/// Settings of the log.
+#[derive(Debug, Clone, Args)]
+pub struct LogConfig {
+    /// What to log, e.g. `info` or `brinell=debug,warn` [default: info for serve, warn elsewhere]
+    #[arg(long, env = "BRINELL_LOG", value_name = "FILTER", global = true)]
+    pub log: Option<String>,
+
+    /// How to log
+    #[arg(long, env = "BRINELL_LOG_FORMAT", value_name = "FORMAT", default_value = "text", global = true)]
+    pub log_format: LogFormat,
+}
+
+/// Form of the log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LogFormat {
+    /// For a person.
+    Text,
+    /// One JSON object a line.
+    Json,
+}
+
+/// Starts logging; `default` is the filter when none is set. A panic is logged like everything else. A second
+/// call changes nothing.
+pub fn start(config: &LogConfig, default: &str) {
+    let filter = config.log.as_deref().unwrap_or(default);
+    let (filter, fault) = match EnvFilter::try_new(filter) {
+        Ok(filter) => (filter, None),
+        Err(error) => (EnvFilter::new(default), Some(error)),
+    };
+    let log = tracing_subscriber::fmt().with_env_filter(filter).with_writer(io::stderr);
+    let started = match config.log_format {
+        LogFormat::Text => log.with_ansi(io::stderr().is_terminal()).try_init(),
+        LogFormat::Json => log.json().try_init(),
+    };
+    if let Some(error) = fault {
+        tracing::warn!(%error, "the log filter is not understood; {default} is used");
+    }
+    if started.is_ok() {
+        std::panic::set_hook(Box::new(|panic| {
+            let place = panic.location().map(ToString::to_string).unwrap_or_default();
+            let message = panic.payload_as_str().unwrap_or("(no message)");
+            tracing::error!(panic = message, place, "panic");
+        }));
+    }
+}

@@ -1,0 +1,76 @@
+//! The jobs a worker has in hand, and the heartbeat that keeps them his.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::time::sleep;
+
+use super::Crew;
+use super::observer::StopFlag;
+use crate::jobs::{Lease, LeaseStatus};
+
+/// Leases in hand, each with the flag that stops its solve.
+#[derive(Debug, Default)]
+pub(super) struct Running(Mutex<HashMap<Lease, StopFlag>>);
+
+impl Running {
+    pub(super) fn add(&self, lease: Lease, stop: StopFlag) {
+        self.lock().insert(lease, stop);
+    }
+
+    pub(super) fn remove(&self, lease: &Lease) {
+        self.lock().remove(lease);
+    }
+
+    pub(super) fn stop(&self, lease: &Lease) {
+        if let Some(stop) = self.lock().get(lease) {
+            stop.raise();
+        }
+    }
+
+    pub(super) fn stop_all(&self) {
+        self.lock().values().for_each(StopFlag::raise);
+    }
+
+    fn leases(&self) -> Vec<Lease> {
+        self.lock().keys().copied().collect()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, HashMap<Lease, StopFlag>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Crew {
+    /// Extends all leases again and again; stops the solves that are no longer wanted.
+    pub(super) async fn beat(self: Arc<Self>) {
+        loop {
+            sleep(self.settings.lease / 3).await;
+            let leases = self.running.leases();
+            if leases.is_empty() {
+                continue;
+            }
+            match self.store.heartbeat(&leases, self.settings.lease).await {
+                Ok(statuses) => {
+                    for (lease, status) in leases.iter().zip(statuses) {
+                        self.heed(lease, status);
+                    }
+                }
+                Err(error) => {
+                    tracing::error!(error = &error as &dyn std::error::Error, "cannot extend leases");
+                }
+            }
+        }
+    }
+
+    fn heed(&self, lease: &Lease, status: LeaseStatus) {
+        match status {
+            LeaseStatus::Held { cancel_requested: false } => {}
+            LeaseStatus::Held { cancel_requested: true } => self.running.stop(lease),
+            LeaseStatus::Lost => {
+                tracing::warn!(job = %lease.job, attempt = lease.attempt, "lease lost");
+                self.running.stop(lease);
+            }
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! The command line: exit codes, messages and the table.
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::thread;
+
+use serde_json::{Value, json};
+
+const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/api/examples/two_cylinders.json");
+
+/// Runs the program with this standard input.
+fn brinell(args: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(args)
+        .env("LC_ALL", "C.UTF-8")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let input = input.to_owned();
+    let feeder = thread::spawn(move || drop(stdin.write_all(input.as_bytes())));
+    let output = child.wait_with_output().expect("the binary ends");
+    feeder.join().expect("the feeder ends");
+    output
+}
+
+fn example() -> Value {
+    serde_json::from_str(include_str!("../api/examples/two_cylinders.json")).expect("the example is JSON")
+}
+
+/// The example with one value replaced or added.
+fn spoilt(pointer: &str, value: Value) -> String {
+    let mut job = example();
+    let (parent, key) = pointer.rsplit_once('/').unwrap();
+    job.pointer_mut(parent).unwrap()[key] = value;
+    job.to_string()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("UTF-8")
+}
+
+#[test]
+fn solve_writes_json_into_a_pipe() {
+    let output = brinell(&["solve", EXAMPLE], "");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let report: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(report["status"], "converged");
+    assert!(report["timings_ms"]["total"].as_f64().is_some());
+}
+
+#[test]
+fn solve_reads_standard_input_and_writes_files() {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for (format, file) in [("json", "result.json"), ("table", "result.txt")] {
+        let path: PathBuf = directory.join(file);
+        let name = path.to_str().unwrap();
+        let output = brinell(&["solve", "-", "--format", format, "-o", name], &example().to_string());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        assert!(output.stdout.is_empty());
+        let written = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(format == "json", serde_json::from_str::<Value>(&written).is_ok(), "{written}");
+    }
+}
+
+#[test]
+fn the_table_says_what_matters() {
+    let output = brinell(&["solve", EXAMPLE, "--format", "table"], "");
+    let table = stdout(&output);
+    for expected in [
+        "upper  cylinder R 20",
+        "lower  cylinder R 20",
+        "force 612.6106 N/mm",
+        "converged in",
+        "peak pressure",
+        "half-width",
+        "approach",
+        "max plastic strain",
+        "Hertz",
+        "plastic zone",
+        "residual",
+        "time   ",
+    ] {
+        assert!(table.contains(expected), "{expected:?} is missing:\n{table}");
+    }
+    assert!(!table.contains('\x1b'), "no colours into a pipe");
+    for line in table.lines() {
+        assert!(line.chars().count() <= 80, "{line:?} is too long");
+    }
+    let history = table.lines().skip_while(|line| !line.contains("residual"));
+    assert!(history.take_while(|line| !line.is_empty()).count() <= 13, "{table}");
+}
+
+#[test]
+fn terminals_without_unicode_get_ascii() {
+    let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(["solve", EXAMPLE, "--format", "table"])
+        .env("LC_ALL", "C")
+        .output()
+        .expect("the binary runs");
+    assert!(output.stdout.is_ascii(), "{}", stdout(&output));
+}
+
+#[test]
+fn not_converging_has_an_exit_code_of_its_own() {
+    let mut job = example();
+    job["solver"]["max_iterations"] = json!(2);
+    let output = brinell(&["solve", "-"], &job.to_string());
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    let report: Value = serde_json::from_slice(&output.stdout).expect("the last state is printed");
+    assert_eq!(report["status"], "not_converged");
+}
+
+#[test]
+fn bad_input_names_the_fields() {
+    let faults = [
+        ("/upper/shape/radius", json!(-20.0)),
+        ("/lower/material/poisson_ratio", json!(0.5)),
+        ("/upper/material/plasticity/tangent_modulus", json!(210_000.0)),
+        ("/load/force", json!(0.0)),
+        ("/upper/shape/raduis", json!(20.0)),
+        ("/upper/material/young_modulus", json!("stiff")),
+        ("/mesh/elements_per_half_width", json!(1_000_000)),
+    ];
+    for command in ["solve", "validate"] {
+        for (pointer, value) in &faults {
+            let output = brinell(&[command, "-"], &spoilt(pointer, value.clone()));
+            assert_eq!(output.status.code(), Some(2), "{pointer}");
+            assert!(output.stdout.is_empty());
+            let message = stderr(&output);
+            assert!(message.starts_with("error: standard input is not a valid job\n"), "{message}");
+            assert!(message.contains(&format!("\n  {pointer}: ")), "{message}");
+            assert_eq!(message.lines().count(), 2, "one fault, one line: {message}");
+        }
+    }
+}
+
+#[test]
+fn all_faults_are_named_at_once() {
+    let mut job = example();
+    job["upper"]["shape"]["radius"] = json!(-1);
+    job["lower"]["shape"]["radius"] = json!(-1);
+    job["load"]["force"] = json!(0);
+    let message = stderr(&brinell(&["solve", "-"], &job.to_string()));
+    for pointer in ["/upper/shape/radius", "/lower/shape/radius", "/load/force"] {
+        assert!(message.contains(&format!("\n  {pointer}: ")), "{message}");
+    }
+}
+
+#[test]
+fn what_is_not_json_is_located() {
+    let texts = [spoilt("/load/force", json!(12.5)).replace("12.5", "NaN"), "{\"upper\": {".to_owned()];
+    for text in texts {
+        let output = brinell(&["solve", "-"], &text);
+        assert_eq!(output.status.code(), Some(2));
+        let message = stderr(&output);
+        assert!(message.contains("not valid JSON") && message.contains("line 1"), "{message}");
+    }
+}
+
+#[test]
+fn files_that_are_not_there_and_places_that_cannot_be_written() {
+    let output = brinell(&["solve", "no/such/job.json"], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("no/such/job.json"));
+    let output = brinell(&["solve", EXAMPLE, "-o", "no/such/place.json"], "");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("no/such/place.json"));
+    assert_eq!(brinell(&["solve"], "").status.code(), Some(2));
+    assert_eq!(brinell(&["dissolve"], "").status.code(), Some(2));
+}
+
+#[test]
+fn validate_estimates() {
+    let output = brinell(&["validate", EXAMPLE], "");
+    assert_eq!(output.status.code(), Some(0));
+    let verdict: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(verdict["valid"], true);
+    assert!(verdict["estimate"]["equations"].as_u64().is_some_and(|count| count > 1000));
+    let shown = stdout(&brinell(&["validate", EXAMPLE, "--format", "table"], ""));
+    assert!(shown.contains("is valid") && shown.contains("equations"), "{shown}");
+}
+
+#[test]
+fn the_demonstration_goes_the_whole_way_and_ends_without_a_terminal() {
+    let output = brinell(&["demo"], "");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let shown = stdout(&output);
+    for expected in ["POST http://127.0.0.1:", "202 /v1/jobs/", "200 succeeded", "peak pressure", "residual"]
+    {
+        assert!(shown.contains(expected), "{expected:?} is missing:\n{shown}");
+    }
+}
+
+#[test]
+fn an_address_in_use_is_told() {
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = taken.local_addr().unwrap().to_string();
+    let output = brinell(&["serve", "--listen", &address], "");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains(&format!("cannot listen on {address}")), "{}", stderr(&output));
+}

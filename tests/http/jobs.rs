@@ -1,0 +1,85 @@
+//! The way of a job: submit, follow, fetch.
+
+use serde_json::json;
+
+use crate::curl::pointers;
+use crate::server::{Server, example};
+
+#[test]
+fn a_job_is_queued_followed_and_fetched() {
+    let server = Server::start();
+    let service = &server.target;
+    let mut job = example();
+    job["tags"] = json!({"bearing": "NU-210"});
+
+    let accepted = service.post("/v1/jobs", job.to_string());
+    assert_eq!(accepted.status, 202);
+    let receipt = accepted.json();
+    let location = accepted.header("location").expect("a Location");
+    assert_eq!(receipt["links"]["self"], location);
+    assert!(location.ends_with(receipt["id"].as_str().unwrap()));
+
+    let finished = service.wait_for(location, &["succeeded"]);
+    assert_eq!(finished["tags"]["bearing"], "NU-210");
+    assert_eq!(finished["attempts"], 1);
+    assert!(finished["progress"]["iterations"].as_u64().is_some_and(|count| count > 0));
+    for time in ["created_at", "started_at", "finished_at"] {
+        assert!(finished[time].as_str().is_some_and(|time| time.ends_with('Z')), "{time}");
+    }
+
+    let result = service.get(receipt["links"]["result"].as_str().unwrap());
+    assert_eq!((result.status, result.header("content-type")), (200, Some("application/json")));
+    let report = result.json();
+    assert_eq!(report["status"], "converged");
+    assert!(report["steps"][0]["contact"]["peak_pressure"].as_f64().is_some_and(|peak| peak > 1000.0));
+    assert!(report["steps"][0]["history"].as_array().is_some_and(|history| !history.is_empty()));
+}
+
+#[test]
+fn solve_answers_with_the_result() {
+    let server = Server::start();
+    let answer = server.target.post("/v1/solve", example().to_string());
+    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/json")));
+    let address = answer.header("content-location").expect("where the result stays").to_owned();
+    let again = server.target.get(&address);
+    assert_eq!(again.body, answer.body);
+    assert_eq!(answer.json()["status"], "converged");
+}
+
+#[test]
+fn validate_estimates_without_solving() {
+    let server = Server::start();
+    let answer = server.target.post("/v1/validate", example().to_string());
+    assert_eq!(answer.status, 200);
+    let verdict = answer.json();
+    assert_eq!(verdict["valid"], true);
+    assert!(verdict["estimate"]["equations"].as_u64().is_some_and(|count| count > 1000));
+    assert!(verdict["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 100_000));
+
+    let mut bad = example();
+    bad["load"]["force"] = json!(-1.0);
+    let problem = server.target.post("/v1/validate", bad.to_string()).problem(422, "invalid-job");
+    assert_eq!(pointers(&problem), ["/load/force"]);
+}
+
+#[test]
+fn a_job_too_large_is_refused_with_its_estimate() {
+    let server = Server::start_with(&["--max-job-memory", "1"]);
+    let mut job = example();
+    job["mesh"]["elements_per_half_width"] = json!(80);
+    for path in ["/v1/jobs", "/v1/solve", "/v1/validate"] {
+        let problem = server.target.post(path, job.to_string()).problem(422, "job-too-large");
+        assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 1 << 20));
+        assert!(problem["estimate"]["equations"].as_u64().is_some_and(|count| count > 1000));
+        assert_eq!(problem["limit_bytes"], 1 << 20);
+    }
+}
+
+#[test]
+fn cancelling_a_finished_job_changes_nothing() {
+    let server = Server::start();
+    let job = server.target.submit(&example());
+    server.target.wait_for(&job, &["succeeded"]);
+    let answer = server.target.post(&format!("{job}/cancel"), "");
+    assert_eq!((answer.status, answer.json()["status"].as_str()), (200, Some("succeeded")));
+}

@@ -1,0 +1,13 @@
+//! The service as its clients see it: the real binary, asked by the real `curl`.
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+
+mod bad_input;
+mod curl;
+mod in_process;
+mod jobs;
+mod protocol;
+mod readme;
+mod server;
+mod shutdown;
+mod solvers;
+mod troubled;

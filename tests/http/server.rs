@@ -1,0 +1,133 @@
+//! The real binary on a free port.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::curl::{Answer, curl, curl_with_input};
+
+/// Longest time anything in these tests may take.
+pub const DEADLINE: Duration = Duration::from_mins(1);
+
+/// The paper's problem, as a document to be spoilt.
+pub fn example() -> Value {
+    serde_json::from_str(include_str!("../../api/examples/two_cylinders.json")).expect("the example is JSON")
+}
+
+/// Where a service is and how to ask it.
+#[derive(Debug, Clone)]
+pub struct Target {
+    pub url: String,
+}
+
+impl Target {
+    pub fn get(&self, path: &str) -> Answer {
+        curl(&[&format!("{}{path}", self.url)])
+    }
+
+    pub fn post(&self, path: &str, body: impl Into<Vec<u8>>) -> Answer {
+        self.post_with(path, body, &["-H", "Content-Type: application/json"])
+    }
+
+    pub fn post_with(&self, path: &str, body: impl Into<Vec<u8>>, args: &[&str]) -> Answer {
+        let url = format!("{}{path}", self.url);
+        let args = [args, &["--data-binary", "@-", &url]].concat();
+        curl_with_input(&args, body.into())
+    }
+
+    /// Queues a job and returns its address.
+    #[track_caller]
+    pub fn submit(&self, job: &Value) -> String {
+        let answer = self.post("/v1/jobs", job.to_string());
+        assert_eq!(answer.status, 202, "{}", answer.json());
+        answer.header("location").expect("a Location").to_owned()
+    }
+
+    /// Waits until the job is in one of these states and returns it.
+    #[track_caller]
+    pub fn wait_for(&self, job: &str, states: &[&str]) -> Value {
+        let started = Instant::now();
+        loop {
+            let answer = self.get(&format!("{job}?wait=0.05"));
+            assert_eq!(answer.status, 200);
+            let document = answer.json();
+            if states.iter().any(|state| document["status"] == *state) {
+                return document;
+            }
+            assert!(started.elapsed() < DEADLINE, "still {document}");
+        }
+    }
+
+    /// Asserts that the service answers and solves.
+    #[track_caller]
+    pub fn assert_alive(&self) {
+        assert_eq!(self.get("/livez").status, 200);
+        assert_eq!(self.get("/readyz").status, 200);
+        let answer = self.post("/v1/solve", example().to_string());
+        assert_eq!(answer.status, 200, "{}", String::from_utf8_lossy(&answer.body));
+        assert_eq!(answer.json()["status"], "converged");
+    }
+}
+
+/// A running `brinell serve`.
+pub struct Server {
+    pub target: Target,
+    child: Child,
+    // Kept open: a service whose standard output is closed would be another test.
+    _stdout: BufReader<ChildStdout>,
+}
+
+impl Server {
+    pub fn start() -> Self {
+        Self::start_with(&[])
+    }
+
+    pub fn start_with(args: &[&str]) -> Self {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
+            .args(["serve", "--listen", "127.0.0.1:0"])
+            .args(args)
+            .env("BRINELL_LOG", "warn")
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the binary starts");
+        let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
+        let mut line = String::new();
+        stdout.read_line(&mut line).expect("the service says where it listens");
+        let url = line.trim().strip_prefix("brinell listening on ").expect("an address").to_owned();
+        Self { target: Target { url }, child, _stdout: stdout }
+    }
+
+    /// The process.
+    pub fn id(&self) -> u32 {
+        self.child.id()
+    }
+
+    /// Sends a signal by name.
+    pub fn signal(&self, name: &str) {
+        let sent = Command::new("kill").args(["-s", name, &self.child.id().to_string()]).status();
+        assert!(sent.expect("kill runs").success());
+    }
+
+    /// Waits for the process to end.
+    #[track_caller]
+    pub fn wait(&mut self) -> ExitStatus {
+        let started = Instant::now();
+        loop {
+            if let Some(status) = self.child.try_wait().expect("the child can be asked") {
+                return status;
+            }
+            assert!(started.elapsed() < DEADLINE, "the service does not end");
+            std::thread::yield_now();
+        }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

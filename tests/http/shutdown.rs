@@ -1,0 +1,69 @@
+//! Going down in order.
+
+use std::io::Write;
+use std::net::TcpStream;
+use std::time::{Duration, Instant};
+
+use crate::in_process::{InProcess, job};
+use crate::server::{DEADLINE, Server, example};
+
+#[test]
+fn sigterm_ends_an_idle_service_with_success() {
+    for signal in ["TERM", "INT"] {
+        let mut server = Server::start();
+        server.target.assert_alive();
+        server.signal(signal);
+        assert_eq!(server.wait().code(), Some(0), "{signal}");
+    }
+}
+
+#[test]
+fn while_draining_jobs_finish_new_ones_are_refused_and_questions_answered() {
+    let service = InProcess::start(|_| ());
+    let target = service.target.clone();
+    let running = target.submit(&job("slow"));
+    let queued = target.submit(&job("quick"));
+    target.wait_for(&running, &["running"]);
+    service.stop.cancel();
+    let started = Instant::now();
+    while target.get("/readyz").status == 200 {
+        assert!(started.elapsed() < DEADLINE, "still ready");
+    }
+    let refused = target.get("/readyz");
+    refused.problem(503, "shutting-down");
+    assert!(refused.header("retry-after").is_some());
+    assert_eq!(target.get("/livez").status, 200);
+    target.post("/v1/jobs", example().to_string()).problem(503, "shutting-down");
+    assert_eq!(target.wait_for(&running, &["running"])["status"], "running");
+    assert_eq!(target.wait_for(&queued, &["queued"])["queue_position"], 0);
+    service.solver.open_gate();
+    service.wait();
+}
+
+#[test]
+fn what_is_left_after_the_grace_time_is_cancelled() {
+    let service = InProcess::start(|config| config.grace = Duration::from_millis(50));
+    let running = service.target.submit(&job("slow"));
+    service.target.wait_for(&running, &["running"]);
+    service.stop.cancel();
+    service.wait();
+}
+
+#[test]
+fn a_second_signal_stops_at_once() {
+    let mut server = Server::start();
+    let address = server.target.url.strip_prefix("http://").unwrap().to_owned();
+    // A client that never finishes its request holds the shutdown up.
+    let mut client = TcpStream::connect(&address).unwrap();
+    let head =
+        "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{";
+    client.write_all(head.as_bytes()).unwrap();
+    server.target.assert_alive();
+    server.signal("TERM");
+    let started = Instant::now();
+    while TcpStream::connect(&address).is_ok() {
+        assert!(started.elapsed() < DEADLINE, "still listening");
+    }
+    server.signal("TERM");
+    assert_eq!(server.wait().code(), Some(130));
+}

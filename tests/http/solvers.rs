@@ -1,0 +1,108 @@
+//! Solvers that misbehave on demand: `tags.test` says how.
+
+use std::ops::ControlFlow;
+use std::sync::{Condvar, Mutex};
+use std::time::Duration;
+
+use brinell::jobs::{FieldError, JobSolver};
+use brinell::model::Job;
+use brinell::results::{MeshReport, Report, RunError, Timings};
+use brinell::solve::{Interrupt, IterationRecord, Observer, SolveStatus};
+
+/// `panic`, `nan`, `impossible`, `give_up`; `slow` iterates until the gate is opened or it is told to stop; anything
+/// else converges at once.
+#[derive(Default)]
+pub struct TestSolver {
+    open: Mutex<bool>,
+    changed: Condvar,
+}
+
+impl TestSolver {
+    /// Lets slow jobs converge.
+    pub fn open_gate(&self) {
+        *self.open.lock().unwrap() = true;
+        self.changed.notify_all();
+    }
+
+    fn wait_a_little(&self) -> bool {
+        let open = self.open.lock().unwrap();
+        *self.changed.wait_timeout_while(open, Duration::from_millis(1), |open| !*open).unwrap().0
+    }
+
+    fn iterate(&self, observer: &mut dyn Observer) -> Report {
+        for iteration in 1.. {
+            if let ControlFlow::Break(interrupt) = observer.on_iteration(&record(iteration)) {
+                return report(match interrupt {
+                    Interrupt::Cancelled => SolveStatus::Cancelled,
+                    Interrupt::TimedOut => SolveStatus::TimedOut,
+                });
+            }
+            if self.wait_a_little() {
+                break;
+            }
+        }
+        report(SolveStatus::Converged)
+    }
+}
+
+impl JobSolver for TestSolver {
+    fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
+        match job.tags.get("test").map(String::as_str) {
+            Some("panic") => panic!("the secret of the solver"),
+            Some("nan") => {
+                let mut report = report(SolveStatus::Converged);
+                report.timings_ms.total = f64::NAN;
+                Ok(report)
+            }
+            Some("impossible") => {
+                let detail = "more than the ring can carry".to_owned();
+                Err(RunError::Input(vec![FieldError { pointer: "/load/force".to_owned(), detail }]))
+            }
+            Some("give_up") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
+            Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
+            Some("slow") => Ok(self.iterate(observer)),
+            _ => Ok(report(SolveStatus::Converged)),
+        }
+    }
+}
+
+fn record(iteration: usize) -> IterationRecord {
+    IterationRecord {
+        iteration,
+        contact_pivots: 0,
+        initial_stress_updates: 1,
+        factorizations: 0,
+        displacement_change: 1.0,
+        force_change: 1.0,
+        equilibrium_residual: 1.0,
+        plastic_points: 0,
+        contact_pairs: 1,
+        approach: 0.1,
+        peak_pressure: 1.0,
+        elapsed_ms: 1.0,
+    }
+}
+
+fn report(status: SolveStatus) -> Report {
+    Report {
+        units: "mm_N_MPa".to_owned(),
+        analysis: "plane_strain".to_owned(),
+        status,
+        steps: Vec::new(),
+        mesh: MeshReport {
+            symmetric: true,
+            spacing: 0.01,
+            contact_pairs: 1,
+            nodes: 4,
+            elements: 1,
+            equations: 8,
+            passes: 1,
+            enlargements: 0,
+            min_jacobian_ratio: 1.0,
+            max_aspect_ratio: 1.0,
+        },
+        timings_ms: Timings::default(),
+        tags: std::collections::BTreeMap::new(),
+        version: "test".to_owned(),
+    }
+}
