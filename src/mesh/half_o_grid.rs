@@ -4,6 +4,13 @@
 //! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
 //! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
 use std::f64::consts::PI;
 
 use super::{Mesh, MeshError, Outline};
