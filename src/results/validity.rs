@@ -23,7 +23,7 @@ pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) 
             say("not_converged", not_converged(step));
         }
         SolveStatus::Cancelled => {
-            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into())
+            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into());
         }
         SolveStatus::TimedOut => {
             say("timed_out", "The deadline passed; the figures are those of the last iteration.".into());
