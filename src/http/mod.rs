@@ -19,6 +19,7 @@ use axum::extract::Request;
 use axum::http::Uri;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
@@ -69,6 +70,8 @@ pub struct HttpState {
     pub desk: Arc<Desk>,
     /// Bounds.
     pub settings: HttpSettings,
+    /// Cancelled when connections are about to be closed; streams without an end of their own end then.
+    pub closing: CancellationToken,
 }
 
 /// The whole HTTP surface.

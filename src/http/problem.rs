@@ -109,6 +109,7 @@ impl From<StoreError> for Problem {
         let kind = match &error {
             StoreError::NotFound => ProblemType::JobNotFound,
             StoreError::QueueFull { .. } => ProblemType::QueueFull,
+            StoreError::KeyReused => ProblemType::IdempotencyKeyReused,
             StoreError::Unfinished(_) => ProblemType::JobUnfinished,
             StoreError::LeaseLost => ProblemType::Internal,
             StoreError::Unavailable(source) => {

@@ -75,6 +75,9 @@ problem_types! {
     /// The body is not declared as JSON.
     UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body must be JSON",
         "Send the job with the header `Content-Type: application/json`.";
+    /// The idempotency key came with another body.
+    IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY, "The idempotency key was used before",
+        "Another body was sent under this Idempotency-Key before. A key names one submission: use a new one.";
     /// The queue is full.
     QueueFull, "queue-full", TOO_MANY_REQUESTS, "The queue is full",
         "As many jobs are waiting as may wait. Try again after the seconds in the `Retry-After` header.";

@@ -4,7 +4,8 @@
 //!             claim                    finish
 //!   queued ─────────▶ running ─────────────────▶ succeeded | not_converged | failed
 //!     │  ▲               │                        cancelled | timed_out
-//!     │  └── lease lost ─┘
+//!     │  └── lease lost ─┤
+//!     │      or released ┘
 //!     └── cancel ───────────────────────────────▶ cancelled
 //! ```
 //!
@@ -24,15 +25,18 @@ mod state;
 mod store;
 
 pub use clock::{Clock, SystemClock};
-pub use desk::{Desk, DeskLimits, Refusal, SubmitError};
+pub use desk::{Desk, DeskLimits, Refusal, Submission, SubmitError};
 pub use encode::{EncodeError, check_finite, encode};
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use hub::{Hub, Signal, Watch};
-pub use id::{JobId, WorkerId};
-pub use record::{JobRecord, NewJob};
+pub use id::{JobId, KeyId, WorkerId};
+pub use record::{Idempotency, JobRecord, NewJob};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
-pub use store::{Claim, ClaimRequest, Counts, JobFilter, JobPage, JobStore, Lease, LeaseStatus, StoreError};
+pub use store::{
+    Claim, ClaimRequest, Claims, Counts, Enqueued, JobFilter, JobPage, JobStore, Lease, LeaseStatus,
+    Retention, SWEEP, StoreError,
+};
 
 pub use crate::model::FieldError;
 pub use crate::results::JobEstimate;

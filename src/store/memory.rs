@@ -9,8 +9,8 @@ use bytes::Bytes;
 
 use super::shelf::Shelf;
 use crate::jobs::{
-    Claim, ClaimRequest, Clock, Counts, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord, JobState,
-    JobStore, Lease, LeaseStatus, NewJob, Outcome, StoreError,
+    ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
+    JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
 };
 
 /// Bounds of a [`MemoryStore`].
@@ -52,10 +52,10 @@ impl MemoryStore {
 
 #[async_trait]
 impl JobStore for MemoryStore {
-    async fn enqueue(&self, job: NewJob) -> Result<JobRecord, StoreError> {
-        let record = self.shelf().enqueue(job, self.clock.now())?;
+    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+        let enqueued = self.shelf().enqueue(job, self.clock.now())?;
         self.hub.announce_work();
-        Ok(record)
+        Ok(enqueued)
     }
 
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError> {
@@ -71,12 +71,12 @@ impl JobStore for MemoryStore {
         Ok(self.shelf().entry(id)?.report.clone())
     }
 
-    async fn claim(&self, request: &ClaimRequest) -> Result<Vec<Claim>, StoreError> {
+    async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (claims, ended) = self.shelf().claim(request, self.clock.now());
         for id in ended {
             self.hub.announce_finished(id);
         }
-        for claim in &claims {
+        for claim in &claims.jobs {
             self.hub.announce_progress(claim.lease.job);
         }
         Ok(claims)
@@ -92,9 +92,27 @@ impl JobStore for MemoryStore {
         Ok(())
     }
 
-    async fn finish(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError> {
-        self.shelf().finish(lease, outcome, self.clock.now())?;
+    async fn finish(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+        outcome: Outcome,
+    ) -> Result<(), StoreError> {
+        self.shelf().finish(lease, records, outcome, self.clock.now())?;
         self.hub.announce_finished(lease.job);
+        Ok(())
+    }
+
+    async fn release(&self, leases: &[Lease]) -> Result<(), StoreError> {
+        let ended = self.shelf().release(leases, self.clock.now());
+        for lease in leases {
+            if ended.contains(&lease.job) {
+                self.hub.announce_finished(lease.job);
+            } else {
+                self.hub.announce_progress(lease.job);
+            }
+        }
+        self.hub.announce_work();
         Ok(())
     }
 
@@ -118,5 +136,13 @@ impl JobStore for MemoryStore {
 
     async fn counts(&self) -> Result<Counts, StoreError> {
         Ok(self.shelf().counts())
+    }
+
+    async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
+        Ok(self.shelf().sweep(retention, self.clock.now()))
+    }
+
+    async fn ping(&self) -> Result<(), StoreError> {
+        Ok(())
     }
 }

@@ -32,7 +32,7 @@ impl Running {
         self.lock().values().for_each(StopFlag::raise);
     }
 
-    fn leases(&self) -> Vec<Lease> {
+    pub(super) fn leases(&self) -> Vec<Lease> {
         self.lock().keys().copied().collect()
     }
 

@@ -5,11 +5,12 @@ use axum::response::Response;
 
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem, wire};
+use crate::jobs::Submission;
 
 pub(in crate::http) async fn post_job(
     State(state): State<HttpState>,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
-    let record = state.desk.submit(text).await?;
-    Ok(wire::accepted(&record))
+    let enqueued = state.desk.submit(Submission { request: text, ..Submission::default() }).await?;
+    Ok(wire::accepted(&enqueued.job))
 }

@@ -18,13 +18,17 @@ use tokio::runtime::Handle;
 use super::get_result::no_result;
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem, wire};
-use crate::jobs::{Desk, JobId};
+use crate::jobs::{Desk, JobId, Submission};
+
+/// Somebody waits: these jobs go before queued ones of ordinary priority.
+const URGENT: i16 = 1;
 
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
-    let id = state.desk.submit(text).await?.id;
+    let submission = Submission { request: text, priority: URGENT, ..Submission::default() };
+    let id = state.desk.submit(submission).await?.job.id;
     let mut hang_up = HangUp { desk: Arc::clone(&state.desk), job: Some(id) };
     let record = state.desk.wait(id, state.settings.solve_limit).await?;
     hang_up.job = None;
