@@ -10,17 +10,18 @@
 //! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact problems*,
 //! eqs. (2.1)–(2.5).
 
-use super::Equations;
+use super::{Equations, out_of_plane};
 use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::linalg::wide;
 use crate::mesh::Mesh;
-use crate::plasticity::{HardeningLaw, UniaxialCurve};
+use crate::model::Deformable;
+use crate::plasticity::{OutOfPlane, PointLaw};
 
 /// The elements of a body that may yield, prepared for repeated evaluation.
 #[derive(Debug, Clone)]
 pub struct InitialStressRegion {
     elements: Vec<RegionElement>,
-    curve: UniaxialCurve,
-    shear_modulus: f64,
+    law: PointLaw,
 }
 
 #[derive(Debug, Clone)]
@@ -41,15 +42,18 @@ pub struct PlasticUpdate {
 }
 
 impl InitialStressRegion {
-    /// Takes the elements whose shell is at most `last_shell`.
+    /// Takes the elements whose shell is at most `last_shell`; `None` for a material that cannot yield.
     pub fn new(
         mesh: &Mesh,
         kinematics: Kinematics,
         equations: &Equations,
         last_shell: u32,
-        curve: UniaxialCurve,
-        shear_modulus: f64,
-    ) -> Self {
+        material: &Deformable,
+    ) -> Option<Self> {
+        let law = PointLaw::new(material, out_of_plane(kinematics));
+        if !law.can_yield() {
+            return None;
+        }
         let rim = if last_shell >= mesh.ring_count() { u32::MAX } else { last_shell };
         let inside = |element: &usize| mesh.shells[*element] <= last_shell;
         let elements = (0..mesh.elements.len())
@@ -60,7 +64,7 @@ impl InitialStressRegion {
                 at_rim: mesh.shells[element] == rim,
             })
             .collect();
-        Self { elements, curve, shear_modulus }
+        Some(Self { elements, law })
     }
 
     /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed
@@ -69,52 +73,78 @@ impl InitialStressRegion {
     pub fn evaluate(&self, u: &[f64], load: &mut [f64]) -> PlasticUpdate {
         load.fill(0.0);
         let mut update = PlasticUpdate::default();
-        // Below this equivalent strain a point is elastic; comparing squares spares the root.
-        let limit = self.curve.yield_stress() / (3.0 * self.shear_modulus);
-        for element in &self.elements {
-            let displacement = element.equations.map(|e| e.map(|k| u[k as usize]));
-            let mut stress = element.quad.strain(&displacement);
-            let squares = make_deviatoric(&mut stress);
-            if squares.iter().all(|&s| s <= limit * limit) {
-                continue;
+        wide(|| {
+            for element in &self.elements {
+                self.add_element(element, u, load, &mut update);
             }
-            for (g, &square) in squares.iter().enumerate() {
-                let equivalent = square.sqrt();
-                let (factor, yielded) = self.initial_stress_factor(equivalent);
-                update.plastic_points += usize::from(yielded);
-                for component in &mut stress {
-                    component[g] *= factor;
-                }
-                stress[3][g] *= 0.5;
-            }
-            update.reached_rim |= element.at_rim;
-            let forces = element.quad.nodal_forces(&stress);
-            for (equations, force) in element.equations.iter().zip(forces) {
-                for (&k, f) in equations.iter().zip(force) {
-                    load[k as usize] += f;
-                }
-            }
-        }
+        });
         if let Some(held) = load.last_mut() {
             *held = 0.0;
         }
         update
     }
 
-    /// `2 (G - G_s)` at an equivalent strain \[MPa\], and whether the point has yielded.
-    fn initial_stress_factor(&self, equivalent_strain: f64) -> (f64, bool) {
-        let elastic = 3.0 * self.shear_modulus * equivalent_strain;
-        if elastic <= self.curve.yield_stress() {
-            return (0.0, false);
+    #[inline(always)]
+    fn add_element(&self, element: &RegionElement, u: &[f64], load: &mut [f64], update: &mut PlasticUpdate) {
+        let displacement = element.equations.map(|e| e.map(|k| u[k as usize]));
+        let mut stress = element.quad.strain(&displacement);
+        let yielded = match self.law.out_of_plane() {
+            OutOfPlane::Strained => self.initial_stress(&mut stress),
+            OutOfPlane::Free => self.initial_stress_of_a_sheet(&mut stress),
+        };
+        let Some(yielded) = yielded else { return };
+        update.plastic_points += yielded;
+        update.reached_rim |= element.at_rim;
+        let forces = element.quad.nodal_forces(&stress);
+        for (equations, force) in element.equations.iter().zip(forces) {
+            for (&k, f) in equations.iter().zip(force) {
+                load[k as usize] += f;
+            }
         }
-        let stress = self.curve.equivalent_stress(equivalent_strain);
-        let plastic_strain = (elastic - stress) / (3.0 * self.shear_modulus);
-        (2.0 / 3.0 * (elastic - stress) / equivalent_strain, self.curve.has_yielded(stress, plastic_strain))
+    }
+
+    /// Turns strains into initial stresses; returns the points that have yielded, or `None` where all are elastic.
+    #[inline(always)]
+    fn initial_stress(&self, strain: &mut [PerPoint; 4]) -> Option<usize> {
+        let limit = self.law.elastic_limit();
+        let squares = make_deviatoric(strain);
+        // Comparing squares spares the root where nothing happens.
+        if squares.iter().all(|&square| square <= limit * limit) {
+            return None;
+        }
+        let mut yielded = 0;
+        for (g, &square) in squares.iter().enumerate() {
+            let (factor, beyond) = self.law.initial_stress_factor(square.sqrt());
+            yielded += usize::from(beyond);
+            for component in strain.iter_mut() {
+                component[g] *= factor;
+            }
+            strain[3][g] *= 0.5;
+        }
+        Some(yielded)
+    }
+
+    /// The same where the thickness is free and ε_zz has to be found.
+    fn initial_stress_of_a_sheet(&self, strain: &mut [PerPoint; 4]) -> Option<usize> {
+        let mut yielded = 0;
+        for g in 0..QUADRATURE_POINTS {
+            let (stress, beyond) = self.law.initial_stress([strain[0][g], strain[1][g], 0.0, strain[3][g]]);
+            yielded += usize::from(beyond);
+            for (component, value) in strain.iter_mut().zip(stress) {
+                component[g] = value;
+            }
+        }
+        let loaded = strain.iter().flatten().any(|s| *s != 0.0);
+        loaded.then_some(yielded)
     }
 }
 
+/// One value for each Gauss point.
+type PerPoint = [f64; QUADRATURE_POINTS];
+
 /// Takes the mean off the normal strains and returns `ε_q²` at each point.
-fn make_deviatoric(strain: &mut [[f64; QUADRATURE_POINTS]; 4]) -> [f64; QUADRATURE_POINTS] {
+#[inline(always)]
+fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
     let [x, y, z, shear] = strain;
     std::array::from_fn(|g| {
         let mean = (x[g] + y[g] + z[g]) / 3.0;

@@ -5,7 +5,18 @@ mod initial_stress;
 mod stiffness;
 mod stress;
 
+use crate::element::Kinematics;
+use crate::plasticity::OutOfPlane;
+
 pub use equations::{Equations, Restraint};
 pub use initial_stress::{InitialStressRegion, PlasticUpdate};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
+
+/// What the kinematics know of the out-of-plane direction.
+fn out_of_plane(kinematics: Kinematics) -> OutOfPlane {
+    match kinematics {
+        Kinematics::PlaneStrain | Kinematics::Axisymmetric => OutOfPlane::Strained,
+        Kinematics::PlaneStress => OutOfPlane::Free,
+    }
+}

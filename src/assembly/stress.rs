@@ -1,9 +1,10 @@
 //! Stresses at the Gauss points of a whole body.
 
+use super::out_of_plane;
 use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
 use crate::mesh::Mesh;
 use crate::model::Deformable;
-use crate::plasticity::{HardeningLaw, UniaxialCurve, equivalent_strain};
+use crate::plasticity::PointLaw;
 
 /// State of one Gauss point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +13,8 @@ pub struct GaussPoint {
     pub position: [f64; 2],
     /// Area times thickness that the point stands for.
     pub weight: f64,
+    /// Area of the section that the point stands for \[mm²\].
+    pub area: f64,
     /// `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\], tensile positive.
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
@@ -39,7 +42,7 @@ impl StressField {
         material: &Deformable,
         displacement: &[[f64; 2]],
     ) -> Self {
-        let law = PointLaw::new(material);
+        let law = PointLaw::new(material, out_of_plane(kinematics));
         let mut field = Self {
             points: Vec::with_capacity(mesh.elements.len()),
             internal_force: vec![[0.0; 2]; mesh.nodes.len()],
@@ -51,7 +54,15 @@ impl StressField {
             let dilatation = quad.mean_dilatation(&strain);
             let points = std::array::from_fn(|g| {
                 let state = law.respond(strain.map(|component| component[g]), dilatation);
-                GaussPoint { position: Quad::point(&corners, g), weight: quad.weight[g], ..state }
+                GaussPoint {
+                    position: Quad::point(&corners, g),
+                    weight: quad.weight[g],
+                    area: quad.area(&corners, g),
+                    stress: state.stress,
+                    equivalent_plastic_strain: state.equivalent_plastic_strain,
+                    secant_shear: state.secant_shear,
+                    yielded: state.yielded,
+                }
             });
             let stress = std::array::from_fn(|c| std::array::from_fn(|g| points[g].stress[c]));
             for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
@@ -71,53 +82,5 @@ impl StressField {
     /// Secant shear moduli at the points of an element \[MPa\].
     pub fn secant_shear(&self, element: usize) -> [f64; QUADRATURE_POINTS] {
         self.points[element].map(|point| point.secant_shear)
-    }
-}
-
-/// Stress as a function of strain at one point.
-struct PointLaw {
-    bulk_modulus: f64,
-    shear_modulus: f64,
-    curve: Option<UniaxialCurve>,
-}
-
-impl PointLaw {
-    fn new(material: &Deformable) -> Self {
-        Self {
-            bulk_modulus: material.elastic().bulk_modulus(),
-            shear_modulus: material.elastic().shear_modulus(),
-            curve: UniaxialCurve::of(material),
-        }
-    }
-
-    /// State at a local strain whose dilatation is replaced by that of the element; position and weight are
-    /// left for the caller.
-    fn respond(&self, strain: [f64; 4], dilatation: f64) -> GaussPoint {
-        let mean = (strain[0] + strain[1] + strain[2]) / 3.0;
-        let deviator = [strain[0] - mean, strain[1] - mean, strain[2] - mean, strain[3]];
-        let equivalent = equivalent_strain(deviator);
-        let elastic = 3.0 * self.shear_modulus * equivalent;
-        let (secant_shear, plastic, yielded) = match &self.curve {
-            Some(curve) if elastic > curve.yield_stress() => {
-                let q = curve.equivalent_stress(equivalent);
-                let plastic = (elastic - q) / (3.0 * self.shear_modulus);
-                (q / (3.0 * equivalent), plastic, curve.has_yielded(q, plastic))
-            }
-            _ => (self.shear_modulus, 0.0, false),
-        };
-        let pressure = self.bulk_modulus * dilatation;
-        GaussPoint {
-            position: [0.0; 2],
-            weight: 0.0,
-            stress: [
-                pressure + 2.0 * secant_shear * deviator[0],
-                pressure + 2.0 * secant_shear * deviator[1],
-                pressure + 2.0 * secant_shear * deviator[2],
-                secant_shear * deviator[3],
-            ],
-            equivalent_plastic_strain: plastic,
-            secant_shear,
-            yielded,
-        }
     }
 }

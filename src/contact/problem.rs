@@ -12,6 +12,15 @@ pub enum ContactLoad {
     Approach(f64),
 }
 
+impl ContactLoad {
+    /// The figure that is prescribed.
+    pub const fn magnitude(self) -> f64 {
+        match self {
+            Self::Force(value) | Self::Approach(value) => value,
+        }
+    }
+}
+
 /// The contact of n candidate pairs under one load.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactProblem<'a> {

@@ -8,6 +8,10 @@ pub const QUADRATURE_POINTS: usize = 4;
 pub enum Kinematics {
     /// ε_zz = 0, unit thickness.
     PlaneStrain,
+    /// σ_zz = 0, unit thickness.
+    PlaneStress,
+    /// Body of revolution about `x = 0`: x is the radius, ε_zz = u_x / x the hoop strain, the thickness 2πx.
+    Axisymmetric,
 }
 
 /// One value for each Gauss point; the innermost index, so that loops over it vectorize.
@@ -20,8 +24,12 @@ pub struct Quad {
     pub gradient_x: [PerPoint; 4],
     /// `gradient_y[i][g] = ∂N_i/∂y` at point g \[1/mm\].
     pub gradient_y: [PerPoint; 4],
-    /// Weight times Jacobian determinant times thickness \[mm³ per mm of thickness in plane analyses\].
+    /// `over_radius[i][g] = N_i / x` at point g of a body of revolution \[1/mm\]; zero in plane analyses.
+    pub over_radius: [PerPoint; 4],
+    /// Weight times Jacobian determinant times thickness \[mm² in plane analyses, mm³ in axisymmetry\].
     pub weight: PerPoint,
+    /// Third direction.
+    pub kinematics: Kinematics,
 }
 
 /// Natural coordinates of the corners; Gauss point g lies at `corner g / √3`.
@@ -29,10 +37,16 @@ const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.
 
 impl Quad {
     /// Evaluates the gradients for corner coordinates `[x, y]` \[mm\], counter-clockwise.
-    pub fn new(corners: &[[f64; 2]; 4], _kinematics: Kinematics) -> Self {
-        let mut quad = Self { gradient_x: [[0.0; 4]; 4], gradient_y: [[0.0; 4]; 4], weight: [0.0; 4] };
-        for g in 0..QUADRATURE_POINTS {
-            let [xi, eta] = CORNERS[g].map(|c| c / 3f64.sqrt());
+    pub fn new(corners: &[[f64; 2]; 4], kinematics: Kinematics) -> Self {
+        let mut quad = Self {
+            gradient_x: [[0.0; 4]; 4],
+            gradient_y: [[0.0; 4]; 4],
+            over_radius: [[0.0; 4]; 4],
+            weight: [0.0; 4],
+            kinematics,
+        };
+        for (g, corner) in CORNERS.iter().enumerate() {
+            let [xi, eta] = corner.map(|c| c / 3f64.sqrt());
             let natural: [[f64; 2]; 4] =
                 CORNERS.map(|[a, b]| [0.25 * a * (1.0 + b * eta), 0.25 * b * (1.0 + a * xi)]);
             // Jacobian J = [[x_ξ, y_ξ], [x_η, y_η]].
@@ -49,6 +63,14 @@ impl Quad {
                 quad.gradient_y[i][g] = (j[0][0] * n[1] - j[1][0] * n[0]) / determinant;
             }
             quad.weight[g] = determinant;
+            if kinematics == Kinematics::Axisymmetric {
+                let shape = shape_functions(xi, eta);
+                let radius: f64 = shape.iter().zip(corners).map(|(n, c)| n * c[0]).sum();
+                quad.weight[g] *= 2.0 * std::f64::consts::PI * radius;
+                for (over_radius, n) in quad.over_radius.iter_mut().zip(shape) {
+                    over_radius[g] = n / radius;
+                }
+            }
         }
         quad
     }
@@ -57,12 +79,21 @@ impl Quad {
     pub fn point(corners: &[[f64; 2]; 4], g: usize) -> [f64; 2] {
         let [xi, eta] = CORNERS[g].map(|c| c / 3f64.sqrt());
         let mut position = [0.0; 2];
-        for ([a, b], corner) in CORNERS.iter().zip(corners) {
-            let shape = 0.25 * (1.0 + a * xi) * (1.0 + b * eta);
+        for (shape, corner) in shape_functions(xi, eta).iter().zip(corners) {
             position[0] += shape * corner[0];
             position[1] += shape * corner[1];
         }
         position
+    }
+
+    /// Area of the quadrilateral that point g stands for \[mm²\].
+    pub fn area(&self, corners: &[[f64; 2]; 4], g: usize) -> f64 {
+        match self.kinematics {
+            Kinematics::PlaneStrain | Kinematics::PlaneStress => self.weight[g],
+            Kinematics::Axisymmetric => {
+                self.weight[g] / (2.0 * std::f64::consts::PI * Self::point(corners, g)[0])
+            }
+        }
     }
 
     /// Volume (area times thickness).
@@ -70,25 +101,27 @@ impl Quad {
         self.weight.iter().sum()
     }
 
-    /// `mean[i] = 1/V ∫ [∂N_i/∂x, ∂N_i/∂y] dV`: the dilatation of the element is `Σ mean[i] · u_i`.
+    /// `mean[i] = 1/V ∫ [∂N_i/∂x + N_i/x, ∂N_i/∂y] dV`: the dilatation of the element is `Σ mean[i] · u_i`.
     pub fn mean_divergence(&self) -> [[f64; 2]; 4] {
         let volume = self.volume();
         std::array::from_fn(|i| {
             let mean = |gradient: &PerPoint| -> f64 {
                 gradient.iter().zip(&self.weight).map(|(n, w)| n * w).sum::<f64>() / volume
             };
-            [mean(&self.gradient_x[i]), mean(&self.gradient_y[i])]
+            [mean(&self.gradient_x[i]) + mean(&self.over_radius[i]), mean(&self.gradient_y[i])]
         })
     }
 
     /// Displacement gradients at all points, `[ε_xx, ε_yy, ε_zz, γ_xy][g]`, from the nodal displacements
     /// `[u_x, u_y]` of the four nodes; the dilatation is the local one, not the mean.
+    #[inline(always)]
     pub fn strain(&self, u: &[[f64; 2]; 4]) -> [PerPoint; 4] {
         let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
         for (i, [ux, uy]) in u.iter().enumerate() {
             for g in 0..QUADRATURE_POINTS {
                 strain[0][g] += self.gradient_x[i][g] * ux;
                 strain[1][g] += self.gradient_y[i][g] * uy;
+                strain[2][g] += self.over_radius[i][g] * ux;
                 strain[3][g] += self.gradient_y[i][g] * ux + self.gradient_x[i][g] * uy;
             }
         }
@@ -106,17 +139,24 @@ impl Quad {
     ///
     /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because the two
     /// differ in the dilatation alone; likewise for a pressure that is constant over the element.
+    #[inline(always)]
     pub fn nodal_forces(&self, stress: &[PerPoint; 4]) -> [[f64; 2]; 4] {
+        let [sx, sy, sz, shear] = stress;
         std::array::from_fn(|i| {
+            let (nx, ny, nr) = (&self.gradient_x[i], &self.gradient_y[i], &self.over_radius[i]);
             let mut force = [0.0; 2];
-            for g in 0..QUADRATURE_POINTS {
-                let (nx, ny, w) = (self.gradient_x[i][g], self.gradient_y[i][g], self.weight[g]);
-                force[0] += w * (nx * stress[0][g] + ny * stress[3][g]);
-                force[1] += w * (ny * stress[1][g] + nx * stress[3][g]);
+            for (g, w) in self.weight.iter().enumerate() {
+                force[0] += w * (nx[g] * sx[g] + ny[g] * shear[g] + nr[g] * sz[g]);
+                force[1] += w * (ny[g] * sy[g] + nx[g] * shear[g]);
             }
             force
         })
     }
+}
+
+/// Bilinear shape functions at natural coordinates.
+fn shape_functions(xi: f64, eta: f64) -> [f64; 4] {
+    CORNERS.map(|[a, b]| 0.25 * (1.0 + a * xi) * (1.0 + b * eta))
 }
 
 #[cfg(test)]
@@ -139,6 +179,22 @@ mod tests {
     }
 
     #[test]
+    fn a_body_of_revolution_has_hoop_strain_and_pappus_volume() {
+        let corners = SKEWED.map(|[x, y]| [x + 3.0, y]);
+        let quad = Quad::new(&corners, Kinematics::Axisymmetric);
+        let strain = quad.strain(&corners.map(|[x, _]| [0.1 * x, 0.0]));
+        for g in 0..4 {
+            assert!((strain[0][g] - 0.1).abs() < 1e-14 && (strain[2][g] - 0.1).abs() < 1e-14);
+        }
+        // ∫ 2πx dA, exact for the quadrature of a bilinear map.
+        let polygon = |f: fn([f64; 2], [f64; 2]) -> f64| -> f64 {
+            (0..4).map(|k| f(corners[k], corners[(k + 1) % 4])).sum()
+        };
+        let first_moment = polygon(|p, q| (p[0] + q[0]) * (p[0] * q[1] - p[1] * q[0]) / 6.0);
+        assert!((quad.volume() - 2.0 * std::f64::consts::PI * first_moment).abs() < 1e-11);
+    }
+
+    #[test]
     fn volume_is_the_area_of_the_polygon() {
         let area: f64 = (0..4)
             .map(|k| {
@@ -151,7 +207,7 @@ mod tests {
 
     #[test]
     fn nodal_forces_do_the_work_of_the_stresses() {
-        let quad = Quad::new(&SKEWED, Kinematics::PlaneStrain);
+        let quad = Quad::new(&SKEWED.map(|[x, y]| [x + 1.0, y]), Kinematics::Axisymmetric);
         let u = [[0.3, -0.1], [0.2, 0.5], [-0.4, 0.1], [0.6, 0.7]];
         let stress: [[f64; 4]; 4] =
             std::array::from_fn(|c| std::array::from_fn(|g| (1.0 + c as f64) * (g as f64 - 1.2)));

@@ -16,8 +16,8 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Par, Spec};
 use thiserror::Error;
 
-use super::SymmetricPattern;
 use super::dense::SymmetricMatrix;
+use super::{SymmetricPattern, dot, wide};
 
 /// Why a matrix has no Cholesky factor.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -210,39 +210,22 @@ impl Cholesky {
 
     /// Overwrites `x` by `L⁻¹ x` on the reach.
     pub fn forward(&self, reach: &Reach, x: &mut [f64]) {
-        for &s in &reach.supernodes {
-            let panel = self.panel(s as usize);
-            let below_count = panel.rows.len();
-            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
-                let (diagonal, below) = column[c..].split_at(panel.width - c);
-                let own = &mut x[panel.start + c..panel.start + panel.width];
-                let pivot = own[0] / diagonal[0];
-                own[0] = pivot;
-                for (y, l) in own[1..].iter_mut().zip(&diagonal[1..]) {
-                    *y -= pivot * l;
-                }
-                debug_assert_eq!(below.len(), below_count);
-                for (&row, l) in panel.rows.iter().zip(below) {
-                    x[row as usize] -= pivot * l;
-                }
+        let mut below = Vec::new();
+        wide(|| {
+            for &s in &reach.supernodes {
+                forward_panel(&self.panel(s as usize), x, &mut below);
             }
-        }
+        });
     }
 
     /// Overwrites `x` by `L⁻ᵀ x` on the reach.
     pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
-        let mut gathered = Vec::new();
-        for &s in reach.supernodes.iter().rev() {
-            let panel = self.panel(s as usize);
-            gathered.clear();
-            gathered.extend(panel.rows.iter().map(|&row| x[row as usize]));
-            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate().rev() {
-                let (diagonal, below) = column[c..].split_at(panel.width - c);
-                let own = &mut x[panel.start + c..panel.start + panel.width];
-                let sum = own[0] - dot(&own[1..], &diagonal[1..]) - dot(&gathered, below);
-                own[0] = sum / diagonal[0];
+        let mut below = Vec::new();
+        wide(|| {
+            for &s in reach.supernodes.iter().rev() {
+                backward_panel(&self.panel(s as usize), x, &mut below);
             }
-        }
+        });
     }
 
     /// The last `count` rows and columns of `A⁻¹`.
@@ -311,15 +294,38 @@ impl Panel<'_> {
     }
 }
 
-/// Scalar product with four running sums, so that it vectorizes; the order of summation is fixed.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let tail: f64 = a4.remainder().iter().zip(b4.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a4.zip(b4) {
-        for k in 0..4 {
-            sums[k] += x[k] * y[k];
+/// Forward substitution with one panel. What its columns take off the rows below is summed in `below` first and
+/// scattered once.
+#[inline(always)]
+fn forward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
+    below.clear();
+    below.resize(panel.rows.len(), 0.0);
+    for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
+        let (diagonal, lower) = column[c..].split_at(panel.width - c);
+        let own = &mut x[panel.start + c..panel.start + panel.width];
+        let pivot = own[0] / diagonal[0];
+        own[0] = pivot;
+        for (y, l) in own[1..].iter_mut().zip(&diagonal[1..]) {
+            *y -= pivot * l;
+        }
+        for (y, l) in below.iter_mut().zip(lower) {
+            *y += pivot * l;
         }
     }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + tail
+    for (&row, y) in panel.rows.iter().zip(below.iter()) {
+        x[row as usize] -= y;
+    }
+}
+
+/// Back substitution with one panel.
+#[inline(always)]
+fn backward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
+    below.clear();
+    below.extend(panel.rows.iter().map(|&row| x[row as usize]));
+    for (c, column) in panel.values.chunks_exact(panel.height()).enumerate().rev() {
+        let (diagonal, lower) = column[c..].split_at(panel.width - c);
+        let own = &mut x[panel.start + c..panel.start + panel.width];
+        let sum = own[0] - dot(&own[1..], &diagonal[1..]) - dot(below, lower);
+        own[0] = sum / diagonal[0];
+    }
 }

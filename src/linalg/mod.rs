@@ -16,9 +16,11 @@ mod elimination;
 mod graph;
 mod nested_dissection;
 mod pattern;
+mod wide;
 
 pub use cholesky::{Cholesky, FactorizationError, Reach, SymbolicCholesky};
 pub use elimination::EliminationOrder;
 pub use graph::Graph;
 pub use nested_dissection::LatticePoint;
 pub use pattern::SymmetricPattern;
+pub(crate) use wide::{dot, wide};

@@ -33,6 +33,17 @@ impl ContactZone {
         if k == self.columns { self.x_max } else { self.x_min + self.spacing() * k as f64 }
     }
 
+    /// Middle of the contact zone \[mm\]: the axis of a half model.
+    pub fn centre(&self) -> f64 {
+        if self.symmetric { 0.0 } else { 0.5 * (self.x_min + self.x_max) }
+    }
+
+    /// Whether the zone leaves enough of a body's surface beside it to be meshed.
+    pub fn fits(&self, outline: &Outline) -> bool {
+        let (left, right) = outline.span();
+        self.x_max <= MAX_ZONE_SPAN * right && self.x_min >= MAX_ZONE_SPAN * left
+    }
+
     /// Half of the zone's width, both sides of the axis counted \[mm\].
     pub fn half_width(&self) -> f64 {
         if self.symmetric { self.x_max } else { 0.5 * (self.x_max - self.x_min) }
@@ -63,10 +74,10 @@ pub(super) fn generate(
     zone: ContactZone,
     refinement: Refinement,
 ) -> Result<Mesh, MeshError> {
-    let reach = zone.x_max.max(-zone.x_min);
-    let available = MAX_ZONE_SPAN * outline.half_span();
-    if reach > available {
-        return Err(MeshError::ZoneBeyondBody { half_width: reach, available });
+    let (left, right) = outline.span();
+    let available = MAX_ZONE_SPAN * right.min(-left);
+    if !zone.fits(outline) {
+        return Err(MeshError::ZoneBeyondBody { half_width: zone.x_max.max(-zone.x_min), available });
     }
     let rows = block_rows(outline, &zone);
     let mut grid = Builder::new(outline, zone, rows);
@@ -82,18 +93,12 @@ fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
 }
 
 /// About how many nodes [`generate`] will make.
-pub(super) fn estimated_nodes(
-    outline: &Outline,
-    zone_half_width: f64,
-    columns: usize,
-    symmetric: bool,
-    refinement: Refinement,
-) -> usize {
-    let zone = ContactZone { x_min: 0.0, x_max: zone_half_width, columns, symmetric };
+pub(super) fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
     let rows = block_rows(outline, &zone);
-    let (columns, sides) = if symmetric { (columns, 1) } else { (2 * columns, 2) };
+    let sides = if zone.symmetric { 1 } else { 2 };
+    let columns = zone.columns;
     // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
-    let (growth, distance) = (refinement.growth, outline.depth().max(outline.half_span()));
+    let (growth, distance) = (refinement.growth, outline.depth().max(outline.span().1));
     let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
     (columns + 1) * (rows + 1) + rings.ceil().max(1.0) as usize * (columns + sides * rows + 1)
 }
@@ -109,7 +114,8 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     fn new(outline: &'a Outline, zone: ContactZone, rows: usize) -> Self {
-        let lowest = outline.height(zone.x_min).min(outline.height(zone.x_max)).min(0.0);
+        let lowest =
+            (0..=zone.columns).map(|k| outline.height(zone.abscissa(k))).fold(f64::INFINITY, f64::min);
         let mesh = Mesh {
             nodes: Vec::new(),
             elements: Vec::new(),
@@ -120,8 +126,9 @@ impl<'a> Builder<'a> {
             lattice: Vec::new(),
             zone,
         };
-        let depth = (zone.spacing() * rows as f64 - lowest).min(MAX_BLOCK_DEPTH * (outline.depth() - lowest));
-        Self { outline, zone, rows, base: -depth, mesh }
+        let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (outline.depth() + lowest));
+        let base = lowest - depth;
+        Self { outline, zone, rows, base, mesh }
     }
 
     /// The block, column by column from the surface down.
@@ -168,9 +175,9 @@ impl<'a> Builder<'a> {
 
     /// Points on the outer boundary that face the perimeter, and which of them are held.
     fn outer_boundary(&self) -> Vec<([f64; 2], bool)> {
-        let (span, depth) = (self.outline.half_span(), self.outline.depth());
-        let end = |sign: f64| [sign * span, self.outline.height(sign * span)];
-        let corner = |sign: f64| [sign * span, -depth];
+        let depth = self.outline.depth();
+        let end = |sign: f64| self.outline.end(sign);
+        let corner = |sign: f64| [end(sign)[0], -depth];
         let has_side = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
         let columns = self.zone.columns;
         let last = if self.zone.symmetric { [0.0, -depth] } else { corner(-1.0) };
@@ -209,7 +216,7 @@ impl<'a> Builder<'a> {
     fn rings(&mut self, refinement: Refinement) {
         let perimeter = self.perimeter();
         let outer = self.outer_boundary();
-        let centre = [0.5 * (self.zone.x_min + self.zone.x_max) * f64::from(!self.zone.symmetric), 0.0];
+        let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
         let polar = |p: [f64; 2]| -> Polar {
             let (x, y) = (p[0] - centre[0], p[1] - centre[1]);
             // Below the surface angles run from 0 (right) to -π (left); a surface that rises a little on the
@@ -249,7 +256,7 @@ impl<'a> Builder<'a> {
                 let position = if is_outermost {
                     outer[s].0
                 } else if on_axis {
-                    [0.0, -log_radius.exp()]
+                    [0.0, centre[1] - log_radius.exp()]
                 } else {
                     let (sin, cos) = angle.sin_cos();
                     [centre[0] + log_radius.exp() * cos, centre[1] + log_radius.exp() * sin]

@@ -16,6 +16,7 @@
 //! ```
 
 mod half_o_grid;
+mod interpolation;
 mod outline;
 mod quality;
 
@@ -48,15 +49,9 @@ pub enum MeshError {
     },
 }
 
-/// About how many nodes a mesh with a candidate zone of this half-width and so many columns over it will have.
-pub fn estimated_nodes(
-    outline: &Outline,
-    zone_half_width: f64,
-    columns: usize,
-    symmetric: bool,
-    refinement: Refinement,
-) -> usize {
-    half_o_grid::estimated_nodes(outline, zone_half_width, columns, symmetric, refinement)
+/// About how many nodes a mesh will have.
+pub fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
+    half_o_grid::estimated_nodes(outline, zone, refinement)
 }
 
 /// A mesh of 4-node quadrilaterals with the node sets that mechanics needs.

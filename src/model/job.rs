@@ -104,7 +104,7 @@ impl Job {
     fn solvable(document: &Node) -> Result<Self, JobError> {
         let job = Self::read(document)?;
         let faults = Faults::default();
-        faults.extend(job.unsupported());
+        faults.extend(job.faults_of_revolution());
         let refused = faults.into_sorted(document);
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }

@@ -16,6 +16,8 @@ pub enum Load {
     Forces(Sweep),
     /// Approaches α of the supports \[mm\].
     Approaches(Sweep),
+    /// The force at which the contact begins to yield, which is the answer: `{"onset": true}`.
+    Onset,
 }
 
 /// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order in which they are applied.
@@ -62,7 +64,7 @@ impl Deref for Sweep {
 
 impl Load {
     /// The keys of the wire format, one of which a load has.
-    pub const KINDS: &'static [&'static str] = &["force", "forces", "approach", "approaches"];
+    pub const KINDS: &'static [&'static str] = &["force", "forces", "approach", "approaches", "onset"];
 
     /// The key under which this load is written: singular for one value.
     pub fn kind(&self) -> &'static str {
@@ -71,6 +73,7 @@ impl Load {
             Self::Forces(_) => "forces",
             Self::Approaches(values) if values.len() == 1 => "approach",
             Self::Approaches(_) => "approaches",
+            Self::Onset => "onset",
         }
     }
 
@@ -90,6 +93,13 @@ impl Load {
             "force" => one("force", force).map(Self::Forces),
             "forces" => many("forces", force).map(Self::Forces),
             "approach" => one("approach", Quantity::Approach).map(Self::Approaches),
+            "onset" => {
+                if object.required("onset", |c| c.boolean())? {
+                    return Some(Self::Onset);
+                }
+                object.fault("onset", format_args!("must be true"));
+                None
+            }
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
         };
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
@@ -106,26 +116,31 @@ impl Load {
 impl InUnits<'_, Load> {
     /// The load as it is written; `force` says what a force is in this analysis.
     pub fn with_force(&self, force: Quantity) -> impl Serialize {
-        let (values, quantity) = match self.0 {
-            Load::Forces(values) => (values, force),
-            Load::Approaches(values) => (values, Quantity::Approach),
+        let wire = |values: &Sweep, quantity: Quantity| {
+            Some(values.iter().map(|value| quantity.to_wire(self.1, value.get())).collect())
         };
-        let values = values.iter().map(|value| quantity.to_wire(self.1, value.get())).collect();
+        let values = match self.0 {
+            Load::Forces(values) => wire(values, force),
+            Load::Approaches(values) => wire(values, Quantity::Approach),
+            Load::Onset => None,
+        };
         WireLoad { kind: self.0.kind(), values }
     }
 }
 
 struct WireLoad {
     kind: &'static str,
-    values: Vec<f64>,
+    /// `None` is written as `true`.
+    values: Option<Vec<f64>>,
 }
 
 impl Serialize for WireLoad {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(1))?;
-        match self.values.as_slice() {
-            [value] => map.serialize_entry(self.kind, value)?,
-            values => map.serialize_entry(self.kind, values)?,
+        match self.values.as_deref() {
+            None => map.serialize_entry(self.kind, &true)?,
+            Some([value]) => map.serialize_entry(self.kind, value)?,
+            Some(values) => map.serialize_entry(self.kind, values)?,
         }
         map.end()
     }

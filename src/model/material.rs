@@ -67,6 +67,12 @@ impl Deformable {
         self.plasticity.as_ref()
     }
 
+    /// The same elastic constants without a hardening curve.
+    #[must_use]
+    pub fn without_plasticity(&self) -> Self {
+        Self { elastic: self.elastic, plasticity: None }
+    }
+
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
         object.only(&["young_modulus", "poisson_ratio", "plasticity", "rigid"]);
         let young_modulus = object.required("young_modulus", |c| c.quantity(Quantity::Modulus, units));

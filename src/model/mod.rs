@@ -20,11 +20,11 @@ pub mod number;
 pub mod profile;
 pub mod quantity;
 mod reader;
+mod revolution;
 #[cfg(test)]
 mod roundtrip;
 pub mod settings;
 pub mod shape;
-pub mod support;
 pub mod table;
 mod tags;
 pub mod units;

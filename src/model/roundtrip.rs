@@ -94,7 +94,11 @@ fn any_of<T: Named + std::fmt::Debug>(all: &'static [T]) -> impl Strategy<Value 
 
 fn load() -> impl Strategy<Value = Load> {
     let sweep = |typical| vec(near(typical), 1..20).prop_map(|values| Sweep::new(values).unwrap());
-    prop_oneof![sweep(600.0).prop_map(Load::Forces), sweep(0.02).prop_map(Load::Approaches)]
+    prop_oneof![
+        sweep(600.0).prop_map(Load::Forces),
+        sweep(0.02).prop_map(Load::Approaches),
+        Just(Load::Onset)
+    ]
 }
 
 fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSettings)> {

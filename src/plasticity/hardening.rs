@@ -1,5 +1,6 @@
 //! Uniaxial hardening curves, as the deviatoric law needs them.
 
+use super::laws::{Bilinear, Ludwik, RambergOsgood, Swift, Table, Voce};
 use crate::model::{Deformable, Hardening};
 
 /// A uniaxial curve of stress against plastic strain.
@@ -27,6 +28,14 @@ pub enum UniaxialCurve {
     Bilinear(Bilinear),
     /// Power law without a yield point.
     RambergOsgood(RambergOsgood),
+    /// Piecewise linear.
+    Table(Table),
+    /// Power law of the total plastic strain.
+    Swift(Swift),
+    /// Power law added to the yield stress.
+    Ludwik(Ludwik),
+    /// Exponential saturation.
+    Voce(Voce),
 }
 
 impl UniaxialCurve {
@@ -36,12 +45,8 @@ impl UniaxialCurve {
         let (young, triple_shear) = (elastic.young_modulus.get(), 3.0 * elastic.shear_modulus());
         Some(match material.plasticity()? {
             Hardening::Bilinear { yield_stress, tangent_modulus } => {
-                let ratio = tangent_modulus.get() / young;
-                Self::Bilinear(Bilinear {
-                    yield_stress: yield_stress.get(),
-                    plastic_modulus: tangent_modulus.get() / (1.0 - ratio),
-                    triple_shear,
-                })
+                let plastic_modulus = tangent_modulus.get() / (1.0 - tangent_modulus.get() / young);
+                Self::Bilinear(Bilinear { yield_stress: yield_stress.get(), plastic_modulus, triple_shear })
             }
             Hardening::RambergOsgood { reference_stress, offset, exponent } => {
                 Self::RambergOsgood(RambergOsgood {
@@ -51,16 +56,36 @@ impl UniaxialCurve {
                     triple_shear,
                 })
             }
-            _ => unreachable!("laws that are not built yet are refused by the model"),
+            Hardening::Table { points } => Self::Table(Table::new(points.as_slice(), triple_shear)),
+            Hardening::Swift { yield_stress, strain_offset, exponent } => Self::Swift(Swift {
+                yield_stress: yield_stress.get(),
+                strain_offset: strain_offset.get(),
+                exponent: exponent.get(),
+                triple_shear,
+            }),
+            Hardening::Ludwik { yield_stress, coefficient, exponent } => Self::Ludwik(Ludwik {
+                yield_stress: yield_stress.get(),
+                coefficient: coefficient.get(),
+                exponent: exponent.get(),
+                triple_shear,
+            }),
+            Hardening::Voce { yield_stress, saturation_stress, rate } => Self::Voce(Voce {
+                yield_stress: yield_stress.get(),
+                saturation_stress: saturation_stress.get(),
+                rate: rate.get(),
+                triple_shear,
+            }),
         })
     }
-}
 
-impl UniaxialCurve {
     fn law(&self) -> &dyn HardeningLaw {
         match self {
             Self::Bilinear(law) => law,
             Self::RambergOsgood(law) => law,
+            Self::Table(law) => law,
+            Self::Swift(law) => law,
+            Self::Ludwik(law) => law,
+            Self::Voce(law) => law,
         }
     }
 }
@@ -78,107 +103,115 @@ impl HardeningLaw for UniaxialCurve {
         // Not through `law()`: this is the innermost loop, and the closed form is worth inlining.
         match self {
             Self::Bilinear(law) => law.equivalent_stress(equivalent_strain),
-            Self::RambergOsgood(law) => law.equivalent_stress(equivalent_strain),
+            other => other.law().equivalent_stress(equivalent_strain),
         }
-    }
-}
-
-/// `q = σ_y + H ε_p` with the plastic modulus `H = E_t / (1 - E_t/E)`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Bilinear {
-    yield_stress: f64,
-    plastic_modulus: f64,
-    triple_shear: f64,
-}
-
-impl HardeningLaw for Bilinear {
-    fn yield_stress(&self) -> f64 {
-        self.yield_stress
-    }
-
-    /// Closed form: `ε_p = max(0, (3G ε_q - σ_y) / (3G + H))`.
-    fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
-        let trial = self.triple_shear * equivalent_strain;
-        let excess = (trial - self.yield_stress).max(0.0);
-        trial - self.triple_shear * excess / (self.triple_shear + self.plastic_modulus)
-    }
-}
-
-/// `ε_p = a (σ_0/E) (q/σ_0)^m`.
-///
-/// # Reference
-/// W. Ramberg, W. R. Osgood, *Description of stress-strain curves by three parameters*, NACA TN 902 (1943).
-#[derive(Debug, Clone, PartialEq)]
-pub struct RambergOsgood {
-    reference_stress: f64,
-    /// `a σ_0 / E`.
-    reference_strain: f64,
-    exponent: f64,
-    triple_shear: f64,
-}
-
-impl HardeningLaw for RambergOsgood {
-    fn yield_stress(&self) -> f64 {
-        0.0
-    }
-
-    fn has_yielded(&self, equivalent_stress: f64, _plastic_strain: f64) -> bool {
-        equivalent_stress > self.reference_stress
-    }
-
-    /// Newton's method on `f(q) = q/(3G) + ε_p(q) - ε_q`, which is convex and rising: started above the root it
-    /// falls to it without overshoot. The purely elastic answer lies above the root; where it is far above, the
-    /// purely plastic one is nearer and above it too.
-    fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
-        if equivalent_strain <= 0.0 {
-            return 0.0;
-        }
-        let mut q = self.triple_shear * equivalent_strain;
-        if q > self.reference_stress {
-            let strain_ratio = equivalent_strain / self.reference_strain;
-            q = q.min(self.reference_stress * strain_ratio.powf(self.exponent.recip()));
-        }
-        for _ in 0..60 {
-            let plastic_strain = self.reference_strain * (q / self.reference_stress).powf(self.exponent);
-            let excess = q / self.triple_shear + plastic_strain - equivalent_strain;
-            let slope = self.triple_shear.recip() + self.exponent * plastic_strain / q;
-            let step = excess / slope;
-            q -= step;
-            // Convergence is quadratic: a step this small has left the error at rounding.
-            if step.abs() <= 1e-9 * q {
-                break;
-            }
-        }
-        q
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::{Elastic, NonNegativeF64, PoissonRatio, PositiveF64, TablePoints};
 
-    #[test]
-    fn bilinear_follows_its_uniaxial_curve() {
-        let law = Bilinear { yield_stress: 500.0, plastic_modulus: 11_052.63, triple_shear: 242_307.7 };
-        for plastic_strain in [0.0, 1e-4, 3e-3, 0.1] {
-            let q = 500.0 + 11_052.63 * plastic_strain;
-            let strain = q / 242_307.7 + plastic_strain;
-            assert!((law.equivalent_stress(strain) - q).abs() < 1e-9 * q);
-        }
-        assert!((law.equivalent_stress(1e-3) - 242.3077).abs() < 1e-9);
+    fn positive(value: f64) -> PositiveF64 {
+        PositiveF64::new(value).unwrap()
+    }
+
+    const YOUNG: f64 = 210_000.0;
+    const TRIPLE_SHEAR: f64 = 3.0 * YOUNG / 2.6;
+
+    fn curve(hardening: Hardening) -> UniaxialCurve {
+        let elastic =
+            Elastic { young_modulus: positive(YOUNG), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+        UniaxialCurve::of(&Deformable::new(elastic, Some(hardening)).unwrap()).unwrap()
+    }
+
+    /// Every law with its own uniaxial curve q(ε_p).
+    fn laws() -> Vec<(UniaxialCurve, Box<dyn Fn(f64) -> f64>)> {
+        let yield_stress = positive(500.0);
+        let tangent = |value| NonNegativeF64::new(value).unwrap();
+        let points = vec![[0.0, 400.0], [1e-3, 520.0], [0.01, 600.0], [0.1, 640.0]];
+        let table = points.clone();
+        vec![
+            (
+                curve(Hardening::Bilinear { yield_stress, tangent_modulus: tangent(10_500.0) }),
+                Box::new(|p| 500.0 + 10_500.0 / 0.95 * p),
+            ),
+            (curve(Hardening::Bilinear { yield_stress, tangent_modulus: tangent(0.0) }), Box::new(|_| 500.0)),
+            (
+                curve(Hardening::RambergOsgood {
+                    reference_stress: yield_stress,
+                    offset: positive(0.3),
+                    exponent: positive(5.0),
+                }),
+                Box::new(|p| 500.0 * (p * YOUNG / (0.3 * 500.0)).powf(0.2)),
+            ),
+            (
+                curve(Hardening::Table { points: TablePoints::new(points).unwrap() }),
+                Box::new(move |p| {
+                    let k = table.iter().rposition(|point| point[0] <= p).unwrap();
+                    let Some(next) = table.get(k + 1) else { return table[k][1] };
+                    table[k][1] + (p - table[k][0]) * (next[1] - table[k][1]) / (next[0] - table[k][0])
+                }),
+            ),
+            (
+                curve(Hardening::Swift {
+                    yield_stress,
+                    strain_offset: positive(2e-3),
+                    exponent: positive(0.15),
+                }),
+                Box::new(|p| 500.0 * (1.0 + p / 2e-3).powf(0.15)),
+            ),
+            (
+                curve(Hardening::Ludwik {
+                    yield_stress,
+                    coefficient: positive(700.0),
+                    exponent: positive(0.4),
+                }),
+                Box::new(|p| 500.0 + 700.0 * p.powf(0.4)),
+            ),
+            (
+                curve(Hardening::Voce {
+                    yield_stress,
+                    saturation_stress: positive(800.0),
+                    rate: positive(30.0),
+                }),
+                Box::new(|p| 800.0 - 300.0 * (-30.0 * p).exp()),
+            ),
+        ]
     }
 
     #[test]
-    fn ramberg_osgood_follows_its_uniaxial_curve_over_many_decades() {
-        let law = RambergOsgood {
-            reference_stress: 500.0,
-            reference_strain: 0.3 * 500.0 / 210_000.0,
-            exponent: 5.0,
-            triple_shear: 242_307.7,
-        };
-        for q in [1e-6, 1.0, 100.0, 500.0, 900.0, 5000.0, 1e6] {
-            let strain = q / 242_307.7 + law.reference_strain * (q / 500.0f64).powi(5);
-            assert!((law.equivalent_stress(strain) - q).abs() < 1e-12 * q, "q = {q}");
+    fn every_law_follows_its_uniaxial_curve() {
+        for (law, stress) in laws() {
+            for plastic_strain in [1e-9, 1e-6, 3e-5, 1e-3, 5e-3, 0.02, 0.3, 4.0] {
+                let q = stress(plastic_strain);
+                let found = law.equivalent_stress(q / TRIPLE_SHEAR + plastic_strain);
+                assert!((found - q).abs() < 1e-9 * q, "{law:?} at {plastic_strain}: {found} instead of {q}");
+            }
+        }
+    }
+
+    #[test]
+    fn below_yield_every_law_is_elastic() {
+        for (law, _) in laws() {
+            let limit = law.yield_stress();
+            for q in [0.0, 0.5 * limit, 0.999 * limit] {
+                assert!((law.equivalent_stress(q / TRIPLE_SHEAR) - q).abs() <= 1e-12 * limit, "{law:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn stress_never_falls_with_strain_nor_exceeds_the_elastic_one() {
+        for (law, _) in laws() {
+            let mut last = 0.0;
+            for k in 0..2000 {
+                let strain = 1e-7 * 1.01f64.powi(k);
+                let q = law.equivalent_stress(strain);
+                assert!(q >= last * (1.0 - 1e-12) && q <= TRIPLE_SHEAR * strain * (1.0 + 1e-12), "{law:?}");
+                last = q;
+            }
         }
     }
 }

@@ -17,8 +17,11 @@
 //! H. Hencky, *Zur Theorie plastischer Deformationen*, ZAMM 4 (1924) 323–334.
 
 mod hardening;
+pub mod laws;
+mod point;
 
 pub use hardening::{HardeningLaw, UniaxialCurve};
+pub use point::{OutOfPlane, PointLaw, PointState};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {

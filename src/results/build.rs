@@ -1,5 +1,6 @@
 //! The report of a solution.
 
+use std::f64::consts::PI;
 use std::time::Duration;
 
 use super::subsurface;
@@ -9,10 +10,11 @@ use super::{
     PlasticityReport, Report, StepReport, Timings, validity,
 };
 use crate::contact::ContactLoad;
+use crate::element::Kinematics;
 use crate::model::{Body, Job, Material, Named, Quantity, Shape};
 use crate::solve::{
-    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
-    StepSolution,
+    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
+    SolveStatus, StepSolution,
 };
 
 /// Writes the report, last of all its own time.
@@ -24,7 +26,7 @@ pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) ->
     Report {
         units: job.units.name().to_owned(),
         analysis: job.analysis.name().to_owned(),
-        status: worst_status(&solution.steps),
+        status: worst_status(solution),
         steps,
         mesh: mesh_report(solution, write),
         timings_ms: timings(&solution.phases, end, end.saturating_sub(start)),
@@ -33,14 +35,19 @@ pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) ->
     }
 }
 
-fn worst_status(steps: &[StepSolution]) -> SolveStatus {
+fn worst_status(solution: &Solution) -> SolveStatus {
     let rank = |status: &SolveStatus| match status {
         SolveStatus::Converged => 0,
         SolveStatus::NotConverged => 1,
         SolveStatus::TimedOut => 2,
         SolveStatus::Cancelled => 3,
     };
-    steps.iter().map(|step| step.status).max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
+    let interrupted = solution.interrupted.map(|interrupt| match interrupt {
+        Interrupt::Cancelled => SolveStatus::Cancelled,
+        Interrupt::TimedOut => SolveStatus::TimedOut,
+    });
+    let statuses = solution.steps.iter().map(|step| step.status).chain(interrupted);
+    statuses.max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
 }
 
 fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
@@ -52,7 +59,7 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
     });
     let reference = ElasticReference::of(job, contact_force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
-    let radius = reference.as_ref().map_or(f64::NAN, |reference| reference.effective_radius);
+    let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
     StepReport {
         load: match step.load {
             ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
@@ -66,9 +73,10 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         plasticity: bodies
             .each(|body| body.as_ref().map(|body| plasticity_report(body, step.symmetric, write))),
         hertz: reference.map(|reference| HertzReport {
-            half_width: write.length(reference.hertz.half_width()),
-            peak_pressure: write.stress(reference.hertz.peak_pressure()),
+            half_width: write.length(reference.half_width),
+            peak_pressure: write.stress(reference.peak_pressure),
             yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
+            yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
         }),
         validity: validity::notes(step, radius, &depths),
         estimated_error: estimated_error(step),
@@ -84,9 +92,17 @@ impl<T> PerBody<T> {
 
 /// Force on both sides of the axis \[N/mm\].
 fn contact_force(step: &StepSolution) -> f64 {
-    let one_side: f64 = step.pairs.iter().map(|pair| pair.force).sum();
+    let meshed: f64 = step.pairs.iter().map(|pair| pair.force).sum();
     let on_axis = step.pairs.first().map_or(0.0, |pair| pair.force);
-    if step.symmetric { 2.0 * one_side - on_axis } else { one_side }
+    if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
+}
+
+/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
+fn contact_area(step: &StepSolution, half_width: f64) -> f64 {
+    match step.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => 2.0 * half_width,
+        Kinematics::Axisymmetric => PI * half_width * half_width,
+    }
 }
 
 fn peak_abscissa(step: &StepSolution) -> f64 {
@@ -97,9 +113,9 @@ fn peak_abscissa(step: &StepSolution) -> f64 {
 fn contact_report(step: &StepSolution, write: Writer) -> ContactReport {
     let force = contact_force(step);
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    let mean = if half_width > 0.0 { force / (2.0 * half_width) } else { 0.0 };
-    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n.
-    let mirrored = if step.symmetric { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
+    let mean = if half_width > 0.0 { force / contact_area(step, half_width) } else { 0.0 };
+    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
+    let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
     let pairs =
         || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
     ContactReport {
@@ -120,7 +136,7 @@ fn contact_report(step: &StepSolution, write: Writer) -> ContactReport {
 fn plasticity_report(body: &BodySolution, symmetric: bool, write: Writer) -> PlasticityReport {
     let points = || body.stress.points.iter().flatten();
     let copies = if symmetric { 2.0 } else { 1.0 };
-    let area: f64 = points().filter(|point| point.yielded).map(|point| point.weight).sum();
+    let area: f64 = points().filter(|point| point.yielded).map(|point| point.area).sum();
     let most = points().max_by(|a, b| a.equivalent_plastic_strain.total_cmp(&b.equivalent_plastic_strain));
     let strain = most.map_or(0.0, |point| point.equivalent_plastic_strain);
     let position = most.filter(|_| strain > 0.0).map_or([0.0; 2], |point| point.position);

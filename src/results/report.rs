@@ -151,6 +151,8 @@ pub struct HertzReport {
     pub peak_pressure: f64,
     /// Force at which the first body begins to yield; `null` if none can.
     pub yield_onset_force: Option<f64>,
+    /// Depth at which it does.
+    pub yield_onset_depth: Option<f64>,
 }
 
 /// One remark on the validity of the answer.

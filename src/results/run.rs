@@ -4,6 +4,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::{Report, build};
+use crate::mesh::MeshError;
 use crate::model::{FieldError, Job};
 use crate::solve::{self, Interrupt, Observer, SolveError};
 
@@ -29,6 +30,10 @@ impl From<SolveError> for RunError {
     fn from(error: SolveError) -> Self {
         match error {
             SolveError::TooWide { .. } => Self::Input(vec![FieldError::new("/load", error.to_string())]),
+            SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
+                Self::Input(vec![FieldError::new("/load", error.to_string())])
+            }
+            SolveError::NoYieldPoint => Self::Input(vec![FieldError::new("/load/onset", error.to_string())]),
             SolveError::Conforming => {
                 let detail = error.to_string();
                 Self::Input(vec![

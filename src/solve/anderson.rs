@@ -11,6 +11,7 @@
 use std::collections::VecDeque;
 
 use crate::linalg::dense::DenseCholesky;
+use crate::linalg::{dot, wide};
 
 /// Steps that are combined at most.
 pub(super) const DEPTH: usize = 7;
@@ -19,12 +20,16 @@ const RESTART_GROWTH: f64 = 2.0;
 /// Relative shift that keeps nearly dependent differences from blowing up the combination.
 const REGULARIZATION: f64 = 1e-14;
 
-/// Memory of past steps.
+/// Memory of past steps, as differences of neighbouring ones.
 #[derive(Debug, Default)]
 pub(super) struct Anderson {
-    steps: VecDeque<Step>,
+    last: Option<Step>,
+    differences: VecDeque<Step>,
+    /// `ΔF_iᵀ ΔF_j` of the residual differences, in the order of `differences`.
+    gram: VecDeque<VecDeque<f64>>,
 }
 
+/// An image `g(x)` and its residual `g(x) - x`, or a difference of two such pairs.
 #[derive(Debug)]
 struct Step {
     image: Vec<f64>,
@@ -35,55 +40,70 @@ impl Anderson {
     /// Takes `x` and `g(x)` and returns the next point.
     pub fn next(&mut self, x: &[f64], image: Vec<f64>) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(x).map(|(g, x)| g - x).collect();
-        let grown = |last: &Step| {
-            dot(&residual, &residual) > RESTART_GROWTH.powi(2) * dot(&last.residual, &last.residual)
-        };
-        if self.steps.back().is_some_and(grown) {
-            self.steps.clear();
+        if let Some(last) = self.last.take() {
+            let (now, before) = wide(|| (dot(&residual, &residual), dot(&last.residual, &last.residual)));
+            if now > RESTART_GROWTH.powi(2) * before {
+                self.differences.clear();
+                self.gram.clear();
+            } else {
+                self.remember(last.until(&image, &residual));
+            }
         }
-        if self.steps.len() > DEPTH {
-            self.steps.pop_front();
-        }
-        self.steps.push_back(Step { image, residual });
-        self.combine()
+        let next = self.combine(&image, &residual);
+        self.last = Some(Step { image, residual });
+        next
     }
 
-    /// `g_n - Σ γ_j (g_n - g_j)` with the γ that minimise `‖f_n - Σ γ_j (f_n - f_j)‖`.
-    fn combine(&self) -> Vec<f64> {
-        let Some((last, earlier)) =
-            self.steps.iter().collect::<Vec<_>>().split_last().map(|(l, e)| (*l, e.to_vec()))
-        else {
-            return Vec::new();
-        };
-        let mut next = last.image.clone();
-        let differences: Vec<Vec<f64>> = earlier
-            .iter()
-            .map(|step| last.residual.iter().zip(&step.residual).map(|(a, b)| a - b).collect())
-            .collect();
-        let n = differences.len();
-        let mut gram = vec![0.0; n * n];
-        for i in 0..n {
-            for j in 0..=i {
-                let product = dot(&differences[i], &differences[j]);
-                gram[i * n + j] = product;
-                gram[j * n + i] = product;
+    fn remember(&mut self, difference: Step) {
+        if self.differences.len() == DEPTH {
+            self.differences.pop_front();
+            self.gram.pop_front();
+            for row in &mut self.gram {
+                row.pop_front();
             }
+        }
+        self.differences.push_back(difference);
+        let Some(newest) = self.differences.back() else { return };
+        let products: VecDeque<f64> =
+            wide(|| self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect());
+        for (row, &product) in self.gram.iter_mut().zip(&products) {
+            row.push_back(product);
+        }
+        self.gram.push_back(products);
+    }
+
+    /// `g - Σ γ_j ΔG_j` with the γ that minimise `‖f - Σ γ_j ΔF_j‖`.
+    fn combine(&self, image: &[f64], residual: &[f64]) -> Vec<f64> {
+        let n = self.differences.len();
+        let mut gram: Vec<f64> = self.gram.iter().flatten().copied().collect();
+        for i in 0..n {
             gram[i * n + i] *= 1.0 + REGULARIZATION;
         }
-        let mut gamma: Vec<f64> = differences.iter().map(|d| dot(d, &last.residual)).collect();
+        let mut next = image.to_vec();
         let Ok(factor) = DenseCholesky::factor(n, gram) else { return next };
-        factor.solve_in_place(&mut gamma);
-        for (step, &weight) in earlier.iter().zip(&gamma) {
-            for ((value, newest), image) in next.iter_mut().zip(&last.image).zip(&step.image) {
-                *value -= weight * (newest - image);
+        wide(|| {
+            let mut gamma: Vec<f64> = self.differences.iter().map(|d| dot(&d.residual, residual)).collect();
+            factor.solve_in_place(&mut gamma);
+            for (difference, weight) in self.differences.iter().zip(gamma) {
+                for (value, d) in next.iter_mut().zip(&difference.image) {
+                    *value -= weight * d;
+                }
             }
-        }
+        });
         next
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+impl Step {
+    /// The step from here to another pair.
+    fn until(mut self, image: &[f64], residual: &[f64]) -> Self {
+        for (mine, later) in [(&mut self.image, image), (&mut self.residual, residual)] {
+            for (value, later) in mine.iter_mut().zip(later) {
+                *value = later - *value;
+            }
+        }
+        self
+    }
 }
 
 #[cfg(test)]

@@ -44,13 +44,13 @@ impl BodyModel {
     /// Orders, assembles and factorizes the elastic stiffness and reads the contact flexibility off the factor.
     pub fn build(
         mesh: Mesh,
+        kinematics: Kinematics,
         material: &Deformable,
         support: Support,
         plastic_reach: PlasticReach,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
-        let kinematics = Kinematics::PlaneStrain;
         let curve = UniaxialCurve::of(material);
         let last_shell = last_plastic_shell(&mesh, curve.as_ref(), plastic_reach);
         let in_window = window_nodes(&mesh, curve.is_some().then_some(last_shell));
@@ -82,9 +82,7 @@ impl BodyModel {
         let contacts = mesh.contact_nodes.len();
         let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
         let region = phases.time(Phase::Plasticity, observer, || {
-            curve.map(|curve| {
-                InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, curve, shear)
-            })
+            InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, material)
         });
         let window = equations.of_nodes(&in_window);
         let reach = symbolic.reach(&window);
@@ -148,6 +146,32 @@ impl BodyModel {
         rest[..self.equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
+    /// Whether plastic flow is looked for in every element; true as well where none can happen.
+    pub fn covers_whole_body(&self) -> bool {
+        self.region.is_none() || self.last_shell >= self.mesh.ring_count()
+    }
+
+    /// Whether the plastic region covers flow up to a distance from the middle of the contact \[mm\].
+    pub fn prepared_for(&self, radius: f64) -> bool {
+        self.covers_whole_body() || shells_within(&self.mesh, radius) <= self.last_shell
+    }
+
+    /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
+    pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        let last_ray = self.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
+        let is_left_end = |ray: i32| !self.mesh.zone.symmetric && Some(ray) == last_ray;
+        let mut surface: Vec<[f64; 2]> = (0u32..)
+            .zip(&self.mesh.lattice)
+            .filter(|(_, p)| if p.patch == 0 { p.j == 0 } else { p.i == 0 || is_left_end(p.i) })
+            .map(|(node, _)| {
+                let [_, normal] = self.equations.of_node(node);
+                [self.mesh.nodes[node as usize][0], -x[normal as usize]]
+            })
+            .collect();
+        surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        surface
+    }
+
     /// Inward normal displacements of the contact nodes \[mm\].
     pub fn contact_displacement<'a>(&self, x: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         let start = self.equations.contact_start();
@@ -162,17 +186,22 @@ fn last_plastic_shell(mesh: &Mesh, curve: Option<&UniaxialCurve>, plastic_reach:
     let has_yield_point = curve.is_some_and(|curve| curve.yield_stress() > 0.0);
     match plastic_reach {
         PlasticReach::Within(radius) if has_yield_point => {
-            let distance = |node: u32| mesh.nodes[node as usize][0].hypot(mesh.nodes[node as usize][1]);
-            let touched = mesh
-                .elements
-                .iter()
-                .zip(&mesh.shells)
-                .filter(|(nodes, _)| nodes.iter().any(|&node| distance(node) < radius));
-            let outermost = touched.map(|(_, &shell)| shell).max().unwrap_or(0);
+            let outermost = shells_within(mesh, radius);
             (outermost + SPARE_SHELLS).min(mesh.ring_count())
         }
         _ => mesh.ring_count(),
     }
+}
+
+/// Outermost shell that reaches within a distance from the middle of the contact \[mm\].
+fn shells_within(mesh: &Mesh, radius: f64) -> u32 {
+    let centre = mesh.zone.centre();
+    let is_near = |node: &u32| {
+        let [x, y] = mesh.nodes[*node as usize];
+        (x - centre).hypot(y) < radius
+    };
+    let touched = mesh.elements.iter().zip(&mesh.shells).filter(|(nodes, _)| nodes.iter().any(is_near));
+    touched.map(|(_, &shell)| shell).max().unwrap_or(0)
 }
 
 /// The nodes of all elements that may yield, and in any case the contact nodes.

@@ -32,8 +32,7 @@ pub(super) fn run(iteration: Iteration<'_>, coupling: Coupling) -> Result<Outcom
 /// map, so that it is exact in every iteration.
 fn strong(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
-    let mut start = system.zeros();
-    let mut loads = system.zeros();
+    let (mut start, mut loads) = iteration.initial_state();
     loop {
         let response = iteration.respond(&loads)?;
         iteration.count_update();

@@ -53,6 +53,8 @@ pub(super) struct Iteration<'a> {
     pub phases: &'a mut PhaseTimes,
     counts: Counts,
     history: Vec<IterationRecord>,
+    /// Displacements to start from.
+    start: Option<PerModel>,
     /// Contact of the last iteration.
     previous: Option<ContactSolution>,
     left_region: bool,
@@ -62,6 +64,7 @@ impl<'a> Iteration<'a> {
     pub fn new(
         system: &'a System,
         controls: Controls<'a>,
+        start: Option<PerModel>,
         observer: &'a mut dyn Observer,
         phases: &'a mut PhaseTimes,
     ) -> Self {
@@ -72,8 +75,22 @@ impl<'a> Iteration<'a> {
             phases,
             counts: Counts::default(),
             history: Vec::new(),
+            start,
             previous: None,
             left_region: false,
+        }
+    }
+
+    /// Displacements to start from, and the initial-stress loads that belong to them: those of a former load on the
+    /// same mesh, else zero.
+    pub fn initial_state(&mut self) -> (PerModel, PerModel) {
+        let mut loads = self.system.zeros();
+        match self.start.take() {
+            Some(start) => {
+                self.initial_stress(&start, &mut loads);
+                (start, loads)
+            }
+            None => (self.system.zeros(), loads),
         }
     }
 

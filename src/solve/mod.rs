@@ -10,25 +10,31 @@
 //! ```
 
 mod anderson;
+mod axis;
 mod body;
 mod coupling;
+mod estimate;
+mod extent;
 mod iteration;
+mod onset;
 mod pass;
 mod patch;
 mod phases;
 mod problem;
 mod record;
+mod reference;
 mod run;
 mod secant;
 mod solution;
 mod system;
 mod weak;
 
+pub use estimate::{Estimate, estimate};
 pub use patch::ContactPatch;
 pub use phases::{Phase, PhaseTimes};
-pub use problem::ElasticReference;
 pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
-pub use run::{Estimate, Options, estimate, run, run_with};
+pub use reference::ElasticReference;
+pub use run::{Options, run, run_with};
 pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
 
 use std::ops::ControlFlow;
@@ -63,11 +69,11 @@ pub enum SolveError {
         available: f64,
     },
     /// The surfaces do not open away from the contact.
-    #[error("the surfaces do not open away from the contact: the sum of their curvatures must be positive")]
+    #[error("the surfaces do not open away from where they first touch; conforming contacts are not solved")]
     Conforming,
-    /// Not built yet.
-    #[error("{0} is not solved by this version")]
-    Unsupported(&'static str),
+    /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
+    #[error("neither body has a yield stress, so there is no onset of yield to find")]
+    NoYieldPoint,
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),

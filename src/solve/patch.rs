@@ -13,15 +13,30 @@ impl ContactPatch {
     /// Finds the ends of the pressure over ascending abscissae; `None` where nothing touches. On a half model,
     /// whose first abscissa is the axis, the left end mirrors the right one.
     ///
-    /// Near its end a contact pressure falls like the square root of the distance, so its square is extended
-    /// linearly from the last nodes that are loaded over their whole length; the outermost loaded node, loaded
-    /// over a part of it, only bounds the answer to its own element.
+    /// From the last node that is loaded over its whole length, the pressure is taken to fall like the square root
+    /// of the distance to the end; the end is where it has to be for the outermost node to receive its force.
     pub fn find(x: &[f64], pressure: &[f64], symmetric: bool) -> Option<Self> {
         let first = pressure.iter().position(|&p| p > 0.0)?;
         let last = pressure.iter().rposition(|&p| p > 0.0)?;
         let right = end_beyond(x, pressure, last, |k| k.checked_add(1));
         let left = if symmetric { -right } else { end_beyond(x, pressure, first, |k| k.checked_sub(1)) };
         Some(Self { left, right })
+    }
+
+    /// Ends of each connected part of the contact, left to right, at the outermost loaded nodes \[mm\]; on a half
+    /// model those of the half.
+    pub fn parts(x: &[f64], pressure: &[f64]) -> Vec<Self> {
+        let mut parts: Vec<Self> = Vec::new();
+        let mut open = false;
+        for (&x, &p) in x.iter().zip(pressure) {
+            match (p > 0.0, open, parts.last_mut()) {
+                (true, true, Some(part)) => part.right = x,
+                (true, _, _) => parts.push(Self { left: x, right: x }),
+                (false, _, _) => {}
+            }
+            open = p > 0.0;
+        }
+        parts
     }
 
     /// Half of the distance between the ends \[mm\].
@@ -37,40 +52,48 @@ fn end_beyond(
     outermost: usize,
     outward: impl Fn(usize) -> Option<usize>,
 ) -> f64 {
-    let neighbour = outward(outermost).filter(|&k| k < x.len());
-    let limit = neighbour.map_or(x[outermost], |k| x[k]);
-    let inward = |steps: usize| {
-        let up = neighbour.map_or(outermost > 0, |k| k > outermost);
-        if up { outermost.checked_sub(steps) } else { outermost.checked_add(steps).filter(|&k| k < x.len()) }
-    };
-    let (Some(near), Some(far)) = (inward(1), inward(2)) else { return x[outermost] };
-    let (near_square, far_square) = (pressure[near].powi(2), pressure[far].powi(2));
-    if far_square <= near_square {
-        return 0.5 * (x[outermost] + limit);
+    let beyond = outward(outermost).filter(|&k| k < x.len());
+    let Some(beyond) = beyond else { return x[outermost] };
+    let inner = if beyond > outermost { outermost.checked_sub(1) } else { Some(outermost + 1) };
+    let Some(inner) = inner.filter(|&k| k < x.len() && pressure[k] > 0.0) else { return x[outermost] };
+    // In elements, counted outward from the inner node.
+    let share = pressure[outermost] / pressure[inner];
+    let (mut low, mut high) = (0.0, 2.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if outermost_share(middle) < share { low = middle } else { high = middle }
     }
-    let end = x[near] + (x[near] - x[far]) * near_square / (far_square - near_square);
-    let (low, high) = if limit < x[near] { (limit, x[near]) } else { (x[near], limit) };
-    end.clamp(low, high)
+    x[inner] + 0.5 * (low + high) * (x[outermost] - x[inner])
+}
+
+/// Pressure of the outermost node over that of the one before, `∫ N √(1 - t/e) dt` with the hat function N at 1,
+/// for a pressure that ends at the distance `e <= 2` elements from the inner node.
+fn outermost_share(end: f64) -> f64 {
+    const STEPS: u32 = 200;
+    let step = end / f64::from(STEPS);
+    let value = |k: u32| {
+        let t = (f64::from(k) + 0.5) * step;
+        (1.0 - (t - 1.0).abs()).max(0.0) * (1.0 - t / end).sqrt()
+    };
+    (0..STEPS).map(value).sum::<f64>() * step
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Nodal values as a mesh gives them: the mean of Hertz's pressure over each node's length.
+    /// Nodal values as a mesh gives them: Hertz's pressure weighted with each node's hat function.
     fn hertz_nodes(a: f64, h: f64, n: usize) -> (Vec<f64>, Vec<f64>) {
-        let area = |x: f64| {
-            let t = (x / a).clamp(-1.0, 1.0);
-            0.5 * a * (t * (1.0 - t * t).sqrt() + t.asin())
-        };
         let x: Vec<f64> = (0..n).map(|k| k as f64 * h).collect();
-        let p = x
-            .iter()
-            .map(|&x| {
-                let from = (x - 0.5 * h).max(0.0);
-                (area(x + 0.5 * h) - area(from)) / (x + 0.5 * h - from)
-            })
-            .collect();
+        let weighted = |centre: f64| {
+            let samples = (0..2000).map(|k| (f64::from(k) + 0.5) / 1000.0 - 1.0);
+            let values = samples.map(|t| {
+                let s = (centre + t * h) / a;
+                (1.0 - t.abs()) * (1.0 - s * s).max(0.0).sqrt()
+            });
+            values.sum::<f64>() / 1000.0
+        };
+        let p = x.iter().map(|&x| weighted(x)).collect();
         (x, p)
     }
 

@@ -1,44 +1,23 @@
 //! The job as mechanics sees it: two outlines with materials and supports.
 
-use crate::analytical::{ElasticConstants, HertzLine, YieldOnset, effective_modulus, effective_radius};
+use std::f64::consts::PI;
+
+use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
+use crate::element::Kinematics;
 use crate::mesh::Outline;
-use crate::model::{Body, Deformable, Hardening, Job, Material, Support};
-use crate::plasticity::{HardeningLaw, UniaxialCurve};
+use crate::model::{Analysis, Body, Deformable, Hardening, Job, Material, Support};
 
-/// The elastic contact of the same bodies in closed form.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElasticReference {
-    /// Hertz's contact under the same force.
-    pub hertz: HertzLine,
-    /// Effective radius \[mm\].
-    pub effective_radius: f64,
-    /// Force at which the first body begins to yield \[N/mm\]; `None` if none has a yield stress.
-    pub yield_onset_force: Option<f64>,
-}
-
-impl ElasticReference {
-    /// The reference for a job under a force \[N/mm\]; `None` where Hertz's theory does not apply.
-    pub fn of(job: &Job, force: f64) -> Option<Self> {
-        let problem = Problem::of(job);
-        let (effective_radius, modulus) = problem.effective()?;
-        let onset = |body: &ProblemBody| {
-            let material = body.material.as_ref()?;
-            let yield_stress = UniaxialCurve::of(material)?.yield_stress();
-            let ratio = YieldOnset::line_von_mises(material.elastic().poisson_ratio.get());
-            (yield_stress > 0.0).then(|| ratio.line_force(yield_stress, effective_radius, modulus))
-        };
-        let yield_onset_force = problem.bodies.iter().filter_map(onset).reduce(f64::min);
-        let hertz = HertzLine::new(force, effective_radius, modulus);
-        Some(Self { hertz, effective_radius, yield_onset_force })
-    }
-}
-
-/// Two bodies in contact at the origin.
+/// Two bodies whose surfaces first touch where their gap is smallest.
 pub(super) struct Problem {
+    pub kinematics: Kinematics,
     /// Upper and lower body.
     pub bodies: [ProblemBody; 2],
     /// Whether symmetry is made use of where there is one.
     pub use_symmetry: bool,
+    /// Abscissa of the smallest gap \[mm\].
+    pub touching: f64,
+    /// The smallest gap as the outlines are given \[mm\]; gaps are counted from it.
+    smallest_gap: f64,
 }
 
 pub(super) struct ProblemBody {
@@ -47,6 +26,9 @@ pub(super) struct ProblemBody {
     pub material: Option<Deformable>,
     pub support: Support,
 }
+
+/// Samples in search of the smallest gap.
+const GAP_SAMPLES: u32 = 4000;
 
 impl Problem {
     pub fn of(job: &Job) -> Self {
@@ -58,7 +40,57 @@ impl Problem {
             },
             support: body.support,
         };
-        Self { bodies: [body(&job.upper), body(&job.lower)], use_symmetry: true }
+        let kinematics = match job.analysis {
+            Analysis::PlaneStrain => Kinematics::PlaneStrain,
+            Analysis::PlaneStress => Kinematics::PlaneStress,
+            Analysis::Axisymmetric => Kinematics::Axisymmetric,
+        };
+        let mut problem = Self {
+            kinematics,
+            bodies: [body(&job.upper), body(&job.lower)],
+            use_symmetry: true,
+            touching: 0.0,
+            smallest_gap: 0.0,
+        };
+        problem.find_smallest_gap();
+        problem
+    }
+
+    /// The same bodies without their hardening curves.
+    pub fn without_plasticity(&self) -> Self {
+        let elastic = |body: &ProblemBody| ProblemBody {
+            outline: body.outline.clone(),
+            material: body.material.as_ref().map(Deformable::without_plasticity),
+            support: body.support,
+        };
+        Self { bodies: self.bodies.each_ref().map(elastic), ..*self }
+    }
+
+    /// Force over the area of a contact of this half-width \[MPa\].
+    pub fn mean_pressure(&self, force: f64, half_width: f64) -> f64 {
+        match self.kinematics {
+            Kinematics::PlaneStrain | Kinematics::PlaneStress => force / (2.0 * half_width),
+            Kinematics::Axisymmetric => force / (PI * half_width * half_width),
+        }
+    }
+
+    /// Looks for the smallest gap; where it is reached again and again, the place nearest to the origin counts.
+    fn find_smallest_gap(&mut self) {
+        if self.bodies.iter().all(|body| body.outline.curvature().is_some()) {
+            return;
+        }
+        let (left, right) = self.span();
+        let left = if self.kinematics == Kinematics::Axisymmetric { 0.0 } else { left };
+        let place = |k: u32| left + (right - left) * f64::from(k) / f64::from(GAP_SAMPLES);
+        let origin: (f64, f64) = (self.initial_gap(0.0), 0.0);
+        let (gap, x) =
+            (0..=GAP_SAMPLES).map(|k| (self.initial_gap(place(k)), place(k))).fold(origin, |best, found| {
+                let same = (found.0 - best.0).abs() <= 1e-12 * (right - left);
+                let better = if same { found.1.abs() < best.1.abs() } else { found.0 < best.0 };
+                if better { found } else { best }
+            });
+        self.smallest_gap = gap;
+        self.touching = x;
     }
 
     /// Whether both bodies are deformable and mirror images of each other.
@@ -70,39 +102,41 @@ impl Problem {
             && upper.support == lower.support
     }
 
-    /// Initial gap `δ0 = f_u + f_l` at an abscissa \[mm\].
+    /// Initial gap `δ0 = f_u + f_l` at an abscissa \[mm\], zero where the surfaces first touch.
     pub fn initial_gap(&self, x: f64) -> f64 {
-        -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>()
+        -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>() - self.smallest_gap
     }
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        self.use_symmetry && self.bodies.iter().all(|body| body.outline.is_symmetric())
+        let symmetric = self.bodies.iter().all(|body| body.outline.is_symmetric());
+        self.kinematics == Kinematics::Axisymmetric || (self.use_symmetry && symmetric)
     }
 
-    /// Effective radius \[mm\] and modulus \[MPa\] of Hertz's theory; `None` if the surfaces do not open away from
-    /// the origin.
-    fn effective(&self) -> Option<(f64, f64)> {
-        let constants = |body: &ProblemBody| {
+    /// Whether the surfaces may touch away from the zone around the smallest gap.
+    pub fn may_touch_elsewhere(&self) -> bool {
+        self.bodies.iter().any(|body| body.outline.curvature().is_none())
+    }
+
+    /// Sum of the curvatures at the origin \[1/mm\]; `None` where a surface is no arc.
+    pub fn curvature(&self) -> Option<f64> {
+        let [upper, lower] = &self.bodies;
+        Some(upper.outline.curvature()? + lower.outline.curvature()?)
+    }
+
+    /// Effective modulus E* \[MPa\]; infinite for two rigid bodies.
+    pub fn effective_modulus(&self) -> f64 {
+        let constants = self.bodies.each_ref().map(|body| {
             let elastic = body.material.as_ref()?.elastic();
             Some(ElasticConstants {
                 young_modulus: elastic.young_modulus.get(),
                 poisson_ratio: elastic.poisson_ratio.get(),
             })
-        };
-        let radius = effective_radius(self.bodies.each_ref().map(|body| body.outline.curvature()));
-        let modulus = effective_modulus(self.bodies.each_ref().map(constants));
-        (radius > 0.0 && radius.is_finite() && modulus.is_finite()).then_some((radius, modulus))
-    }
-
-    /// Half-width for sizing the first mesh \[mm\]: Hertz's, or what a fully plastic contact of the softer body
-    /// needs to carry the force, whichever is more.
-    pub fn first_half_width(&self, force: f64) -> Option<f64> {
-        let (radius, modulus) = self.effective()?;
-        let hertz = HertzLine::new(force, radius, modulus);
-        let hardness = |body: &ProblemBody| Some(2.6 * flow_stress(body.material.as_ref()?.plasticity()?));
-        let softest = self.bodies.iter().filter_map(hardness).fold(f64::INFINITY, f64::min);
-        Some(hertz.half_width().max(force / (2.0 * softest)))
+        });
+        match self.kinematics {
+            Kinematics::PlaneStrain | Kinematics::Axisymmetric => effective_modulus(constants),
+            Kinematics::PlaneStress => effective_modulus_plane_stress(constants),
+        }
     }
 
     /// Outlines of the bodies that deform.
@@ -110,22 +144,29 @@ impl Problem {
         self.bodies.iter().filter(|body| body.material.is_some()).map(|body| &body.outline)
     }
 
-    /// How many bodies deform.
-    pub fn deformable_count(&self) -> usize {
-        self.deformable_outlines().count()
+    /// The part of the tangential axis where both bodies have a surface \[mm\].
+    pub fn span(&self) -> (f64, f64) {
+        let spans = self.bodies.each_ref().map(|body| body.outline.span());
+        (spans[0].0.max(spans[1].0), spans[0].1.min(spans[1].1))
     }
 
-    /// Narrowest half-span of the surfaces \[mm\].
-    pub fn half_span(&self) -> f64 {
-        self.bodies.iter().map(|body| body.outline.half_span()).fold(f64::INFINITY, f64::min)
+    /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for elastic bodies.
+    pub fn hardness(&self) -> f64 {
+        let hardness = |body: &ProblemBody| Some(2.6 * flow_stress(body.material.as_ref()?.plasticity()?));
+        self.bodies.iter().filter_map(hardness).fold(f64::INFINITY, f64::min)
     }
 }
 
 /// A stress at which the material flows noticeably \[MPa\].
 fn flow_stress(law: &Hardening) -> f64 {
     match law {
-        Hardening::Bilinear { yield_stress, .. } => 1.2 * yield_stress.get(),
+        Hardening::Bilinear { yield_stress, .. }
+        | Hardening::Swift { yield_stress, .. }
+        | Hardening::Ludwik { yield_stress, .. } => 1.2 * yield_stress.get(),
+        Hardening::Voce { yield_stress, saturation_stress, .. } => {
+            0.5 * (yield_stress.get() + saturation_stress.get())
+        }
         Hardening::RambergOsgood { reference_stress, .. } => 1.5 * reference_stress.get(),
-        _ => f64::INFINITY,
+        Hardening::Table { points } => points.as_slice().last().map_or(f64::INFINITY, |point| point[1]),
     }
 }

@@ -1,29 +1,38 @@
-//! From a job to its solution: three meshes, each sized by the one before.
+//! From a job to its solution: each load on three meshes, each sized by the one before.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::body::PlasticReach;
-use super::pass::{self, PassRequest};
+use super::extent::Extent;
+use super::onset;
+use super::pass::{self, Pass, PassRequest, Prepared};
 use super::phases::PhaseTimes;
 use super::problem::Problem;
-use super::solution::{self, Solution, StepSolution};
-use super::{Interrupt, Observer, SolveError};
+use super::solution::{self, Finished, Solution, StepSolution};
+use super::{Interrupt, Observer, SolveError, SolveStatus};
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::element::Kinematics;
 use crate::mesh::Refinement;
 use crate::model::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
 
-/// Largest half-width of a contact as a part of the surface's half-span that is solved at all.
-const MAX_HALF_WIDTH: f64 = 0.5;
-/// Half-width of the candidate zone over the expected one of the contact.
-const ZONE: f64 = 1.6;
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
+/// Sizing passes at most; each is made on the answer of the one before.
+const SIZING_PASSES: usize = 5;
+/// Part of the expected half-width that a sizing pass must find in contact to be trusted.
+const SIZING_TRUST: f64 = 0.4;
 /// Distance up to which the plastic region is prepared, over the distance that plastic flow reached on the
 /// coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.15;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
+/// Range of half-widths that one mesh of a sweep serves.
+const SWEEP_RANGE: f64 = 1.2;
+/// Least width of the zone over that of the contact for which a mesh is used again.
+const ZONE_MARGIN: f64 = 1.12;
+/// Elements that a mesh used again may be short of those asked for.
+const RESOLUTION_SLACK: f64 = 1.05;
 
 /// What the wire format does not offer: for verification, and for trying out methods.
 #[derive(Clone, Copy)]
@@ -44,7 +53,8 @@ impl Default for Options<'_> {
 ///
 /// Three meshes: a small one that finds out how wide the contact is, one of half the requested density for error
 /// estimates, and the one that was asked for. Only the last is shown to the observer iteration by iteration; the
-/// others can be stopped.
+/// others can be stopped. The loads of a sweep share meshes and factors while the contact fits on them, and each
+/// starts from the state of the one before.
 ///
 /// # Errors
 /// [`SolveError`]. An iteration that does not converge is no error: see [`super::SolveStatus`].
@@ -63,188 +73,239 @@ pub fn run_with(
 ) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;
-    let Load::Forces(forces) = &job.load else {
-        return Err(SolveError::Unsupported("a prescribed approach"));
-    };
     let contact = options.contact_solver.unwrap_or(match job.solver.contact {
         ContactMethod::ActiveSet => &ActiveSetSolver,
         ContactMethod::Simplex => &SimplexSolver,
     });
-    let mut solution = Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0 };
-    for force in forces.iter() {
-        let mut run =
-            Run { problem: &problem, job, contact, force: force.get(), solution: &mut solution, observer };
-        let step = run.step()?;
+    let mut solution =
+        Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0, interrupted: None };
+    let Some(loads) = loads(&job.load) else {
+        let step = onset::run(&problem, job, contact, &mut solution, observer)?;
         solution.steps.push(step);
+        return Ok(solution);
+    };
+    let mut runner = Runner::new(&problem, job, contact);
+    for (k, &load) in loads.iter().enumerate() {
+        match runner.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
+            Ok(step) => solution.steps.push(step),
+            // The steps that are done are worth keeping.
+            Err(SolveError::Interrupted(interrupt)) if k > 0 => solution.interrupted = Some(interrupt),
+            Err(error) => return Err(error),
+        }
+        let last = solution.steps.last().map(|step| step.status);
+        if solution.interrupted.is_some()
+            || matches!(last, Some(SolveStatus::Cancelled | SolveStatus::TimedOut))
+        {
+            break;
+        }
     }
     Ok(solution)
 }
 
-/// What a job will cost.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Estimate {
-    /// Equations of both bodies together.
-    pub equations: usize,
-    /// Peak memory \[bytes\].
-    pub bytes: u64,
-}
-
-/// Estimates the cost of a job without meshing it.
-///
-/// # Errors
-/// [`SolveError::Conforming`] or [`SolveError::TooWide`] for contacts that are not solved.
-pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
-    let problem = Problem::of(job);
-    let Load::Forces(forces) = &job.load else {
-        return Err(SolveError::Unsupported("a prescribed approach"));
-    };
-    let elements = job.mesh.elements_per_half_width as usize;
-    let mut worst = Estimate { equations: 0, bytes: 0 };
-    for force in forces.iter() {
-        let half_width = ZONE * expected_half_width(&problem, force.get())?;
-        let columns = (ZONE * elements as f64).round() as usize;
-        let models = if problem.bodies_are_equal() { 1 } else { problem.deformable_count() };
-        let nodes: usize = problem
-            .deformable_outlines()
-            .map(|outline| {
-                crate::mesh::estimated_nodes(
-                    outline,
-                    half_width,
-                    columns,
-                    problem.is_symmetric(),
-                    refinement(elements),
-                )
-            })
-            .sum();
-        let equations = 2 * nodes;
-        worst.equations = worst.equations.max(equations);
-        worst.bytes = worst.bytes.max(estimated_bytes(equations / problem.deformable_count().max(1), models));
+/// The loads of a job in order; `None` where the load itself is sought.
+pub(super) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
+    match load {
+        Load::Forces(forces) => Some(forces.iter().map(|force| ContactLoad::Force(force.get())).collect()),
+        Load::Approaches(approaches) => {
+            Some(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
+        }
+        Load::Onset => None,
     }
-    Ok(worst)
 }
 
-/// Peak memory of `models` bodies of so many equations each: the factor of nested dissection grows as
-/// `n log₂ n`, everything else as n. The constants were measured.
-fn estimated_bytes(equations: usize, models: usize) -> u64 {
-    let n = equations as f64;
-    let per_model = FACTOR_BYTES * n * n.max(2.0).log2() + OTHER_BYTES * n;
-    (per_model * models as f64) as u64
-}
-
-/// The half-width that a job's contact is expected to have \[mm\].
-///
-/// # Errors
-/// [`SolveError::Conforming`] or [`SolveError::TooWide`] for contacts that are not solved.
-fn expected_half_width(problem: &Problem, force: f64) -> Result<f64, SolveError> {
-    let half_width = problem.first_half_width(force).ok_or(SolveError::Conforming)?;
-    let available = problem.half_span();
-    if half_width > MAX_HALF_WIDTH * available {
-        return Err(SolveError::TooWide { half_width, available });
-    }
-    Ok(half_width)
-}
-
-/// Bytes of factor for each equation and binary digit of their number.
-const FACTOR_BYTES: f64 = 40.0;
-/// Bytes of everything else for each equation.
-const OTHER_BYTES: f64 = 2000.0;
-
-struct Run<'a> {
+/// Solves load after load.
+pub(super) struct Runner<'a> {
     problem: &'a Problem,
     job: &'a Job,
     contact: &'a dyn ContactSolver,
-    force: f64,
-    solution: &'a mut Solution,
-    observer: &'a mut dyn Observer,
+    last: Option<LastStep>,
 }
 
-/// What a mesh is sized by.
+/// What the next load of a sweep can build on.
+struct LastStep {
+    load: ContactLoad,
+    extent: Extent,
+    coarse: Prepared,
+    fine: Prepared,
+}
+
+/// How far the zone reaches beyond the contact, and how much finer than asked its elements are.
 #[derive(Clone, Copy)]
-struct Extent {
-    half_width: f64,
-    plastic_radius: f64,
+struct Reserve {
+    width: f64,
+    resolution: f64,
 }
 
-impl<'a> Run<'a> {
-    fn step(&mut self) -> Result<StepSolution, SolveError> {
-        let elements = self.job.mesh.elements_per_half_width as usize;
-        let sized = self.sizing_pass()?;
-        let coarse = self.quietly(&self.request(sized, (elements / 2).max(2), self.auxiliary(1e-5)))?;
-        let extent = Extent {
-            half_width: coarse.patch.map_or(sized.half_width, |patch| patch.half_width()),
-            plastic_radius: coarse.plastic_radius(),
-        };
-        let figures = coarse.figures();
-        drop(coarse);
+impl<'a> Runner<'a> {
+    pub fn new(problem: &'a Problem, job: &'a Job, contact: &'a dyn ContactSolver) -> Self {
+        Self { problem, job, contact, last: None }
+    }
 
-        let mut request = self.request(extent, elements, self.job.solver);
+    /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
+    pub fn step(
+        &mut self,
+        load: ContactLoad,
+        next: Option<ContactLoad>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<StepSolution, SolveError> {
+        let reserve = reserve(load, next);
+        let last = self.last.take();
+        let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
+        let (extent, coarse, fine) = match (last, predicted) {
+            (Some(last), Some(predicted)) if self.serves(&last, predicted) => {
+                (predicted, Some(last.coarse), Some(last.fine))
+            }
+            (_, Some(predicted)) => (predicted, None, None),
+            _ => (self.size(load, solution, observer)?, None, None),
+        };
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary(1e-5));
+        let coarse = self.quietly(&request, coarse, solution, observer)?;
+        let extent = extent.found_by(&coarse);
+        let figures = coarse.figures();
+        let coarse = coarse.into_prepared(load);
+
+        let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
-        let mut finished = self.fine_pass(&request)?;
+        let (mut pass, mut finished) = self.fine(&request, fine, solution, observer)?;
         if finished.left_region {
             request.plastic_reach = PlasticReach::WholeBody;
-            finished = self.fine_pass(&request)?;
+            (pass, finished) = self.fine(&request, None, solution, observer)?;
         }
         finished.step.coarse = figures;
+        let extent = extent.found_by(&pass);
+        self.last = Some(LastStep { load, extent, coarse, fine: pass.into_prepared(load) });
         Ok(finished.step)
     }
 
-    /// A small mesh around the closed-form estimate, with a loose tolerance.
-    fn sizing_pass(&mut self) -> Result<Extent, SolveError> {
-        let guess = expected_half_width(self.problem, self.force)?;
-        let mut request = self.request(
-            Extent { half_width: guess, plastic_radius: 0.0 },
-            SIZING_ELEMENTS,
-            self.auxiliary(1e-3),
-        );
-        request.plastic_reach = PlasticReach::WholeBody;
-        let pass = self.quietly(&request)?;
-        Ok(Extent {
-            half_width: pass.patch.map_or(guess, |patch| patch.half_width()),
-            plastic_radius: pass.plastic_radius(),
-        })
+    /// By how much the contact of an elastic body grows from one load to another.
+    fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
+        let exponent = match (self.problem.kinematics, to) {
+            (Kinematics::Axisymmetric, ContactLoad::Force(_)) => 0.4,
+            (_, ContactLoad::Force(_)) => 0.6,
+            (_, ContactLoad::Approach(_)) => 0.5,
+        };
+        (to.magnitude() / from.magnitude()).powf(exponent)
     }
 
-    fn fine_pass(&mut self, request: &PassRequest<'_>) -> Result<solution::Finished, SolveError> {
-        let phases = &mut self.solution.phases;
-        let pass = pass::run(self.problem, request, phases, self.observer)?;
-        self.solution.passes += 1 + pass.enlargements;
-        let tolerance = self.job.solver.tolerance.get();
-        Ok(solution::finish(&pass, request.load, tolerance, phases, self.observer))
+    /// Whether the meshes of the last load serve for a contact of this extent.
+    fn serves(&self, last: &LastStep, extent: Extent) -> bool {
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let zone = &last.fine.system.zone;
+        let same_reach = last
+            .fine
+            .system
+            .bodies
+            .iter()
+            .all(|body| body.prepared_for(PLASTIC_MARGIN * extent.plastic_radius));
+        zone.half_width() >= ZONE_MARGIN * extent.half_width
+            && zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements)
+            && same_reach
     }
 
-    fn quietly(&mut self, request: &PassRequest<'_>) -> Result<pass::Pass, SolveError> {
-        let mut quiet = Quiet { inner: self.observer };
-        let pass = pass::run(self.problem, request, &mut self.solution.phases, &mut quiet)?;
-        self.solution.passes += 1 + pass.enlargements;
+    /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
+    fn size(
+        &self,
+        load: ContactLoad,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Extent, SolveError> {
+        let mut extent = Extent::expected(self.problem, load)?;
+        for _ in 0..SIZING_PASSES {
+            let mut request = self.request(
+                load,
+                extent,
+                SIZING_ELEMENTS,
+                Reserve { width: 1.0, resolution: 1.0 },
+                auxiliary(1e-3),
+            );
+            request.plastic_reach = PlasticReach::WholeBody;
+            let pass = self.quietly(&request, None, solution, observer)?;
+            let found = extent.found_by(&pass);
+            let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
+            extent = found;
+            if is_confirmed {
+                break;
+            }
+            // A contact of one or two elements is not yet known to be that small.
+            extent =
+                Extent { half_width: 1.5 * extent.half_width, smallest_part: extent.half_width, ..extent };
+        }
+        Ok(extent)
+    }
+
+    fn fine(
+        &self,
+        request: &PassRequest<'_>,
+        prepared: Option<Prepared>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(Pass, Finished), SolveError> {
+        let pass = pass::run(self.problem, request, prepared, &mut solution.phases, observer)?;
+        solution.passes += pass.meshes;
+        let tolerance = request.solver.tolerance.get();
+        let finished = solution::finish(&pass, request.load, tolerance, &mut solution.phases, observer);
+        Ok((pass, finished))
+    }
+
+    fn quietly(
+        &self,
+        request: &PassRequest<'_>,
+        prepared: Option<Prepared>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Pass, SolveError> {
+        let mut quiet = Quiet { inner: observer };
+        let pass = pass::run(self.problem, request, prepared, &mut solution.phases, &mut quiet)?;
+        solution.passes += pass.meshes;
         Ok(pass)
     }
 
-    fn request(&self, extent: Extent, elements: usize, solver: SolverSettings) -> PassRequest<'a> {
+    fn request(
+        &self,
+        load: ContactLoad,
+        extent: Extent,
+        elements: usize,
+        reserve: Reserve,
+        solver: SolverSettings,
+    ) -> PassRequest<'a> {
+        let spacing = extent.spacing(elements) / reserve.resolution;
+        let reach = PLASTIC_MARGIN * reserve.width * extent.plastic_radius;
         PassRequest {
             contact: &ActiveSetSolver,
-            zone_half_width: ZONE * extent.half_width,
-            columns: (ZONE * elements as f64).round() as usize,
-            refinement: refinement(elements),
-            plastic_reach: PlasticReach::Within(PLASTIC_MARGIN * extent.plastic_radius),
-            load: ContactLoad::Force(self.force),
+            zone: extent.zone(self.problem.is_symmetric(), reserve.width, spacing),
+            refinement: refinement(extent.half_width / spacing),
+            plastic_reach: PlasticReach::Within(reach),
+            load,
             solver,
         }
     }
+}
 
-    /// How the auxiliary passes are iterated, whatever the job asks for.
-    fn auxiliary(&self, tolerance: f64) -> SolverSettings {
-        SolverSettings {
-            coupling: Coupling::Accelerated,
-            contact: ContactMethod::ActiveSet,
-            tolerance: PositiveF64::new(tolerance).unwrap_or(self.job.solver.tolerance),
-            max_iterations: 200,
-        }
+/// What a mesh is given so that it serves for the next load of a sweep too.
+fn reserve(load: ContactLoad, next: Option<ContactLoad>) -> Reserve {
+    match next.map(|next| next.magnitude() / load.magnitude()) {
+        Some(ratio) if ratio > 1.0 => Reserve { width: SWEEP_RANGE, resolution: 1.0 },
+        Some(ratio) if ratio < 1.0 => Reserve { width: 1.0, resolution: SWEEP_RANGE },
+        _ => Reserve { width: 1.0, resolution: 1.0 },
+    }
+}
+
+/// How the auxiliary passes are iterated, whatever the job asks for.
+fn auxiliary(tolerance: f64) -> SolverSettings {
+    let default = SolverSettings::default();
+    SolverSettings {
+        coupling: Coupling::Accelerated,
+        contact: ContactMethod::ActiveSet,
+        tolerance: PositiveF64::new(tolerance).unwrap_or(default.tolerance),
+        max_iterations: 200,
     }
 }
 
 /// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
-fn refinement(elements_per_half_width: usize) -> Refinement {
-    Refinement { growth: 1.0 + RING_GROWTH * 20.0 / elements_per_half_width as f64 }
+pub(super) fn refinement(elements_per_half_width: f64) -> Refinement {
+    Refinement { growth: 1.0 + RING_GROWTH * 20.0 / elements_per_half_width }
 }
 
 /// Lets the auxiliary passes be stopped but not seen.

@@ -6,9 +6,10 @@ use super::iteration::relative;
 use super::pass::Pass;
 use super::patch::ContactPatch;
 use super::phases::{Phase, PhaseTimes};
-use super::{IterationRecord, Observer, SolveStatus};
+use super::{Interrupt, IterationRecord, Observer, SolveStatus};
 use crate::assembly::StressField;
 use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
+use crate::element::Kinematics;
 use crate::mesh::{Mesh, Quality};
 
 /// The answer to a job.
@@ -20,6 +21,8 @@ pub struct Solution {
     pub phases: PhaseTimes,
     /// Mesh passes made.
     pub passes: usize,
+    /// Why loads at the end are missing.
+    pub interrupted: Option<Interrupt>,
 }
 
 /// The answer to one load. Half models are not mirrored here.
@@ -33,12 +36,19 @@ pub struct StepSolution {
     pub approach: f64,
     /// Whether `x = 0` is a symmetry axis and only `x >= 0` is here.
     pub symmetric: bool,
+    /// Third direction.
+    pub kinematics: Kinematics,
     /// Tangential spacing of the candidate pairs \[mm\].
     pub spacing: f64,
     /// The candidate pairs in order of x.
     pub pairs: Vec<PairState>,
     /// Ends of the contact; `None` where nothing touches.
     pub patch: Option<ContactPatch>,
+    /// Its connected parts, from outermost node to outermost node.
+    pub parts: Vec<ContactPatch>,
+    /// Contact stiffness dP/dα of the elastic bodies with the present contact set: the tangent of an elastic
+    /// contact, the unloading stiffness of a plastic one \[N/mm per mm\].
+    pub elastic_stiffness: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
     /// Upper and lower body; `None` for a rigid one.
@@ -85,6 +95,13 @@ pub struct BodySolution {
     pub stress: StressField,
     /// Equations solved.
     pub equations: usize,
+}
+
+impl StepSolution {
+    /// Whether the meshed half stands for two: a plane half model, not a body of revolution.
+    pub fn is_mirrored(&self) -> bool {
+        self.symmetric && self.kinematics != Kinematics::Axisymmetric
+    }
 }
 
 impl BodySolution {
@@ -168,11 +185,7 @@ pub(super) fn finish(
             equations: body.equations.len(),
         }));
     }
-    let model_load = match load {
-        ContactLoad::Force(force) => ContactLoad::Force(force / system.copies() as f64),
-        approach @ ContactLoad::Approach(_) => approach,
-    };
-    let contact_check = check_contact(system, &gap, &contact.force, contact.approach, model_load);
+    let contact_check = check_contact(system, &gap, &contact.force, contact.approach, system.part_of(load));
     let force_norm = contact.force.iter().map(|r| r * r).sum::<f64>().sqrt();
     let equilibrium_residual = relative(squares.sqrt(), force_norm);
     let sound = contact_check.passes(CONTACT_TOLERANCE)
@@ -187,10 +200,13 @@ pub(super) fn finish(
         load,
         approach: contact.approach,
         symmetric: system.zone.symmetric,
+        kinematics: system.kinematics,
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force),
         pairs,
         patch: pass.patch,
+        parts: pass.parts(),
+        elastic_stiffness: system.elastic_stiffness(&contact.active_set),
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&models[k]))),
         history: outcome.history.clone(),
         contact_check,
@@ -227,7 +243,7 @@ fn pair_states(
     let pressures = system.pressures(force);
     (0..force.len())
         .map(|k| {
-            let on_axis = k == 0 && system.zone.symmetric;
+            let on_axis = k == 0 && system.copies() == 2;
             PairState {
                 x: system.zone.abscissa(k),
                 pressure: pressures[k],

@@ -1,13 +1,17 @@
 //! Two bodies and the contact between them.
 
+use std::f64::consts::PI;
+
+use super::axis;
 use super::body::{BodyModel, PlasticReach};
 use super::phases::{Phase, PhaseTimes};
 use super::problem::Problem;
 use super::{Observer, SolveError};
 use crate::assembly::PlasticUpdate;
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::element::Kinematics;
 use crate::linalg::Cholesky;
-use crate::linalg::dense::SymmetricMatrix;
+use crate::linalg::dense::{DenseCholesky, SymmetricMatrix};
 use crate::mesh::{ContactZone, Mesh, Refinement};
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
@@ -18,6 +22,7 @@ pub(super) struct System {
     pub multiplicity: Vec<usize>,
     /// Model of the upper and the lower body; `None` for a rigid one.
     pub model_of: [Option<usize>; 2],
+    pub kinematics: Kinematics,
     pub zone: ContactZone,
     /// Initial gap δ0 of each candidate pair \[mm\].
     pub initial_gap: Vec<f64>,
@@ -59,19 +64,40 @@ impl System {
             let mesh =
                 phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
             model_of[side] = Some(bodies.len());
-            bodies.push(BodyModel::build(mesh, material, body.support, plastic_reach, phases, observer)?);
+            bodies.push(BodyModel::build(
+                mesh,
+                problem.kinematics,
+                material,
+                body.support,
+                plastic_reach,
+                phases,
+                observer,
+            )?);
             multiplicity.push(1);
         }
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
         let flexibilities: Vec<&SymmetricMatrix> = bodies.iter().map(|body| &body.flexibility).collect();
         let flexibility = total_flexibility(zone.columns + 1, &flexibilities, &multiplicity);
-        Ok(Self { bodies, multiplicity, model_of, zone, initial_gap, flexibility })
+        let kinematics = problem.kinematics;
+        Ok(Self { bodies, multiplicity, model_of, kinematics, zone, initial_gap, flexibility })
     }
 
-    /// Length of surface that each pair stands for \[mm\].
+    /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
+    /// the shape function `N_k` of the surface. So a uniform pressure is found exactly.
     pub fn tributary(&self, k: usize) -> f64 {
-        let is_end = k == 0 || k == self.zone.columns;
-        self.zone.spacing() * if is_end { 0.5 } else { 1.0 }
+        let h = self.zone.spacing();
+        let (is_first, is_last) = (k == 0, k == self.zone.columns);
+        match self.kinematics {
+            Kinematics::PlaneStrain | Kinematics::PlaneStress => {
+                h * if is_first || is_last { 0.5 } else { 1.0 }
+            }
+            Kinematics::Axisymmetric => {
+                let x = self.zone.abscissa(k);
+                let inner = if is_first { 0.0 } else { 0.5 * h * (x - h / 3.0) };
+                let outer = if is_last { 0.0 } else { 0.5 * h * (x + h / 3.0) };
+                2.0 * PI * (inner + outer)
+            }
+        }
     }
 
     /// Initial-stress loads that are all zero.
@@ -152,6 +178,16 @@ impl System {
         total
     }
 
+    /// `dP/dα = eᵀ F_aa⁻¹ e` of the pairs in contact, both sides of the axis \[N/mm per mm\]; 0 without contact.
+    pub fn elastic_stiffness(&self, active: &ActiveSet) -> f64 {
+        let pairs: Vec<usize> = active.iter().collect();
+        let block = self.flexibility.principal_block(&pairs);
+        let Ok(factor) = DenseCholesky::factor(pairs.len(), block) else { return 0.0 };
+        let mut force = vec![1.0; pairs.len()];
+        factor.solve_in_place(&mut force);
+        self.copies() as f64 * force.iter().sum::<f64>()
+    }
+
     /// The entries on the windows, one model after the other.
     pub fn pack(&self, vectors: &PerModel) -> Vec<f64> {
         let parts = self.bodies.iter().zip(vectors);
@@ -168,20 +204,39 @@ impl System {
         }
     }
 
-    /// 2 if the meshed half stands for both, else 1.
+    /// 2 if the meshed half stands for both sides, else 1; a body of revolution is whole.
     pub fn copies(&self) -> usize {
-        if self.zone.symmetric { 2 } else { 1 }
+        let is_plane = self.kinematics != Kinematics::Axisymmetric;
+        if self.zone.symmetric && is_plane { 2 } else { 1 }
+    }
+
+    /// The load of what is meshed.
+    pub fn part_of(&self, load: ContactLoad) -> ContactLoad {
+        match load {
+            ContactLoad::Force(force) => ContactLoad::Force(force / self.copies() as f64),
+            approach @ ContactLoad::Approach(_) => approach,
+        }
     }
 
     /// Pairs in contact on both sides of the axis.
     pub fn mirrored_count(&self, active: &ActiveSet) -> usize {
-        let on_axis = self.zone.symmetric && active.contains(0);
+        let on_axis = self.copies() == 2 && active.contains(0);
         active.len() * self.copies() - usize::from(on_axis)
     }
 
-    /// Contact pressure of each pair \[MPa\]: its force over the length it stands for.
+    /// Contact pressure of each pair \[MPa\]: its force over the length or area it stands for; next to the axis of
+    /// a body of revolution, the smooth continuation of what lies around it.
     pub fn pressures(&self, force: &[f64]) -> Vec<f64> {
-        force.iter().enumerate().map(|(k, r)| r / self.tributary(k)).collect()
+        let mut pressures: Vec<f64> = force.iter().enumerate().map(|(k, r)| r / self.tributary(k)).collect();
+        if self.kinematics == Kinematics::Axisymmetric {
+            axis::recover(&mut pressures);
+        }
+        pressures
+    }
+
+    /// Abscissae of the pairs and their pressures.
+    pub fn pressure_over_x(&self, force: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        ((0..=self.zone.columns).map(|k| self.zone.abscissa(k)).collect(), self.pressures(force))
     }
 
     /// Largest contact pressure \[MPa\].

@@ -25,8 +25,7 @@ const INNER_ACCURACY: f64 = 0.01;
 pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let mut relaxation = Aitken::new(system.initial_gap.len());
-    let mut loads = system.zeros();
-    let mut start = system.zeros();
+    let (mut start, mut loads) = iteration.initial_state();
     loop {
         let contact = iteration.contact(relaxation.value())?;
         let displacement = iteration.displacement(&loads, &contact.force);

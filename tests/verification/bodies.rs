@@ -5,7 +5,6 @@ use brinell::element::{Kinematics, QUADRATURE_POINTS};
 use brinell::linalg::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
 use brinell::mesh::{ContactZone, Mesh};
 use brinell::model::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
-use brinell::plasticity::UniaxialCurve;
 
 pub fn positive(value: f64) -> PositiveF64 {
     PositiveF64::new(value).unwrap()
@@ -46,12 +45,12 @@ pub struct Loaded {
 /// Solves `∫Bᵀσ dV = force` by the plain initial-stress iteration, until displacements change by less than 1e-11.
 pub fn load(
     mesh: &Mesh,
+    kinematics: Kinematics,
     material: &Deformable,
     held: Vec<[bool; 2]>,
     force: &[[f64; 2]],
     max_iterations: usize,
 ) -> Loaded {
-    let kinematics = Kinematics::PlaneStrain;
     let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
     let window = vec![true; mesh.nodes.len()];
     let order = EliminationOrder::new(&graph, &mesh.lattice, &window, &[]);
@@ -62,8 +61,7 @@ pub fn load(
     let shear = material.elastic().shear_modulus();
     let values = assembler.assemble(material.elastic().bulk_modulus(), |_| [shear; QUADRATURE_POINTS]);
     let factor = Cholesky::factor(&symbolic, &values).unwrap();
-    let region = UniaxialCurve::of(material)
-        .map(|curve| InitialStressRegion::new(mesh, kinematics, &equations, 0, curve, shear));
+    let region = InitialStressRegion::new(mesh, kinematics, &equations, 0, material);
 
     let mut external = vec![0.0; equations.len() + 1];
     for (node, f) in (0u32..).zip(force) {

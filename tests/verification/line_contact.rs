@@ -68,8 +68,8 @@ fn nafems_cylinder_on_block() {
     assert_within(step.contact.peak_pressure, 3585.4, 2.5e-3);
     assert_within(step.contact.half_width, 6.2146, 1e-2);
     let hertz = step.hertz.as_ref().unwrap();
-    assert_within(hertz.peak_pressure, 3585.4, 1e-5);
-    assert_within(hertz.half_width, 6.2146, 1e-5);
+    assert_within(hertz.peak_pressure, 3585.4, 2e-5);
+    assert_within(hertz.half_width, 6.2146, 2e-5);
 
     let light = report(&cylinder_on_block(35_000.0 / 16.0));
     let step = &light.steps[0];

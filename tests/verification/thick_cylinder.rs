@@ -6,6 +6,7 @@
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
 use brinell::analytical::{PowerLawCylinder, ThickCylinder};
+use brinell::element::Kinematics;
 use brinell::mesh::Mesh;
 use brinell::model::{Deformable, Hardening, NonNegativeF64};
 
@@ -48,7 +49,7 @@ fn pressurise(radial: i32, around: i32, material: &Deformable, pressure: f64) ->
             force[node][1] += half[1];
         }
     }
-    let loaded = load(&mesh, material, held, &force, 20_000);
+    let loaded = load(&mesh, Kinematics::PlaneStrain, material, held, &force, 20_000);
     (mesh, loaded)
 }
 
@@ -178,7 +179,8 @@ fn patch_test() {
             let share = if *y < 1e-12 || *y > 1.0 - 1e-12 { 0.5 } else { 1.0 };
             force[node][0] = traction * share / 3.0 * x;
         }
-        let loaded = load(&mesh, &material(210_000.0, 0.3, law), held.clone(), &force, 5000);
+        let loaded =
+            load(&mesh, Kinematics::PlaneStrain, &material(210_000.0, 0.3, law), held.clone(), &force, 5000);
         let first = loaded.field.points[0][0];
         assert_eq!(first.yielded, yields);
         for point in loaded.field.points.iter().flatten() {

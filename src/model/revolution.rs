@@ -1,0 +1,32 @@
+//! What a body of revolution asks of a profile.
+
+use super::{Analysis, FieldError, Job, Profile, Shape};
+
+impl Job {
+    /// In axisymmetry a profile is turned about x = 0: it has to be given from there outward, or with both sides
+    /// alike.
+    pub(super) fn faults_of_revolution(&self) -> Vec<FieldError> {
+        if self.analysis != Analysis::Axisymmetric {
+            return Vec::new();
+        }
+        let profiles = [("upper", &self.upper), ("lower", &self.lower)].into_iter().filter_map(|(side, body)| {
+            let Shape::Profile(profile) = &body.shape else { return None };
+            (!is_meridian(profile)).then(|| {
+                FieldError::new(
+                    format!("/{side}/shape/points"),
+                    "must start at x = 0 or be symmetric about it, because an axisymmetric body is the profile \
+                     turned about x = 0",
+                )
+            })
+        });
+        profiles.collect()
+    }
+}
+
+fn is_meridian(profile: &Profile) -> bool {
+    let points = profile.points();
+    let starts_on_axis = points.first().is_some_and(|[x, _]| *x == 0.0);
+    let ends_on_axis = points.last().is_some_and(|[x, _]| *x == 0.0);
+    let mirrored = points.iter().zip(points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1]);
+    starts_on_axis || ends_on_axis || mirrored
+}

@@ -1,0 +1,161 @@
+//! How large the contact is expected to be: what meshes are sized by.
+
+use std::f64::consts::PI;
+
+use super::SolveError;
+use super::pass::Pass;
+use super::problem::Problem;
+use crate::contact::ContactLoad;
+use crate::element::Kinematics;
+use crate::mesh::ContactZone;
+
+/// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
+const MAX_HALF_WIDTH: f64 = 0.5;
+/// Half-width of the candidate zone over that of the contact.
+const ZONE: f64 = 1.6;
+/// A part of the contact is resolved by its own width down to this part of the whole width.
+const MAX_PART_RATIO: f64 = 6.0;
+
+/// Place and size of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extent {
+    /// Middle \[mm\].
+    pub centre: f64,
+    /// Half of the distance from end to end \[mm\].
+    pub half_width: f64,
+    /// Half-width of the smallest connected part \[mm\].
+    pub smallest_part: f64,
+    /// Distance from the middle up to which material yields \[mm\].
+    pub plastic_radius: f64,
+}
+
+impl Extent {
+    /// The extent that closed forms suggest for a load.
+    ///
+    /// The gap at ±a stands for a parabola of the same opening, of which Hertz's theory knows the force; a fully
+    /// plastic contact needs at least the width that bears the force at the material's hardness. For a prescribed
+    /// approach the width is where the undeformed surfaces would overlap, which is too much.
+    ///
+    /// # Errors
+    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TooWide`] where the contact would
+    /// take up more of the surfaces than is solved.
+    pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
+        let (left, right) = problem.span();
+        let symmetric = problem.is_symmetric();
+        let touching = if symmetric { problem.touching.abs() } else { problem.touching };
+        let beside = right - touching;
+        let available = if symmetric { beside } else { beside.min(touching - left) };
+        let limit = MAX_HALF_WIDTH * available;
+        if limit <= 0.0 {
+            return Err(SolveError::Conforming);
+        }
+        let opening = |a: f64| problem.initial_gap(touching + a) + problem.initial_gap(touching - a);
+        if opening(limit) <= 0.0 {
+            return Err(SolveError::Conforming);
+        }
+        let bears = |a: f64| match load {
+            ContactLoad::Force(force) => hertz_force(problem, a, opening(a)) >= force,
+            ContactLoad::Approach(approach) => 0.5 * opening(a) >= approach,
+        };
+        // From small to large, because a contact on several bumps opens, closes and opens again.
+        let half_width = (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a));
+        let plastic = match load {
+            ContactLoad::Force(force) => plastic_half_width(problem, force),
+            ContactLoad::Approach(_) => 0.0,
+        };
+        match half_width.map(|a| a.max(plastic)) {
+            Some(a) if a <= limit => Ok(Self::around(touching, a, symmetric)),
+            beyond => {
+                let elastic = match load {
+                    ContactLoad::Force(force) => {
+                        limit * (force / hertz_force(problem, limit, opening(limit))).sqrt()
+                    }
+                    ContactLoad::Approach(approach) => limit * (2.0 * approach / opening(limit)).sqrt(),
+                };
+                let half_width = beyond.unwrap_or(elastic).max(plastic);
+                Err(SolveError::TooWide { half_width, available })
+            }
+        }
+    }
+
+    fn around(touching: f64, a: f64, symmetric: bool) -> Self {
+        let (centre, half_width) = if symmetric { (0.0, touching + a) } else { (touching, a) };
+        Self { centre, half_width, smallest_part: a, plastic_radius: 0.0 }
+    }
+
+    /// The extent that a pass found; `self` where nothing touched.
+    pub fn found_by(self, pass: &Pass) -> Self {
+        let Some(patch) = pass.patch else { return self };
+        let zone = &pass.system.zone;
+        let own_width = |left: f64, right: f64| {
+            if zone.symmetric && left == 0.0 { right } else { 0.5 * (right - left) }
+        };
+        let parts = pass.parts();
+        let smallest = match parts.as_slice() {
+            [_] => patch.half_width(),
+            many => {
+                many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
+            }
+        };
+        Self {
+            centre: 0.5 * (patch.left + patch.right),
+            half_width: patch.half_width(),
+            smallest_part: smallest.max(0.5 * zone.spacing()),
+            plastic_radius: pass.plastic_radius(),
+        }
+    }
+
+    /// This extent with all lengths scaled.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            centre: self.centre,
+            half_width: factor * self.half_width,
+            smallest_part: factor * self.smallest_part,
+            plastic_radius: factor * self.plastic_radius,
+        }
+    }
+
+    /// Element size for so many elements over a half-width \[mm\].
+    pub fn spacing(&self, elements: usize) -> f64 {
+        self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width) / elements as f64
+    }
+
+    /// A zone that covers the contact and `headroom` times more, with elements of a given size.
+    pub fn zone(&self, symmetric: bool, headroom: f64, spacing: f64) -> ContactZone {
+        let half = ZONE * headroom * self.half_width;
+        let columns = (half / spacing).round().max(4.0);
+        // Bounded by the limits of `elements_per_half_width` and of the ratios above.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
+        let columns = columns as usize;
+        if symmetric {
+            ContactZone { x_min: 0.0, x_max: half, columns, symmetric }
+        } else {
+            ContactZone {
+                x_min: self.centre - half,
+                x_max: self.centre + half,
+                columns: 2 * columns,
+                symmetric,
+            }
+        }
+    }
+}
+
+/// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
+const SEARCH_RATIO: f64 = 1.02;
+const SEARCH_STEPS: i32 = 700;
+
+/// Force under which a parabola that has opened by `opening / 2` at ±a touches over the half-width a.
+fn hertz_force(problem: &Problem, a: f64, opening: f64) -> f64 {
+    let modulus = problem.effective_modulus();
+    match problem.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => 0.25 * PI * modulus * opening,
+        Kinematics::Axisymmetric => 4.0 / 3.0 * modulus * a * opening,
+    }
+}
+
+fn plastic_half_width(problem: &Problem, force: f64) -> f64 {
+    match problem.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => force / (2.0 * problem.hardness()),
+        Kinematics::Axisymmetric => (force / (PI * problem.hardness())).sqrt(),
+    }
+}
