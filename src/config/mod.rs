@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use clap::Args;
 
-use crate::http::HttpSettings;
+use crate::http::{Capacity, HttpSettings};
 use crate::jobs::DeskLimits;
 use parse::seconds;
 pub use storage::{DatabaseUrl, StorageConfig};
@@ -74,6 +74,12 @@ impl ServeConfig {
         HttpSettings {
             max_body_bytes: self.max_body,
             solve_limit: self.solve_limit,
+            capacity: Capacity {
+                solvers: if self.no_workers { 0 } else { self.work.slots() },
+                memory_bytes: if self.no_workers { 0 } else { self.work.memory() },
+                queued_jobs: self.storage.queue_capacity,
+                job_seconds: self.work.job_timeout.as_secs_f64(),
+            },
             ..HttpSettings::default()
         }
     }

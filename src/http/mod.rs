@@ -4,9 +4,12 @@
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
 
 mod body;
+mod follower;
 mod job_path;
+mod preference;
 mod problem;
 mod problem_type;
+mod query;
 mod routes;
 pub mod wire;
 
@@ -28,10 +31,16 @@ use tracing::{Level, Span};
 
 use crate::jobs::Desk;
 use routes::cancel_job::cancel_job;
+use routes::delete_job::delete_job;
+use routes::get_capacity::get_capacity;
+use routes::get_events::get_events;
+use routes::get_examples::get_examples;
 use routes::get_job::get_job;
 use routes::get_problem::get_problem;
 use routes::get_result::get_result;
 use routes::health::{livez, readyz};
+use routes::list_jobs::list_jobs;
+use routes::post_hertz::post_hertz;
 use routes::post_job::post_job;
 use routes::post_solve::post_solve;
 use routes::post_validate::post_validate;
@@ -40,7 +49,7 @@ pub use problem::Problem;
 pub use problem_type::ProblemType;
 
 /// Bounds on a single request.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HttpSettings {
     /// Largest body.
     pub max_body_bytes: usize,
@@ -50,6 +59,21 @@ pub struct HttpSettings {
     pub solve_limit: Duration,
     /// Longest time `?wait=` waits.
     pub wait_limit: Duration,
+    /// What this node tells of itself.
+    pub capacity: Capacity,
+}
+
+/// What a node can do.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Capacity {
+    /// Jobs solved here at the same time.
+    pub solvers: usize,
+    /// Memory \[bytes\] they may need together.
+    pub memory_bytes: u64,
+    /// Most jobs that may wait.
+    pub queued_jobs: usize,
+    /// Longest time \[s\] a job may be solved for.
+    pub job_seconds: f64,
 }
 
 impl Default for HttpSettings {
@@ -59,6 +83,7 @@ impl Default for HttpSettings {
             body_timeout: Duration::from_secs(30),
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
+            capacity: Capacity::default(),
         }
     }
 }
@@ -77,12 +102,16 @@ pub struct HttpState {
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
     Router::new()
-        .route("/v1/jobs", post(post_job))
-        .route("/v1/jobs/{id}", get(get_job))
+        .route("/v1/jobs", get(list_jobs).post(post_job))
+        .route("/v1/jobs/{id}", get(get_job).delete(delete_job))
+        .route("/v1/jobs/{id}/events", get(get_events))
         .route("/v1/jobs/{id}/result", get(get_result))
         .route("/v1/jobs/{id}/cancel", post(cancel_job))
         .route("/v1/solve", post(post_solve))
         .route("/v1/validate", post(post_validate))
+        .route("/v1/hertz", post(post_hertz))
+        .route("/v1/examples", get(get_examples))
+        .route("/v1/capacity", get(get_capacity))
         .route("/problems/{name}", get(get_problem))
         .route("/livez", get(livez))
         .route("/readyz", get(readyz))

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::problem_type::ProblemType;
-use crate::jobs::{FailureKind, FieldError, JobFailure, Refusal, StoreError, SubmitError};
+use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Refusal, StoreError, SubmitError};
 
 /// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
 const RETRY_AFTER_SECONDS: &str = "2";
@@ -78,7 +78,6 @@ impl IntoResponse for Problem {
 
 impl From<Refusal> for Problem {
     fn from(refusal: Refusal) -> Self {
-        use crate::model::JobError;
         let detail = refusal.to_string();
         match refusal {
             Refusal::Invalid(JobError::Syntax { line, column, .. }) => {

@@ -43,6 +43,9 @@ problem_types! {
     /// The query string is wrong.
     InvalidQuery, "invalid-query", BAD_REQUEST, "The query string is not valid",
         "A query parameter is unknown or has a value it cannot have.";
+    /// A header is wrong.
+    InvalidHeader, "invalid-header", BAD_REQUEST, "A header is not valid",
+        "A request header has a value it cannot have. `detail` names it.";
     /// The body is JSON but not a job.
     InvalidJob, "invalid-job", UNPROCESSABLE_ENTITY, "The job is not valid",
         "The body is JSON but not a job that can be solved. `errors` lists every field at fault with its JSON \

@@ -11,8 +11,8 @@ use tokio::time::{Instant, timeout_at};
 use sha2::{Digest, Sha256};
 
 use super::{
-    Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage, JobRecord, JobSolver,
-    JobStore, KeyId, NewJob, StoreError, Watch,
+    ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
+    JobSolver, JobStore, KeyId, NewJob, StoreError, Watch,
 };
 use crate::model::{Job, JobError};
 use crate::results::JobEstimate;
@@ -105,6 +105,15 @@ impl Desk {
             return Err(Refusal::TooLarge { estimate, limit: self.limits.job_bytes });
         }
         Ok((job, estimate))
+    }
+
+    /// What theory answers to a job without a mesh.
+    ///
+    /// # Errors
+    /// [`Refusal`] with every fault, also where the theory does not apply.
+    pub fn closed_form(&self, request: &[u8]) -> Result<ClosedForm, Refusal> {
+        let job = Job::from_json(request)?;
+        Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
     }
 
     /// Checks a job and queues it.

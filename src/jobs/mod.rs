@@ -14,6 +14,7 @@
 //! that a job has changed; [`Desk`] is what the HTTP layer talks to.
 
 mod clock;
+mod closed_form;
 mod desk;
 mod encode;
 mod failure;
@@ -25,6 +26,7 @@ mod state;
 mod store;
 
 pub use clock::{Clock, SystemClock};
+pub use closed_form::{ClosedForm, ClosedFormStep};
 pub use desk::{Desk, DeskLimits, Refusal, Submission, SubmitError};
 pub use encode::{EncodeError, check_finite, encode};
 pub use failure::{FailureKind, JobFailure, Outcome};
@@ -38,6 +40,6 @@ pub use store::{
     Retention, SWEEP, StoreError,
 };
 
-pub use crate::model::FieldError;
+pub use crate::model::{FieldError, JobError};
 pub use crate::results::JobEstimate;
 pub use crate::solve::IterationRecord;

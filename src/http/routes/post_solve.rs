@@ -15,7 +15,7 @@ use axum::extract::State;
 use axum::response::Response;
 use tokio::runtime::Handle;
 
-use super::get_result::no_result;
+use super::get_result::finished;
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem, wire};
 use crate::jobs::{Desk, JobId, Submission};
@@ -35,11 +35,7 @@ pub(in crate::http) async fn post_solve(
     if !record.state.is_finished() {
         return Ok(wire::accepted(&record));
     }
-    match (state.desk.report(id).await?, &record.failure) {
-        (Some(json), _) => Ok(wire::report(id, json)),
-        (None, Some(failure)) => Err(failure.into()),
-        (None, None) => Err(no_result(&record)),
-    }
+    finished(&state, &record).await
 }
 
 /// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.
