@@ -50,6 +50,7 @@ impl Crew {
         let messages = self.start_solve(claim, stop.clone());
         let (records, outcome) = self.follow(&lease, messages, &stop).await;
         drop(seat);
+        self.running.settle(&lease);
         let state = outcome.state();
         let stopped_by_shutdown = state == JobState::Cancelled && self.halt.is_cancelled();
         let written = if stopped_by_shutdown {
