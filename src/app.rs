@@ -5,7 +5,6 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::serve::ListenerExt;
 use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::task::AbortHandle;
@@ -13,9 +12,11 @@ use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
 use crate::config::{DatabaseUrl, ServeConfig, StorageConfig, WorkerConfig};
-use crate::http::{HttpState, router};
+use crate::http::{HttpSettings, HttpState, router, serve};
 use crate::jobs::{Desk, Hub, JobSolver, JobStore, Retention, SWEEP, SystemClock};
-use crate::store::{MemoryStore, PostgresError, SqliteError, open_postgres, open_sqlite};
+use crate::store::{
+    MemoryStore, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_keys,
+};
 use crate::worker::Worker;
 
 /// Time for clients to take their last answers, once all jobs are done.
@@ -74,15 +75,16 @@ impl Service {
         tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
         let hub = Hub::new();
         let store = open_store(&config.storage, &hub).await?;
-        let sweeper = tokio::spawn(sweep(Arc::clone(&store), config.storage.retention())).abort_handle();
+        let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention())).abort_handle();
         let worker = if config.no_workers {
             None
         } else {
             let settings = config.work.worker(config.storage.is_durable());
-            Some(Worker::start(Arc::clone(&store), Arc::clone(&hub), Arc::clone(&solver), settings)?)
+            Some(Worker::start(Arc::clone(&store) as _, Arc::clone(&hub), Arc::clone(&solver), settings)?)
         };
-        let desk = Arc::new(Desk::new(store, hub, solver, config.desk()));
-        let state = HttpState { desk, settings: config.http(), closing: CancellationToken::new() };
+        let desk = Arc::new(Desk::new(Arc::clone(&store) as _, hub, solver, store, config.desk()));
+        let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
+        let state = HttpState { desk, settings, closing: CancellationToken::new() };
         Ok(Self { listener, address, state, worker, sweeper, grace: config.work.grace })
     }
 
@@ -95,18 +97,11 @@ impl Service {
     /// answering questions, and closes its connections.
     ///
     /// # Errors
-    /// [`AppError::System`] if the listener breaks.
+    /// None so far.
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
         let close = self.state.closing.clone();
-        // Answers are single writes; waiting to fill a packet would only delay them.
-        let listener = self.listener.tap_io(|stream| drop(stream.set_nodelay(true)));
-        let serve = axum::serve(listener, router(self.state.clone()))
-            .with_graceful_shutdown(close.clone().cancelled_owned());
-        let mut server = tokio::spawn(async move { serve.await });
-        tokio::select! {
-            () = stop.cancelled() => {}
-            ended = &mut server => return ended.map_err(io::Error::other)?.map_err(AppError::from),
-        }
+        let mut server = tokio::spawn(serve(self.listener, router(self.state.clone()), close.clone()));
+        stop.cancelled().await;
         self.state.desk.close();
         self.sweeper.abort();
         if let Some(worker) = self.worker {
@@ -137,7 +132,7 @@ pub async fn run_worker(
     let settings = config.work.worker(true);
     tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
     let store = open_store(&config.storage, &hub).await?;
-    let sweeper = tokio::spawn(sweep(Arc::clone(&store), config.storage.retention()));
+    let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
     let worker = Worker::start(store, hub, solver, settings)?;
     stop.cancelled().await;
     sweeper.abort();
@@ -151,12 +146,23 @@ async fn drain(worker: Worker, grace: Duration) {
     tracing::info!(finished, "drained");
 }
 
-async fn open_store(config: &StorageConfig, hub: &Arc<Hub>) -> Result<Arc<dyn JobStore>, AppError> {
+async fn open_store(config: &StorageConfig, hub: &Arc<Hub>) -> Result<Arc<dyn Store>, AppError> {
     let (capacity, hub, clock) = (config.queue_capacity, Arc::clone(hub), Arc::new(SystemClock));
     Ok(match &config.database_url {
         Some(DatabaseUrl::Memory) => Arc::new(MemoryStore::new(config.memory(), hub, clock)),
         Some(DatabaseUrl::Postgres(url)) => open_postgres(url, capacity, hub, None).await?,
         None => open_sqlite(&config.data_dir, capacity, hub, clock).await?,
+    })
+}
+
+/// Opens the place where the API keys of a service are, which may be running.
+///
+/// # Errors
+/// [`AppError`].
+pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppError> {
+    Ok(match &config.database_url {
+        None => open_sqlite_keys(&config.data_dir, Arc::new(SystemClock)).await?,
+        Some(_) => open_store(config, &Hub::new()).await?,
     })
 }
 

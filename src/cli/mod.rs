@@ -7,6 +7,7 @@ mod client;
 mod demo;
 mod fault;
 mod input;
+mod key;
 mod progress;
 mod serve;
 mod solve;
@@ -23,6 +24,7 @@ use crate::config::{ServeConfig, WorkerConfig};
 use crate::telemetry::{self, LogConfig};
 use demo::DemoArgs;
 use fault::{Fault, report_fault};
+use key::KeyArgs;
 use solve::SolveArgs;
 use validate::ValidateArgs;
 
@@ -50,6 +52,8 @@ enum Command {
     Solve(SolveArgs),
     /// Check a job and estimate its cost without solving it
     Validate(ValidateArgs),
+    /// Make, list and revoke API keys
+    Key(KeyArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
     Demo(DemoArgs),
 }
@@ -74,6 +78,7 @@ pub fn main() -> ExitCode {
         Command::Worker(config) => worker::worker(&config),
         Command::Solve(args) => solve::solve(&args),
         Command::Validate(args) => validate::validate(&args),
+        Command::Key(args) => key::key(&args),
         Command::Demo(args) => demo::demo(&args),
     };
     done.unwrap_or_else(|fault| report_fault(&fault))

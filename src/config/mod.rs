@@ -5,6 +5,7 @@ mod parse;
 mod storage;
 mod work;
 
+use std::net::SocketAddr;
 use std::time::Duration;
 
 use clap::Args;
@@ -38,6 +39,14 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_MAX_JOB_MEMORY", value_name = "MIB", default_value = "4096")]
     pub max_job_memory: u32,
 
+    /// Answer only to API keys (`brinell key create`), on loopback too
+    #[arg(long, env = "BRINELL_REQUIRE_API_KEY")]
+    pub require_api_key: bool,
+
+    /// Answer to everybody, also on addresses other than loopback
+    #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
+    pub allow_anonymous: bool,
+
     #[command(flatten)]
     /// Where jobs are kept.
     pub storage: StorageConfig,
@@ -55,6 +64,8 @@ impl Default for ServeConfig {
             solve_limit: Duration::from_secs(30),
             max_body: 1 << 20,
             max_job_memory: 4096,
+            require_api_key: false,
+            allow_anonymous: false,
             storage: StorageConfig::default(),
             work: WorkConfig::default(),
         }
@@ -67,6 +78,11 @@ impl ServeConfig {
         let job_bytes = u64::from(self.max_job_memory) << 20;
         let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.memory() };
         DeskLimits { job_bytes: job_bytes.min(solvable) }
+    }
+
+    /// Whether requests need an API key: if so set, and wherever others than this machine can ask.
+    pub fn keys_required(&self, address: SocketAddr) -> bool {
+        self.require_api_key || !(self.allow_anonymous || address.ip().to_canonical().is_loopback())
     }
 
     /// Bounds on single requests.
@@ -107,6 +123,18 @@ mod tests {
     struct Line {
         #[command(flatten)]
         config: ServeConfig,
+    }
+
+    #[test]
+    fn keys_are_required_where_others_can_ask() {
+        let config = ServeConfig::default();
+        let required = |address: &str| config.keys_required(address.parse().unwrap());
+        assert!(!required("127.0.0.1:80") && !required("[::1]:80"));
+        assert!(required("0.0.0.0:80") && required("192.168.1.1:80") && required("[::]:80"));
+        let open = ServeConfig { allow_anonymous: true, ..ServeConfig::default() };
+        assert!(!open.keys_required("0.0.0.0:80".parse().unwrap()));
+        let closed = ServeConfig { require_api_key: true, ..ServeConfig::default() };
+        assert!(closed.keys_required("127.0.0.1:80".parse().unwrap()));
     }
 
     #[test]

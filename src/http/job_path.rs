@@ -7,11 +7,12 @@ use axum::http::request::Parts;
 use serde::Deserialize;
 
 use super::HttpState;
+use super::access::Caller;
 use super::problem::Problem;
 use super::query::{read, wrong};
 use crate::jobs::{JobId, StoreError};
 
-/// The `{id}` of an address. What is no id names no job.
+/// The `{id}` of an address. What is no id, or another's, names no job.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JobPath(pub(super) JobId);
 
@@ -20,8 +21,12 @@ impl FromRequestParts<HttpState> for JobPath {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let text = Path::<String>::from_request_parts(parts, state).await.ok();
-        let id = text.and_then(|Path(text)| text.parse().ok());
-        id.map(Self).ok_or_else(|| StoreError::NotFound.into())
+        let id = text.and_then(|Path(text)| text.parse().ok()).ok_or(StoreError::NotFound)?;
+        let caller = Caller::from_request_parts(parts, state).await?;
+        if caller.confined_to().is_some() && !caller.sees(&state.desk.get(id).await?) {
+            return Err(StoreError::NotFound.into());
+        }
+        Ok(Self(id))
     }
 }
 

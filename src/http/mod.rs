@@ -3,9 +3,11 @@
 //! Every error, including those of the framework and panics, leaves as `application/problem+json`
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
 
+mod access;
 mod body;
 mod follower;
 mod job_path;
+mod listen;
 mod preference;
 mod problem;
 mod problem_type;
@@ -20,6 +22,7 @@ use std::time::Duration;
 use axum::Router;
 use axum::extract::Request;
 use axum::http::Uri;
+use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use tokio_util::sync::CancellationToken;
@@ -30,6 +33,7 @@ use tower_http::trace::{DefaultOnResponse, TraceLayer};
 use tracing::{Level, Span};
 
 use crate::jobs::Desk;
+use access::authenticate;
 use routes::cancel_job::cancel_job;
 use routes::delete_job::delete_job;
 use routes::get_capacity::get_capacity;
@@ -45,6 +49,7 @@ use routes::post_job::post_job;
 use routes::post_solve::post_solve;
 use routes::post_validate::post_validate;
 
+pub use listen::serve;
 pub use problem::Problem;
 pub use problem_type::ProblemType;
 
@@ -59,6 +64,8 @@ pub struct HttpSettings {
     pub solve_limit: Duration,
     /// Longest time `?wait=` waits.
     pub wait_limit: Duration,
+    /// Whether requests under `/v1` need an API key.
+    pub require_api_key: bool,
     /// What this node tells of itself.
     pub capacity: Capacity,
 }
@@ -83,6 +90,7 @@ impl Default for HttpSettings {
             body_timeout: Duration::from_secs(30),
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
+            require_api_key: false,
             capacity: Capacity::default(),
         }
     }
@@ -101,7 +109,7 @@ pub struct HttpState {
 
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
-    Router::new()
+    let guarded = Router::new()
         .route("/v1/jobs", get(list_jobs).post(post_job))
         .route("/v1/jobs/{id}", get(get_job).delete(delete_job))
         .route("/v1/jobs/{id}/events", get(get_events))
@@ -112,6 +120,8 @@ pub fn router(state: HttpState) -> Router {
         .route("/v1/hertz", post(post_hertz))
         .route("/v1/examples", get(get_examples))
         .route("/v1/capacity", get(get_capacity))
+        .route_layer(from_fn_with_state(state.clone(), authenticate));
+    guarded
         .route("/problems/{name}", get(get_problem))
         .route("/livez", get(livez))
         .route("/readyz", get(readyz))

@@ -54,6 +54,12 @@ problem_types! {
     JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
         "The job is valid, but its estimated memory is above the limit of this service. `estimate` has the \
          number of equations and the bytes, `limit_bytes` the limit. Ask for fewer elements_per_half_width.";
+    /// No API key, or not a good one.
+    Unauthorized, "unauthorized", UNAUTHORIZED, "An API key is required",
+        "Send `Authorization: Bearer TOKEN` with the token that `brinell key create` printed.";
+    /// The API key may not do this.
+    Forbidden, "forbidden", FORBIDDEN, "The API key may not do this",
+        "The scope of the API key does not allow this request.";
     /// No such address.
     NotFound, "not-found", NOT_FOUND, "There is nothing at this address",
         "No resource has this address.";

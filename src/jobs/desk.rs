@@ -11,8 +11,8 @@ use tokio::time::{Instant, timeout_at};
 use sha2::{Digest, Sha256};
 
 use super::{
-    ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
-    JobSolver, JobStore, KeyId, NewJob, StoreError, Watch,
+    ApiKey, ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage,
+    JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Watch, read_token,
 };
 use crate::model::{Job, JobError};
 use crate::results::JobEstimate;
@@ -79,6 +79,7 @@ pub struct Desk {
     store: Arc<dyn JobStore>,
     hub: Arc<Hub>,
     solver: Arc<dyn JobSolver>,
+    keys: Arc<dyn KeyStore>,
     limits: DeskLimits,
     closed: AtomicBool,
 }
@@ -89,9 +90,10 @@ impl Desk {
         store: Arc<dyn JobStore>,
         hub: Arc<Hub>,
         solver: Arc<dyn JobSolver>,
+        keys: Arc<dyn KeyStore>,
         limits: DeskLimits,
     ) -> Self {
-        Self { store, hub, solver, limits, closed: AtomicBool::new(false) }
+        Self { store, hub, solver, keys, limits, closed: AtomicBool::new(false) }
     }
 
     /// Checks a job without queueing it, and estimates its cost.
@@ -105,6 +107,16 @@ impl Desk {
             return Err(Refusal::TooLarge { estimate, limit: self.limits.job_bytes });
         }
         Ok((job, estimate))
+    }
+
+    /// The API key of a token, if it is good.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn authenticate(&self, token: &str) -> Result<Option<ApiKey>, StoreError> {
+        let Some((id, secret)) = read_token(token) else { return Ok(None) };
+        let keys = self.keys.keys(Some(id)).await?;
+        Ok(keys.into_iter().find(|key| key.accepts(secret)))
     }
 
     /// What theory answers to a job without a mesh.

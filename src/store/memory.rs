@@ -1,6 +1,7 @@
 //! Jobs in this process's memory: nothing to set up, nothing left after a restart, and never more than the
 //! limits allow.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -9,8 +10,9 @@ use bytes::Bytes;
 
 use super::shelf::Shelf;
 use crate::jobs::{
-    ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
-    JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
+    ApiKey, ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
+    JobRecord, JobState, JobStore, KeyId, KeyStore, Lease, LeaseStatus, NewJob, Outcome, Retention,
+    StoreError,
 };
 
 /// Bounds of a [`MemoryStore`].
@@ -35,6 +37,7 @@ impl Default for MemoryLimits {
 /// A [`JobStore`] in memory.
 pub struct MemoryStore {
     shelf: Mutex<Shelf>,
+    keys: Mutex<BTreeMap<KeyId, ApiKey>>,
     hub: Arc<Hub>,
     clock: Arc<dyn Clock>,
 }
@@ -42,11 +45,31 @@ pub struct MemoryStore {
 impl MemoryStore {
     /// An empty store that announces on `hub`.
     pub fn new(limits: MemoryLimits, hub: Arc<Hub>, clock: Arc<dyn Clock>) -> Self {
-        Self { shelf: Mutex::new(Shelf::new(limits)), hub, clock }
+        Self { shelf: Mutex::new(Shelf::new(limits)), keys: Mutex::default(), hub, clock }
     }
 
     fn shelf(&self) -> MutexGuard<'_, Shelf> {
         self.shelf.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[async_trait]
+impl KeyStore for MemoryStore {
+    async fn add_key(&self, key: ApiKey) -> Result<(), StoreError> {
+        self.keys.lock().unwrap_or_else(PoisonError::into_inner).insert(key.id, key);
+        Ok(())
+    }
+
+    async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
+        let keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(keys.values().filter(|key| id.is_none_or(|id| key.id == id)).cloned().collect())
+    }
+
+    async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError> {
+        let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(key) = keys.get_mut(&id).filter(|key| key.revoked_at.is_none()) else { return Ok(false) };
+        key.revoked_at = Some(self.clock.now());
+        Ok(true)
     }
 }
 

@@ -13,6 +13,11 @@ mod shelf;
 mod sql;
 mod sqlite;
 
+/// Jobs and the API keys they come under.
+pub trait Store: crate::jobs::JobStore + crate::jobs::KeyStore {}
+
+impl<T: crate::jobs::JobStore + crate::jobs::KeyStore> Store for T {}
+
 pub use memory::{MemoryLimits, MemoryStore};
 pub use postgres::{PostgresError, open_postgres};
-pub use sqlite::{SqliteError, open_sqlite};
+pub use sqlite::{SqliteError, open_sqlite, open_sqlite_keys};

@@ -15,9 +15,10 @@ use thiserror::Error;
 use tokio::task::AbortHandle;
 use tokio::time::sleep;
 
+use super::Store;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore};
-use crate::jobs::{Clock, Hub, JobId, JobStore, StoreError, WorkerId};
+use crate::jobs::{Clock, Hub, JobId, StoreError, WorkerId};
 
 const STEPS: &[Step] =
     &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") }];
@@ -63,7 +64,7 @@ pub async fn open_postgres(
     queue_capacity: usize,
     hub: Arc<Hub>,
     clock: Option<Arc<dyn Clock>>,
-) -> Result<Arc<dyn JobStore>, PostgresError> {
+) -> Result<Arc<dyn Store>, PostgresError> {
     let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(PATIENCE);
     let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
     migration::run(STEPS, &pool).await.map_err(PostgresError::Migrate)?;

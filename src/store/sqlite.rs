@@ -17,9 +17,10 @@ use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, S
 use sqlx::{Sqlite, SqliteConnection, SqlitePool, Transaction};
 use thiserror::Error;
 
+use super::Store;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore};
-use crate::jobs::{Clock, Hub, JobStore, StoreError};
+use crate::jobs::{Clock, Hub, StoreError};
 
 const STEPS: &[Step] =
     &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") }];
@@ -62,7 +63,7 @@ struct SqliteFile {
     writer: SqlitePool,
     readers: SqlitePool,
     clock: Arc<dyn Clock>,
-    _lock: File,
+    _lock: Option<File>,
 }
 
 /// Opens the store in a directory, making both if need be.
@@ -74,8 +75,31 @@ pub async fn open_sqlite(
     queue_capacity: usize,
     hub: Arc<Hub>,
     clock: Arc<dyn Clock>,
-) -> Result<Arc<dyn JobStore>, SqliteError> {
+) -> Result<Arc<dyn Store>, SqliteError> {
     let lock = own(directory)?;
+    open(directory, queue_capacity, hub, clock, Some(lock)).await
+}
+
+/// Opens the store beside the process that owns it, to look after its API keys.
+///
+/// # Errors
+/// [`SqliteError`].
+pub async fn open_sqlite_keys(
+    directory: &Path,
+    clock: Arc<dyn Clock>,
+) -> Result<Arc<dyn Store>, SqliteError> {
+    let failed = |source| SqliteError::Directory { path: directory.to_owned(), source };
+    fs::create_dir_all(directory).map_err(failed)?;
+    open(directory, 0, Hub::new(), clock, None).await
+}
+
+async fn open(
+    directory: &Path,
+    queue_capacity: usize,
+    hub: Arc<Hub>,
+    clock: Arc<dyn Clock>,
+    lock: Option<File>,
+) -> Result<Arc<dyn Store>, SqliteError> {
     let path = directory.join("brinell.db");
     let file = SqliteFile::open(&path, clock, lock).await;
     let backend = file.map_err(|source| SqliteError::Database { path, source })?;
@@ -95,7 +119,7 @@ fn own(directory: &Path) -> Result<File, SqliteError> {
 }
 
 impl SqliteFile {
-    async fn open(path: &Path, clock: Arc<dyn Clock>, lock: File) -> Result<Self, sqlx::Error> {
+    async fn open(path: &Path, clock: Arc<dyn Clock>, lock: Option<File>) -> Result<Self, sqlx::Error> {
         let options = SqliteConnectOptions::new()
             .filename(path)
             .create_if_missing(true)
@@ -106,7 +130,9 @@ impl SqliteFile {
         let writer = SqlitePoolOptions::new().min_connections(1).max_connections(1).idle_timeout(None);
         let writer = writer.max_lifetime(None).connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
-        sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'").execute(&writer).await?;
+        if lock.is_some() {
+            sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'").execute(&writer).await?;
+        }
         let readers = SqlitePoolOptions::new().max_connections(READERS);
         let readers = readers.connect_with(options.pragma("query_only", "on")).await?;
         Ok(Self { writer, readers, clock, _lock: lock })

@@ -44,7 +44,7 @@ impl Running {
         self.lock().keys().copied().collect()
     }
 
-    XX {
+    fn lock(&self) -> MutexGuard<'_, HashMap<Lease, Option<StopFlag>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -6,6 +6,7 @@ mod curl;
 mod events;
 mod in_process;
 mod jobs;
+mod keys;
 mod listing;
 mod protocol;
 mod readme;

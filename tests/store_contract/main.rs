@@ -4,6 +4,7 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod durable;
+mod keys;
 mod leases;
 mod life;
 mod memory_bounds;
@@ -37,6 +38,7 @@ macro_rules! contract {
             leases an_expired_job_that_was_to_stop_is_cancelled;
             leases the_last_attempt_runs_alone;
             leases a_released_job_is_queued_as_if_never_taken_up;
+            keys api_keys_are_kept_and_revoked;
             names the_same_name_is_the_same_job;
             names a_name_is_free_again_with_its_job;
             names a_refused_job_does_not_take_its_name;

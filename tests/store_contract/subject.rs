@@ -6,11 +6,11 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use brinell::jobs::{
-    Claim, ClaimRequest, Claims, Clock, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobRecord,
-    JobStore, Lease, NewJob, Outcome, StoreError, WorkerId,
+    Claim, ClaimRequest, Claims, Clock, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobRecord, Lease,
+    NewJob, Outcome, StoreError, WorkerId,
 };
 use brinell::solve::SolveStatus;
-use brinell::store::{MemoryLimits, MemoryStore, open_postgres, open_sqlite};
+use brinell::store::{MemoryLimits, MemoryStore, Store, open_postgres, open_sqlite};
 use bytes::Bytes;
 use jiff::{SignedDuration, Timestamp};
 
@@ -44,7 +44,7 @@ impl Clock for TestClock {
 
 /// A store under test with the hub it announces on and the clock it reads.
 pub struct Subject {
-    pub store: Arc<dyn JobStore>,
+    pub store: Arc<dyn Store>,
     pub hub: Arc<Hub>,
     pub clock: Arc<TestClock>,
     /// Where a second process would find the same jobs.

@@ -7,6 +7,7 @@ use axum::extract::State;
 use axum::http::{HeaderName, HeaderValue};
 use axum::response::{IntoResponse, Response};
 
+use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::{IdempotencyKey, PreferWait};
 use crate::http::query::Priority;
@@ -23,9 +24,10 @@ pub(in crate::http) async fn post_job(
     PreferWait(patience): PreferWait,
     IdempotencyKey(idempotency_key): IdempotencyKey,
     Priority(priority): Priority,
+    caller: Caller,
     JobBody(request): JobBody,
 ) -> Result<Response, Problem> {
-    let submission = Submission { request, priority, submitter: None, idempotency_key };
+    let submission = Submission { request, priority, submitter: caller.key(), idempotency_key };
     let enqueued = state.desk.submit(submission).await?;
     let mut record = enqueued.job;
     if let Some(patience) = patience {

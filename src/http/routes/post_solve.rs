@@ -16,6 +16,7 @@ use axum::response::Response;
 use tokio::runtime::Handle;
 
 use super::get_result::finished;
+use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem, wire};
 use crate::jobs::{Desk, JobId, Submission};
@@ -25,9 +26,11 @@ const URGENT: i16 = 1;
 
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
+    caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
-    let submission = Submission { request: text, priority: URGENT, ..Submission::default() };
+    let submission =
+        Submission { request: text, priority: URGENT, submitter: caller.key(), ..Submission::default() };
     let id = state.desk.submit(submission).await?.job.id;
     let mut hang_up = HangUp { desk: Arc::clone(&state.desk), job: Some(id) };
     let record = state.desk.wait(id, state.settings.solve_limit).await?;

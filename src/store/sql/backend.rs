@@ -6,14 +6,15 @@ use sqlx::{Database, Transaction};
 
 use super::claiming::Claiming;
 use super::intake::Intake;
+use super::keys::Keys;
 use super::leasing::Leasing;
 use super::reading::Reading;
 use crate::jobs::{Hub, JobId, StoreError};
 
 /// Everything that is asked of a connection.
-pub(in crate::store) trait Statements: Reading + Intake + Claiming + Leasing {}
+pub(in crate::store) trait Statements: Reading + Intake + Claiming + Leasing + Keys {}
 
-impl<T: Reading + Intake + Claiming + Leasing> Statements for T {}
+impl<T: Reading + Intake + Claiming + Leasing + Keys> Statements for T {}
 
 /// A database with jobs in it.
 #[async_trait]

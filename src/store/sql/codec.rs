@@ -87,7 +87,7 @@ pub(super) fn count<T: TryInto<U, Error: ToString>, U>(value: T) -> Result<U, St
     value.try_into().map_err(damaged)
 }
 
-fn time(micros: i64) -> Result<Timestamp, StoreError> {
+pub(super) fn time(micros: i64) -> Result<Timestamp, StoreError> {
     Timestamp::from_microsecond(micros).map_err(damaged)
 }
 
