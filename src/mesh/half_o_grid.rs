@@ -4,6 +4,13 @@
 //! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
 //! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
 use std::f64::consts::PI;
 
 use super::{Mesh, MeshError, Outline};
@@ -229,7 +236,7 @@ impl<'a> Builder<'a> {
         };
         let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
         let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
-        let steps = ring_steps(&inner, &outer_polar, self.zone.spacing(), refinement);
+        let steps = ring_steps(&inner, &outer_polar, &self.zone, refinement);
         let last = perimeter.len() - 1;
 
         let mut previous = perimeter;
@@ -297,8 +304,16 @@ impl<'a> Builder<'a> {
 
 /// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block element, each
 /// further one `growth` times thicker.
-fn ring_steps(inner: &[Polar], outer: &[Polar], spacing: f64, refinement: Refinement) -> Vec<f64> {
-    let mean = |curve: &[Polar]| curve.iter().map(|p| p.log_radius).sum::<f64>() / curve.len() as f64;
+fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: Refinement) -> Vec<f64> {
+    let spacing = zone.spacing();
+    // Of both sides of the axis, also where only one is meshed, so that half and full models have the same rings.
+    let mean = |curve: &[Polar]| {
+        let sum: f64 = curve.iter().map(|p| p.log_radius).sum();
+        match curve.last() {
+            Some(axis) if zone.symmetric => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
+            _ => sum / curve.len() as f64,
+        }
+    };
     let (first, last) = (mean(inner).exp(), mean(outer).exp());
     let growth = refinement.growth;
     let (mut radii, mut radius, mut thickness) = (Vec::new(), first, spacing);
