@@ -1,6 +1,7 @@
 //! What a solution means to its reader: the report, its validity and its error bars.
 
 mod build;
+pub mod export;
 mod recovery;
 mod report;
 mod run;

@@ -92,7 +92,7 @@ impl Extent {
         };
         let parts = pass.parts();
         let smallest = match parts.as_slice() {
-            [_] => patch.half_width(),
+            [only] if !zone.symmetric || only.left == 0.0 => patch.half_width(),
             many => {
                 many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
             }
