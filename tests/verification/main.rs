@@ -1,13 +1,21 @@
 //! Verification against closed forms, invariants and independent programs, one file for each named problem.
 
+mod approach;
 mod bodies;
+mod bodies_of_revolution;
 mod contact_solvers;
 mod independent_program;
 mod invariants;
 mod line_contact;
+mod onset_of_line_contact;
 mod paper_problem;
+mod plane_stress;
+mod point_contact;
 mod problems;
+mod profiles;
+mod punch_ceiling;
 mod soundness;
 mod subsurface;
+mod sweeps;
 mod thick_cylinder;
 mod yield_onset;
