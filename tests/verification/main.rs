@@ -8,6 +8,7 @@ mod independent_program;
 mod invariants;
 mod line_contact;
 mod onset_of_line_contact;
+mod outcomes;
 mod paper_problem;
 mod plane_stress;
 mod point_contact;
