@@ -235,7 +235,11 @@ fn plastic_contacts(cases: &mut Vec<Case>) {
 
 /// Digits enough to show the error.
 fn figure(value: f64) -> String {
-    if value.abs() >= 100.0 { format!("{value:.2}") } else { format!("{value:.6}") }
+    match value.abs() {
+        100.0.. => format!("{value:.2}"),
+        0.01.. => format!("{value:.6}"),
+        _ => format!("{value:.5e}"),
+    }
 }
 
 fn rows(case: &Case, page: &mut String) -> Result<(), Box<dyn Error>> {
