@@ -1,14 +1,25 @@
 //! What to keep in mind about an answer.
 
-use super::ValidityNote;
+use serde::{Deserialize, Serialize};
+
 use crate::solve::{SolveStatus, StepSolution};
+
+/// One remark on the validity of the answer.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ValidityNote {
+    /// Stable identifier.
+    pub code: String,
+    /// For a person.
+    pub message: String,
+}
 
 /// Half-width over effective radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
-/// Elements over the half-width below which the mesh is called coarse.
-const COARSE_MESH: f64 = 10.0;
+/// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
+/// half-width, so one of 10 elements may turn out to have 9.5.
+const COARSE_MESH: f64 = 9.0;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 

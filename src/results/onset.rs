@@ -1,0 +1,65 @@
+//! Where and under which force a contact first yields.
+
+use serde::{Deserialize, Serialize};
+
+use super::contact::force;
+use super::units::Writer;
+use crate::model::{Body, Job, Load, Material};
+use crate::plasticity::{HardeningLaw, UniaxialCurve, von_mises};
+use crate::solve::StepSolution;
+
+/// The onset of yield, found numerically for the job's own shapes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct YieldOnsetReport {
+    /// Force P_Y.
+    pub force: f64,
+    /// Approach under it.
+    pub approach: f64,
+    /// Peak pressure under it.
+    pub peak_pressure: f64,
+    /// Which body yields first; of two alike, the lower one.
+    pub body: Side,
+    /// x of the first point to yield; of two mirror images, the right one.
+    pub position: f64,
+    /// Its depth.
+    pub depth: f64,
+}
+
+/// One of the two bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// The upper body.
+    Upper,
+    /// The lower body.
+    Lower,
+}
+
+/// The onset that a job asked for; `None` for any other job.
+pub(super) fn onset(job: &Job, step: &StepSolution, write: Writer) -> Option<YieldOnsetReport> {
+    if job.load != Load::Onset {
+        return None;
+    }
+    let sides = [(Side::Upper, &job.upper, &step.bodies[0]), (Side::Lower, &job.lower, &step.bodies[1])];
+    let points = sides.into_iter().filter_map(|(side, body, solution)| {
+        let (limit, solution) = (yield_stress(body)?, solution.as_ref()?);
+        let points = solution.stress.points.iter().flatten();
+        let utilisations = points.map(|point| (von_mises(point.stress) / limit, point.position));
+        let highest = utilisations.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((side, highest))
+    });
+    let (body, (_, [x, y])) = points.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    Some(YieldOnsetReport {
+        force: write.force(force(step)),
+        approach: write.length(step.approach),
+        peak_pressure: write.stress(step.peak_pressure),
+        body,
+        position: write.length(x),
+        depth: write.length(-y),
+    })
+}
+
+fn yield_stress(body: &Body) -> Option<f64> {
+    let Material::Deformable(material) = &body.material else { return None };
+    Some(UniaxialCurve::of(material)?.yield_stress()).filter(|stress| *stress > 0.0)
+}
