@@ -111,3 +111,25 @@ fn not_converged(step: &StepSolution) -> String {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Job;
+    use crate::solve::{Unobserved, run};
+
+    /// Meshes grow with the contact, so no job is known that ends like this.
+    #[test]
+    fn a_contact_at_the_edge_is_told() {
+        let job =
+            br#"{"analysis": "plane_strain", "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
+            "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 20, "depth": 20},
+                      "material": {"young_modulus": 70000, "poisson_ratio": 0.3}}}"#;
+        let mut step = run(&Job::from_json(job).unwrap(), &mut Unobserved).unwrap().steps.remove(0);
+        assert!(notes(&step, 10.0, &[20.0]).is_empty());
+        step.reaches_edge = true;
+        let codes: Vec<_> = notes(&step, 10.0, &[20.0]).into_iter().map(|note| note.code).collect();
+        assert_eq!(codes, ["contact_at_edge"]);
+    }
+}

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod contact_solvers;
+mod error_bars;
 mod independent_program;
 mod invariants;
 mod line_contact;
