@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::contact::force;
 use super::units::Writer;
+use crate::contact::ContactLoad;
 use crate::model::{Body, Job, Load, Material};
 use crate::plasticity::{HardeningLaw, UniaxialCurve, von_mises};
 use crate::solve::StepSolution;
@@ -19,7 +20,7 @@ pub struct YieldOnsetReport {
     pub peak_pressure: f64,
     /// Which body yields first; of two alike, the lower one.
     pub body: Side,
-    /// x of the first point to yield; of two mirror images, the right one.
+    /// x of the first point to yield; a symmetric contact has its mirror image as well.
     pub position: f64,
     /// Its depth.
     pub depth: f64,
@@ -49,8 +50,13 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: Writer) -> Option<Yie
         Some((side, highest))
     });
     let (body, (_, [x, y])) = points.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    // The force that was prescribed; the nodal ones add up to it but for rounding.
+    let force = match step.load {
+        ContactLoad::Force(force) => force,
+        ContactLoad::Approach(_) => force(step),
+    };
     Some(YieldOnsetReport {
-        force: write.force(force(step)),
+        force: write.force(force),
         approach: write.length(step.approach),
         peak_pressure: write.stress(step.peak_pressure),
         body,
