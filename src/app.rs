@@ -5,20 +5,25 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::serve::ListenerExt;
 use thiserror::Error;
 use tokio::net::TcpListener;
-use tokio::time::timeout;
+use tokio::task::AbortHandle;
+use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use crate::config::ServeConfig;
-use crate::http::{HttpState, router};
-use crate::jobs::{Desk, Hub, JobSolver, JobStore, SystemClock};
-use crate::store::MemoryStore;
+use crate::config::{DatabaseUrl, ServeConfig, StorageConfig, WorkerConfig};
+use crate::http::{HttpSettings, HttpState, router, serve};
+use crate::jobs::{Desk, Hub, JobSolver, JobStore, Retention, SWEEP, SystemClock};
+use crate::store::{
+    MemoryStore, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_keys,
+};
 use crate::worker::Worker;
 
 /// Time for clients to take their last answers, once all jobs are done.
 const LAST_ANSWERS: Duration = Duration::from_secs(3);
+
+/// Time between two sweeps.
+const SWEEP_AGAIN: Duration = Duration::from_secs(30);
 
 /// Why the service does not run.
 #[derive(Debug, Error)]
@@ -31,6 +36,15 @@ pub enum AppError {
         /// Why.
         source: io::Error,
     },
+    /// The embedded database does not open.
+    #[error(transparent)]
+    Sqlite(#[from] SqliteError),
+    /// The shared database does not open.
+    #[error(transparent)]
+    Postgres(#[from] PostgresError),
+    /// Workers apart from the service, but no database between them.
+    #[error("workers in processes of their own need a shared database: --database-url postgres://...")]
+    NotShared,
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
     System(#[from] io::Error),
@@ -41,28 +55,37 @@ pub struct Service {
     listener: TcpListener,
     address: SocketAddr,
     state: HttpState,
-    worker: Worker,
+    worker: Option<Worker>,
+    sweeper: AbortHandle,
     grace: Duration,
 }
 
 impl Service {
-    /// Binds the address and starts the solvers. Needs a Tokio runtime.
+    /// Binds the address, opens the store and starts the solvers. Needs a Tokio runtime.
     ///
     /// # Errors
     /// [`AppError`].
     pub async fn bind(config: &ServeConfig, solver: Arc<dyn JobSolver>) -> Result<Self, AppError> {
+        if config.no_workers && !config.storage.is_shared() {
+            return Err(AppError::NotShared);
+        }
         let refused = |source| AppError::Listen { address: config.listen.clone(), source };
         let listener = TcpListener::bind(&config.listen).await.map_err(refused)?;
         let address = listener.local_addr()?;
+        tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
         let hub = Hub::new();
-        let store: Arc<dyn JobStore> =
-            Arc::new(MemoryStore::new(config.memory(), Arc::clone(&hub), Arc::new(SystemClock)));
-        let settings = config.worker();
-        tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, ?settings, "starting");
-        let worker = Worker::start(Arc::clone(&store), Arc::clone(&hub), Arc::clone(&solver), settings)?;
-        let desk = Arc::new(Desk::new(store, hub, solver, config.desk()));
-        let state = HttpState { desk, settings: config.http() };
-        Ok(Self { listener, address, state, worker, grace: config.grace })
+        let store = open_store(&config.storage, &hub).await?;
+        let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention())).abort_handle();
+        let worker = if config.no_workers {
+            None
+        } else {
+            let settings = config.work.worker(config.storage.is_durable());
+            Some(Worker::start(Arc::clone(&store) as _, Arc::clone(&hub), Arc::clone(&solver), settings)?)
+        };
+        let desk = Arc::new(Desk::new(Arc::clone(&store) as _, hub, solver, store, config.desk()));
+        let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
+        let state = HttpState { desk, settings, closing: CancellationToken::new() };
+        Ok(Self { listener, address, state, worker, sweeper, grace: config.work.grace })
     }
 
     /// Where the service listens.
@@ -74,27 +97,86 @@ impl Service {
     /// answering questions, and closes its connections.
     ///
     /// # Errors
-    /// [`AppError::System`] if the listener breaks.
+    /// None so far.
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
-        let close = CancellationToken::new();
-        let closed = close.clone().cancelled_owned();
-        // Answers are single writes; waiting to fill a packet would only delay them.
-        let listener = self.listener.tap_io(|stream| drop(stream.set_nodelay(true)));
-        let serve = axum::serve(listener, router(self.state.clone())).with_graceful_shutdown(closed);
-        let mut server = tokio::spawn(async move { serve.await });
-        tokio::select! {
-            () = stop.cancelled() => {}
-            ended = &mut server => return ended.map_err(io::Error::other)?.map_err(AppError::from),
-        }
+        let close = self.state.closing.clone();
+        let mut server = tokio::spawn(serve(self.listener, router(self.state.clone()), close.clone()));
+        stop.cancelled().await;
         self.state.desk.close();
-        tracing::info!(grace = ?self.grace, "draining");
-        let finished = self.worker.drain(self.grace).await;
-        tracing::info!(finished, "drained");
+        self.sweeper.abort();
+        if let Some(worker) = self.worker {
+            drain(worker, self.grace).await;
+        }
         close.cancel();
         if timeout(LAST_ANSWERS, &mut server).await.is_err() {
             tracing::warn!("clients were still connected");
             server.abort();
         }
         Ok(())
+    }
+}
+
+/// Solves the jobs of a shared store until `stop`.
+///
+/// # Errors
+/// [`AppError`].
+pub async fn run_worker(
+    config: &WorkerConfig,
+    solver: Arc<dyn JobSolver>,
+    stop: CancellationToken,
+) -> Result<(), AppError> {
+    if !config.storage.is_shared() {
+        return Err(AppError::NotShared);
+    }
+    let hub = Hub::new();
+    let settings = config.work.worker(true);
+    tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
+    let store = open_store(&config.storage, &hub).await?;
+    let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
+    let worker = Worker::start(store, hub, solver, settings)?;
+    stop.cancelled().await;
+    sweeper.abort();
+    drain(worker, config.work.grace).await;
+    Ok(())
+}
+
+async fn drain(worker: Worker, grace: Duration) {
+    tracing::info!(?grace, "draining");
+    let finished = worker.drain(grace).await;
+    tracing::info!(finished, "drained");
+}
+
+async fn open_store(config: &StorageConfig, hub: &Arc<Hub>) -> Result<Arc<dyn Store>, AppError> {
+    let (capacity, hub, clock) = (config.queue_capacity, Arc::clone(hub), Arc::new(SystemClock));
+    Ok(match &config.database_url {
+        Some(DatabaseUrl::Memory) => Arc::new(MemoryStore::new(config.memory(), hub, clock)),
+        Some(DatabaseUrl::Postgres(url)) => open_postgres(url, capacity, hub, None).await?,
+        None => open_sqlite(&config.data_dir, capacity, hub, clock).await?,
+    })
+}
+
+/// Opens the place where the API keys of a service are, which may be running.
+///
+/// # Errors
+/// [`AppError`].
+pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppError> {
+    Ok(match &config.database_url {
+        None => open_sqlite_keys(&config.data_dir, Arc::new(SystemClock)).await?,
+        Some(_) => open_store(config, &Hub::new()).await?,
+    })
+}
+
+/// Removes old jobs, for ever.
+async fn sweep(store: Arc<dyn JobStore>, retention: Retention) {
+    loop {
+        match store.sweep(&retention).await {
+            Ok(SWEEP) => continue,
+            Ok(0) => {}
+            Ok(jobs) => tracing::info!(jobs, "removed old jobs"),
+            Err(error) => {
+                tracing::warn!(error = &error as &dyn std::error::Error, "cannot remove old jobs");
+            }
+        }
+        sleep(SWEEP_AGAIN).await;
     }
 }

@@ -232,9 +232,9 @@ mod refused {
 
     #[test]
     fn loads() {
-        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches");
+        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, onset");
         assert_snapshot!(faults_of(&with("/load", json!({"force": 1, "approach": 0}))), @r"
-        /load: must have only one of: force, forces, approach, approaches
+        /load: must have only one of: force, forces, approach, approaches, onset
         /load/approach: must be greater than 0, got 0
         ");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": []}))), @"/load/forces: must have between 1 and 1000 items, got 0");
@@ -324,17 +324,26 @@ mod refused {
     }
 
     #[test]
-    fn what_is_not_built_yet() {
+    fn the_whole_format_is_solved() {
         let mut job = with("/analysis", json!("axisymmetric"));
         job["lower"]["shape"] = json!({"type": "groove", "radius": 30, "width": 20, "depth": 10});
         job["upper"]["material"]["plasticity"] = json!({"law": "table", "points": [[0, 250], [0.1, 300]]});
         job["load"] = json!({"approaches": [0.01, 0.02]});
-        assert_snapshot!(faults_of(&job), @r"
-        /analysis: analysis `axisymmetric` is part of the format but this version does not solve it yet; it solves: plane_strain
-        /load: load `approaches` is part of the format but this version does not solve it yet; it solves: force
-        /lower/shape/type: shape `groove` is part of the format but this version does not solve it yet; it solves: cylinder, block
-        /upper/material/plasticity/law: plasticity law `table` is part of the format but this version does not solve it yet; it solves: bilinear, ramberg_osgood
-        ");
+        assert!(Job::from_value(&job).is_ok());
+        job["load"] = json!({"onset": true});
+        assert!(Job::from_value(&job).is_ok());
+        job["load"] = json!({"onset": false});
+        assert_snapshot!(faults_of(&job), @"/load/onset: must be true");
+    }
+
+    #[test]
+    fn a_body_of_revolution_is_given_by_its_meridian() {
+        let mut job = with("/analysis", json!("axisymmetric"));
+        let profile = |points: Value| json!({"type": "profile", "points": points, "depth": 20});
+        job["lower"]["shape"] = profile(json!([[0, 0], [5, -0.1], [20, -3]]));
+        assert!(Job::from_value(&job).is_ok());
+        job["lower"]["shape"] = profile(json!([[-10, -1], [0, 0], [20, -3]]));
+        assert_snapshot!(faults_of(&job), @"/lower/shape/points: must start at x = 0 or be symmetric about it, because an axisymmetric body is the profile turned about x = 0");
     }
 
     #[test]

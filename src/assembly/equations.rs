@@ -1,5 +1,10 @@
 //! Numbering of the unknown displacements.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
 use crate::linalg::{EliminationOrder, Graph, SymmetricPattern};
 use crate::mesh::Mesh;
 use crate::model::Support;

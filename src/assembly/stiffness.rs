@@ -1,5 +1,10 @@
 //! Stiffness matrix of a body.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
 use super::Equations;
 use crate::element::{Kinematics, QUADRATURE_POINTS, Quad, element_stiffness};
 use crate::linalg::SymmetricPattern;

@@ -16,7 +16,7 @@ use super::style::Style;
 use super::table::table;
 use super::{NOT_CONVERGED, block_on};
 use crate::app::Service;
-use crate::config::ServeConfig;
+use crate::config::{DatabaseUrl, ServeConfig, StorageConfig};
 use crate::jobs::{CoreSolver, IterationRecord, JobState};
 use crate::lifecycle::stop_on_signal;
 use crate::model::Job;
@@ -64,7 +64,8 @@ struct Progress {
 pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let stop = stop_on_signal()?;
-        let config = ServeConfig { listen: args.listen.clone(), ..ServeConfig::default() };
+        let storage = StorageConfig { database_url: Some(DatabaseUrl::Memory), ..StorageConfig::default() };
+        let config = ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
         let service = Service::bind(&config, Arc::new(CoreSolver)).await?;
         let client = Client { address: service.address() };
         let server = tokio::spawn(service.run(stop.clone()));

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use super::style::Style;
 use crate::app::AppError;
-use crate::jobs::EncodeError;
+use crate::jobs::{EncodeError, KeyId, StoreError};
 use crate::model::{FieldError, JobError};
 use crate::results::RunError;
 
@@ -41,6 +41,12 @@ pub(super) enum Fault {
     /// The service does not run.
     #[error(transparent)]
     App(#[from] AppError),
+    /// The store does not answer.
+    #[error("{}", with_reason(.0))]
+    Store(#[from] StoreError),
+    /// No good key of that id.
+    #[error("there is no API key {0}, or it was revoked before")]
+    NoKey(KeyId),
     /// The demonstration's own request failed.
     #[error("the demonstration failed: {0}")]
     Demo(String),
@@ -69,6 +75,13 @@ impl Fault {
     /// Whether the reader of our output has gone, as in `brinell solve job.json | head`.
     fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Write { source, .. } if source.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+fn with_reason(error: &StoreError) -> String {
+    match std::error::Error::source(error) {
+        Some(reason) => format!("{error}: {reason}"),
+        None => error.to_string(),
     }
 }
 

@@ -7,21 +7,24 @@ mod client;
 mod demo;
 mod fault;
 mod input;
+mod key;
 mod progress;
 mod serve;
 mod solve;
 mod style;
 mod table;
 mod validate;
+mod worker;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use crate::config::ServeConfig;
+use crate::config::{ServeConfig, WorkerConfig};
 use crate::telemetry::{self, LogConfig};
 use demo::DemoArgs;
 use fault::{Fault, report_fault};
+use key::KeyArgs;
 use solve::SolveArgs;
 use validate::ValidateArgs;
 
@@ -43,10 +46,14 @@ struct Cli {
 enum Command {
     /// Run the HTTP service
     Serve(ServeConfig),
+    /// Solve the jobs that services sharing a database take in
+    Worker(WorkerConfig),
     /// Solve one job here and now, without a server
     Solve(SolveArgs),
     /// Check a job and estimate its cost without solving it
     Validate(ValidateArgs),
+    /// Make, list and revoke API keys
+    Key(KeyArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
     Demo(DemoArgs),
 }
@@ -63,12 +70,15 @@ enum Format {
 /// Runs the program with the process's arguments.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    let default_filter = if matches!(cli.command, Command::Serve(_)) { "info" } else { "warn" };
+    let default_filter =
+        if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) { "info" } else { "warn" };
     telemetry::start(&cli.log, default_filter);
     let done = match cli.command {
         Command::Serve(config) => serve::serve(&config),
+        Command::Worker(config) => worker::worker(&config),
         Command::Solve(args) => solve::solve(&args),
         Command::Validate(args) => validate::validate(&args),
+        Command::Key(args) => key::key(&args),
         Command::Demo(args) => demo::demo(&args),
     };
     done.unwrap_or_else(|fault| report_fault(&fault))

@@ -167,7 +167,7 @@ impl Page {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
             Some(zone) => format!(
-                "plastic zone {} {}; largest strain {} % at x = {}, depth {} {}",
+                "plastic zone {} {}; strain up to {} % at x {}, depth {} {}",
                 significant(zone.area, 3),
                 self.units.area,
                 significant(100.0 * zone.max_equivalent_plastic_strain, 3),

@@ -116,16 +116,17 @@ impl Quad {
     /// `[u_x, u_y]` of the four nodes; the dilatation is the local one, not the mean.
     #[inline(always)]
     pub fn strain(&self, u: &[[f64; 2]; 4]) -> [PerPoint; 4] {
-        let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
+        let [mut xx, mut yy, mut zz, mut shear] = [[0.0; QUADRATURE_POINTS]; 4];
         for (i, [ux, uy]) in u.iter().enumerate() {
+            let (nx, ny, nr) = (&self.gradient_x[i], &self.gradient_y[i], &self.over_radius[i]);
             for g in 0..QUADRATURE_POINTS {
-                strain[0][g] += self.gradient_x[i][g] * ux;
-                strain[1][g] += self.gradient_y[i][g] * uy;
-                strain[2][g] += self.over_radius[i][g] * ux;
-                strain[3][g] += self.gradient_y[i][g] * ux + self.gradient_x[i][g] * uy;
+                xx[g] += nx[g] * ux;
+                yy[g] += ny[g] * uy;
+                zz[g] += nr[g] * ux;
+                shear[g] += ny[g] * ux + nx[g] * uy;
             }
         }
-        strain
+        [xx, yy, zz, shear]
     }
 
     /// Dilatation of the element, the mean over its volume.
@@ -170,10 +171,8 @@ mod tests {
         let quad = Quad::new(&SKEWED, Kinematics::PlaneStrain);
         let u = SKEWED.map(|[x, y]| [0.1 * x + 0.2 * y, -0.3 * x + 0.4 * y]);
         let strain = quad.strain(&u);
-        for g in 0..4 {
-            for (component, expected) in strain.iter().zip([0.1, 0.4, 0.0, -0.1]) {
-                assert!((component[g] - expected).abs() < 1e-14);
-            }
+        for (component, expected) in strain.iter().zip([0.1, 0.4, 0.0, -0.1]) {
+            assert!(component.iter().all(|value| (value - expected).abs() < 1e-14));
         }
         assert!((quad.mean_dilatation(&strain) - 0.5).abs() < 1e-14);
     }
@@ -183,8 +182,8 @@ mod tests {
         let corners = SKEWED.map(|[x, y]| [x + 3.0, y]);
         let quad = Quad::new(&corners, Kinematics::Axisymmetric);
         let strain = quad.strain(&corners.map(|[x, _]| [0.1 * x, 0.0]));
-        for g in 0..4 {
-            assert!((strain[0][g] - 0.1).abs() < 1e-14 && (strain[2][g] - 0.1).abs() < 1e-14);
+        for component in [strain[0], strain[2]] {
+            assert!(component.iter().all(|value| (value - 0.1).abs() < 1e-14));
         }
         // ∫ 2πx dA, exact for the quadrature of a bilinear map.
         let polygon = |f: fn([f64; 2], [f64; 2]) -> f64| -> f64 {

@@ -2,16 +2,17 @@
 
 use std::time::Duration;
 
-use axum::extract::{FromRequestParts, Path, Query};
+use axum::extract::{FromRequestParts, Path};
 use axum::http::request::Parts;
 use serde::Deserialize;
 
 use super::HttpState;
+use super::access::Caller;
 use super::problem::Problem;
-use super::problem_type::ProblemType;
+use super::query::{read, wrong};
 use crate::jobs::{JobId, StoreError};
 
-/// The `{id}` of an address. What is no id names no job.
+/// The `{id}` of an address. What is no id, or another's, names no job.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct JobPath(pub(super) JobId);
 
@@ -20,8 +21,12 @@ impl FromRequestParts<HttpState> for JobPath {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let text = Path::<String>::from_request_parts(parts, state).await.ok();
-        let id = text.and_then(|Path(text)| text.parse().ok());
-        id.map(Self).ok_or_else(|| StoreError::NotFound.into())
+        let id = text.and_then(|Path(text)| text.parse().ok()).ok_or(StoreError::NotFound)?;
+        let caller = Caller::from_request_parts(parts, state).await?;
+        if caller.confined_to().is_some() && !caller.sees(&state.desk.get(id).await?) {
+            return Err(StoreError::NotFound.into());
+        }
+        Ok(Self(id))
     }
 }
 
@@ -39,10 +44,7 @@ impl FromRequestParts<HttpState> for Wait {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let wrong = |detail: String| Problem::new(ProblemType::InvalidQuery, detail);
-        let Query(query) = Query::<WaitQuery>::from_request_parts(parts, state)
-            .await
-            .map_err(|rejection| wrong(rejection.body_text()))?;
+        let query: WaitQuery = read(parts, state).await?;
         let seconds = query.wait.unwrap_or(0.0);
         if !(seconds.is_finite() && seconds >= 0.0) {
             return Err(wrong(format!("wait must be a number of seconds, 0 or greater, got {seconds}")));

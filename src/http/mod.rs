@@ -3,10 +3,15 @@
 //! Every error, including those of the framework and panics, leaves as `application/problem+json`
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
 
+mod access;
 mod body;
+mod follower;
 mod job_path;
+mod listen;
+mod preference;
 mod problem;
 mod problem_type;
+mod query;
 mod routes;
 pub mod wire;
 
@@ -17,8 +22,10 @@ use std::time::Duration;
 use axum::Router;
 use axum::extract::Request;
 use axum::http::Uri;
+use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
@@ -26,20 +33,28 @@ use tower_http::trace::{DefaultOnResponse, TraceLayer};
 use tracing::{Level, Span};
 
 use crate::jobs::Desk;
+use access::authenticate;
 use routes::cancel_job::cancel_job;
+use routes::delete_job::delete_job;
+use routes::get_capacity::get_capacity;
+use routes::get_events::get_events;
+use routes::get_examples::get_examples;
 use routes::get_job::get_job;
 use routes::get_problem::get_problem;
 use routes::get_result::get_result;
 use routes::health::{livez, readyz};
+use routes::list_jobs::list_jobs;
+use routes::post_hertz::post_hertz;
 use routes::post_job::post_job;
 use routes::post_solve::post_solve;
 use routes::post_validate::post_validate;
 
+pub use listen::serve;
 pub use problem::Problem;
 pub use problem_type::ProblemType;
 
 /// Bounds on a single request.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HttpSettings {
     /// Largest body.
     pub max_body_bytes: usize,
@@ -49,6 +64,23 @@ pub struct HttpSettings {
     pub solve_limit: Duration,
     /// Longest time `?wait=` waits.
     pub wait_limit: Duration,
+    /// Whether requests under `/v1` need an API key.
+    pub require_api_key: bool,
+    /// What this node tells of itself.
+    pub capacity: Capacity,
+}
+
+/// What a node can do.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Capacity {
+    /// Jobs solved here at the same time.
+    pub solvers: usize,
+    /// Memory \[bytes\] they may need together.
+    pub memory_bytes: u64,
+    /// Most jobs that may wait.
+    pub queued_jobs: usize,
+    /// Longest time \[s\] a job may be solved for.
+    pub job_seconds: f64,
 }
 
 impl Default for HttpSettings {
@@ -58,6 +90,8 @@ impl Default for HttpSettings {
             body_timeout: Duration::from_secs(30),
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
+            require_api_key: false,
+            capacity: Capacity::default(),
         }
     }
 }
@@ -69,17 +103,25 @@ pub struct HttpState {
     pub desk: Arc<Desk>,
     /// Bounds.
     pub settings: HttpSettings,
+    /// Cancelled when connections are about to be closed; streams without an end of their own end then.
+    pub closing: CancellationToken,
 }
 
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
-    Router::new()
-        .route("/v1/jobs", post(post_job))
-        .route("/v1/jobs/{id}", get(get_job))
+    let guarded = Router::new()
+        .route("/v1/jobs", get(list_jobs).post(post_job))
+        .route("/v1/jobs/{id}", get(get_job).delete(delete_job))
+        .route("/v1/jobs/{id}/events", get(get_events))
         .route("/v1/jobs/{id}/result", get(get_result))
         .route("/v1/jobs/{id}/cancel", post(cancel_job))
         .route("/v1/solve", post(post_solve))
         .route("/v1/validate", post(post_validate))
+        .route("/v1/hertz", post(post_hertz))
+        .route("/v1/examples", get(get_examples))
+        .route("/v1/capacity", get(get_capacity))
+        .route_layer(from_fn_with_state(state.clone(), authenticate));
+    guarded
         .route("/problems/{name}", get(get_problem))
         .route("/livez", get(livez))
         .route("/readyz", get(readyz))

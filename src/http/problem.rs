@@ -1,13 +1,13 @@
 //! Errors as `application/problem+json` (RFC 9457).
 
-use axum::http::header::{CONTENT_TYPE, RETRY_AFTER};
+use axum::http::header::{CONTENT_TYPE, RETRY_AFTER, WWW_AUTHENTICATE};
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::problem_type::ProblemType;
-use crate::jobs::{FailureKind, FieldError, JobFailure, Refusal, StoreError, SubmitError};
+use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Refusal, StoreError, SubmitError};
 
 /// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
 const RETRY_AFTER_SECONDS: &str = "2";
@@ -69,6 +69,9 @@ impl IntoResponse for Problem {
         let mut response = (status, body).into_response();
         let headers = response.headers_mut();
         headers.insert(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"));
+        if status == StatusCode::UNAUTHORIZED {
+            headers.insert(WWW_AUTHENTICATE, HeaderValue::from_static("Bearer"));
+        }
         if matches!(status, StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE) {
             headers.insert(RETRY_AFTER, HeaderValue::from_static(RETRY_AFTER_SECONDS));
         }
@@ -78,7 +81,6 @@ impl IntoResponse for Problem {
 
 impl From<Refusal> for Problem {
     fn from(refusal: Refusal) -> Self {
-        use crate::model::JobError;
         let detail = refusal.to_string();
         match refusal {
             Refusal::Invalid(JobError::Syntax { line, column, .. }) => {
@@ -109,6 +111,7 @@ impl From<StoreError> for Problem {
         let kind = match &error {
             StoreError::NotFound => ProblemType::JobNotFound,
             StoreError::QueueFull { .. } => ProblemType::QueueFull,
+            StoreError::KeyReused => ProblemType::IdempotencyKeyReused,
             StoreError::Unfinished(_) => ProblemType::JobUnfinished,
             StoreError::LeaseLost => ProblemType::Internal,
             StoreError::Unavailable(source) => {

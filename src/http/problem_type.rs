@@ -43,6 +43,9 @@ problem_types! {
     /// The query string is wrong.
     InvalidQuery, "invalid-query", BAD_REQUEST, "The query string is not valid",
         "A query parameter is unknown or has a value it cannot have.";
+    /// A header is wrong.
+    InvalidHeader, "invalid-header", BAD_REQUEST, "A header is not valid",
+        "A request header has a value it cannot have. `detail` names it.";
     /// The body is JSON but not a job.
     InvalidJob, "invalid-job", UNPROCESSABLE_ENTITY, "The job is not valid",
         "The body is JSON but not a job that can be solved. `errors` lists every field at fault with its JSON \
@@ -51,6 +54,12 @@ problem_types! {
     JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
         "The job is valid, but its estimated memory is above the limit of this service. `estimate` has the \
          number of equations and the bytes, `limit_bytes` the limit. Ask for fewer elements_per_half_width.";
+    /// No API key, or not a good one.
+    Unauthorized, "unauthorized", UNAUTHORIZED, "An API key is required",
+        "Send `Authorization: Bearer TOKEN` with the token that `brinell key create` printed.";
+    /// The API key may not do this.
+    Forbidden, "forbidden", FORBIDDEN, "The API key may not do this",
+        "The scope of the API key does not allow this request.";
     /// No such address.
     NotFound, "not-found", NOT_FOUND, "There is nothing at this address",
         "No resource has this address.";
@@ -75,6 +84,9 @@ problem_types! {
     /// The body is not declared as JSON.
     UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body must be JSON",
         "Send the job with the header `Content-Type: application/json`.";
+    /// The idempotency key came with another body.
+    IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY, "The idempotency key was used before",
+        "Another body was sent under this Idempotency-Key before. A key names one submission: use a new one.";
     /// The queue is full.
     QueueFull, "queue-full", TOO_MANY_REQUESTS, "The queue is full",
         "As many jobs are waiting as may wait. Try again after the seconds in the `Retry-After` header.";

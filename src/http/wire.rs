@@ -21,6 +21,8 @@ pub struct Links {
     pub job: String,
     /// Its result.
     pub result: String,
+    /// Its events as they happen.
+    pub events: String,
     /// Where to POST to stop it.
     pub cancel: String,
 }
@@ -28,7 +30,12 @@ pub struct Links {
 impl Links {
     fn of(id: JobId) -> Self {
         let job = format!("/v1/jobs/{id}");
-        Self { result: format!("{job}/result"), cancel: format!("{job}/cancel"), job }
+        Self {
+            result: format!("{job}/result"),
+            events: format!("{job}/events"),
+            cancel: format!("{job}/cancel"),
+            job,
+        }
     }
 }
 
@@ -63,6 +70,8 @@ pub struct JobDocument {
     pub finished_at: Option<Timestamp>,
     /// How often it was taken up.
     pub attempts: u32,
+    /// Larger goes first.
+    pub priority: i16,
     /// Labels.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub tags: BTreeMap<String, String>,
@@ -73,6 +82,15 @@ pub struct JobDocument {
     pub error: Option<Problem>,
     /// Where to go from here.
     pub links: Links,
+}
+
+/// A page of jobs.
+#[derive(Debug, Clone, Serialize)]
+pub struct JobList {
+    /// Newest first. Places in the queue are told job by job only.
+    pub jobs: Vec<JobDocument>,
+    /// `?cursor=` of the next page; `null` on the last.
+    pub next_cursor: Option<JobId>,
 }
 
 /// How far a job has come.
@@ -104,6 +122,7 @@ impl From<JobRecord> for JobDocument {
             started_at: record.started_at,
             finished_at: record.finished_at,
             attempts: record.attempts,
+            priority: record.priority,
             tags: record.tags,
             progress: Progress { iterations: record.iterations, latest: record.latest },
             error: record.failure.as_ref().map(Problem::from),

@@ -8,7 +8,12 @@ use bytes::Bytes;
 use thiserror::Error;
 use tokio::time::{Instant, timeout_at};
 
-use super::{Counts, Hub, IterationRecord, JobId, JobRecord, JobSolver, JobStore, NewJob, StoreError, Watch};
+use sha2::{Digest, Sha256};
+
+use super::{
+    ApiKey, ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage,
+    JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Watch, read_token,
+};
 use crate::model::{Job, JobError};
 use crate::results::JobEstimate;
 
@@ -21,6 +26,19 @@ const LOOK_AGAIN: Duration = Duration::from_secs(1);
 pub struct DeskLimits {
     /// Largest memory \[bytes\] a job may be estimated to need.
     pub job_bytes: u64,
+}
+
+/// A job as it is handed in.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Submission {
+    /// Its text.
+    pub request: Bytes,
+    /// Larger goes first.
+    pub priority: i16,
+    /// The API key it comes under.
+    pub submitter: Option<KeyId>,
+    /// The client's name for this submission, if it may come twice.
+    pub idempotency_key: Option<String>,
 }
 
 /// Why a job is not taken in.
@@ -61,6 +79,7 @@ pub struct Desk {
     store: Arc<dyn JobStore>,
     hub: Arc<Hub>,
     solver: Arc<dyn JobSolver>,
+    keys: Arc<dyn KeyStore>,
     limits: DeskLimits,
     closed: AtomicBool,
 }
@@ -71,9 +90,10 @@ impl Desk {
         store: Arc<dyn JobStore>,
         hub: Arc<Hub>,
         solver: Arc<dyn JobSolver>,
+        keys: Arc<dyn KeyStore>,
         limits: DeskLimits,
     ) -> Self {
-        Self { store, hub, solver, limits, closed: AtomicBool::new(false) }
+        Self { store, hub, solver, keys, limits, closed: AtomicBool::new(false) }
     }
 
     /// Checks a job without queueing it, and estimates its cost.
@@ -89,19 +109,49 @@ impl Desk {
         Ok((job, estimate))
     }
 
+    /// The API key of a token, if it is good.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn authenticate(&self, token: &str) -> Result<Option<ApiKey>, StoreError> {
+        let Some((id, secret)) = read_token(token) else { return Ok(None) };
+        let keys = self.keys.keys(Some(id)).await?;
+        Ok(keys.into_iter().find(|key| key.accepts(secret)))
+    }
+
+    /// What theory answers to a job without a mesh.
+    ///
+    /// # Errors
+    /// [`Refusal`] with every fault, also where the theory does not apply.
+    pub fn closed_form(&self, request: &[u8]) -> Result<ClosedForm, Refusal> {
+        let job = Job::from_json(request)?;
+        Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
+    }
+
     /// Checks a job and queues it.
     ///
     /// # Errors
     /// [`SubmitError`]; nothing is queued then.
-    pub async fn submit(&self, request: Bytes) -> Result<JobRecord, SubmitError> {
+    pub async fn submit(&self, submission: Submission) -> Result<Enqueued, SubmitError> {
         if self.is_closed() {
             return Err(SubmitError::Closed);
         }
-        let (job, _) = self.check(&request)?;
-        let id = JobId::generate();
-        let record = self.store.enqueue(NewJob { id, request, tags: job.tags }).await?;
-        tracing::info!(job = %id, "queued");
-        Ok(record)
+        let (job, estimate) = self.check(&submission.request)?;
+        let digest = |text: &[u8]| Sha256::digest(text).into();
+        let idempotency =
+            submission.idempotency_key.map(|key| Idempotency { key, digest: digest(&submission.request) });
+        let new = NewJob {
+            id: JobId::generate(),
+            request: submission.request,
+            tags: job.tags,
+            priority: submission.priority,
+            memory: estimate.bytes,
+            submitter: submission.submitter,
+            idempotency,
+        };
+        let enqueued = self.store.enqueue(new).await?;
+        tracing::info!(job = %enqueued.job.id, replayed = enqueued.replayed, "queued");
+        Ok(enqueued)
     }
 
     /// What is known about a job.
@@ -159,7 +209,38 @@ impl Desk {
         Ok(record)
     }
 
-    /// How many jobs are in each state; an answer shows that the store is there.
+    /// One page of jobs, newest first.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError> {
+        self.store.list(filter).await
+    }
+
+    /// Removes a finished job.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn delete(&self, id: JobId) -> Result<(), StoreError> {
+        self.store.delete(id).await?;
+        tracing::info!(job = %id, "removed");
+        Ok(())
+    }
+
+    /// Shows that the store is there.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn ping(&self) -> Result<(), StoreError> {
+        self.store.ping().await
+    }
+
+    /// Bounds on what is taken in.
+    pub const fn limits(&self) -> DeskLimits {
+        self.limits
+    }
+
+    /// How many jobs are in each state.
     ///
     /// # Errors
     /// [`StoreError`].

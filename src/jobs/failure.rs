@@ -1,14 +1,14 @@
 //! How a solve can end, as the store keeps it.
 
 use bytes::Bytes;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::JobState;
 use crate::model::FieldError;
 use crate::solve::{Interrupt, SolveStatus};
 
 /// Whose fault a failure is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FailureKind {
     /// The job asks for something physically impossible.
@@ -44,6 +44,11 @@ impl JobFailure {
     /// The solver's own words.
     pub fn solver(detail: impl Into<String>) -> Self {
         Self { kind: FailureKind::Solver, detail: detail.into(), errors: Vec::new() }
+    }
+
+    /// The job took its workers with it, or had bad luck that often.
+    pub fn lost(times: u32) -> Self {
+        Self::internal(format!("the worker was lost {times} times while solving this job"))
     }
 
     /// A fault of the program, told without its innards.

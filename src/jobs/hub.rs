@@ -57,6 +57,14 @@ impl Hub {
         self.announce(id, |signal| signal.finished = true);
     }
 
+    /// Changes may have gone unheard: everybody looks again.
+    pub fn announce_gap(&self) {
+        for sender in self.lock().values() {
+            sender.send_modify(|signal| signal.changes += 1);
+        }
+        self.announce_work();
+    }
+
     /// There is a job to claim.
     pub fn announce_work(&self) {
         self.work.notify_one();

@@ -4,7 +4,8 @@
 //!             claim                    finish
 //!   queued ─────────▶ running ─────────────────▶ succeeded | not_converged | failed
 //!     │  ▲               │                        cancelled | timed_out
-//!     │  └── lease lost ─┘
+//!     │  └── lease lost ─┤
+//!     │      or released ┘
 //!     └── cancel ───────────────────────────────▶ cancelled
 //! ```
 //!
@@ -13,27 +14,34 @@
 //! that a job has changed; [`Desk`] is what the HTTP layer talks to.
 
 mod clock;
+mod closed_form;
 mod desk;
 mod encode;
 mod failure;
 mod hub;
 mod id;
+mod keys;
 mod record;
 mod solver;
 mod state;
 mod store;
 
 pub use clock::{Clock, SystemClock};
-pub use desk::{Desk, DeskLimits, Refusal, SubmitError};
+pub use closed_form::{ClosedForm, ClosedFormStep};
+pub use desk::{Desk, DeskLimits, Refusal, Submission, SubmitError};
 pub use encode::{EncodeError, check_finite, encode};
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use hub::{Hub, Signal, Watch};
-pub use id::{JobId, WorkerId};
-pub use record::{JobRecord, NewJob};
+pub use id::{JobId, KeyId, WorkerId};
+pub use keys::{ApiKey, KeyStore, Scope, read_token};
+pub use record::{Idempotency, JobRecord, NewJob};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
-pub use store::{Claim, ClaimRequest, Counts, JobFilter, JobPage, JobStore, Lease, LeaseStatus, StoreError};
+pub use store::{
+    Claim, ClaimRequest, Claims, Counts, Enqueued, JobFilter, JobPage, JobStore, Lease, LeaseStatus,
+    Retention, SWEEP, StoreError,
+};
 
-pub use crate::model::FieldError;
+pub use crate::model::{FieldError, JobError};
 pub use crate::results::JobEstimate;
 pub use crate::solve::IterationRecord;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bytes::Bytes;
 use jiff::Timestamp;
 
-use super::{IterationRecord, JobFailure, JobId, JobState};
+use super::{IterationRecord, JobFailure, JobId, JobState, KeyId};
 
 /// A job on its way into the store. It has been checked: its text parses and its cost is allowed.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +16,38 @@ pub struct NewJob {
     pub request: Bytes,
     /// Labels to search by.
     pub tags: BTreeMap<String, String>,
+    /// Larger goes first.
+    pub priority: i16,
+    /// Memory \[bytes\] it is estimated to need.
+    pub memory: u64,
+    /// The API key it came under.
+    pub submitter: Option<KeyId>,
+    /// What makes a repeated submission recognisable.
+    pub idempotency: Option<Idempotency>,
+}
+
+impl NewJob {
+    /// A job of ordinary priority without labels, under a new name.
+    pub fn new(request: Bytes) -> Self {
+        Self {
+            id: JobId::generate(),
+            request,
+            tags: BTreeMap::new(),
+            priority: 0,
+            memory: 0,
+            submitter: None,
+            idempotency: None,
+        }
+    }
+}
+
+/// A client's name for one submission. Names of different API keys do not meet.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Idempotency {
+    /// The client's name.
+    pub key: String,
+    /// Digest of what was submitted: the same name with another digest is a mistake.
+    pub digest: [u8; 32],
 }
 
 /// What is known about one job, without the bulky parts (request, history, report), which have doors of their
@@ -28,6 +60,10 @@ pub struct JobRecord {
     pub state: JobState,
     /// Labels.
     pub tags: BTreeMap<String, String>,
+    /// Larger goes first.
+    pub priority: i16,
+    /// The API key it came under.
+    pub submitter: Option<KeyId>,
     /// When it was accepted.
     pub created_at: Timestamp,
     /// When its latest attempt began.

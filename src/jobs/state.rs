@@ -43,6 +43,11 @@ impl JobState {
         !matches!(self, Self::Queued | Self::Running)
     }
 
+    /// The state of that name.
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|state| state.name() == name)
+    }
+
     /// The name used in the wire format.
     pub const fn name(self) -> &'static str {
         match self {

@@ -7,7 +7,7 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use thiserror::Error;
 
-use super::{IterationRecord, JobId, JobRecord, JobState, NewJob, Outcome, WorkerId};
+use super::{IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, WorkerId};
 
 /// Keeps jobs, hands them out and remembers how they ended.
 ///
@@ -16,11 +16,12 @@ use super::{IterationRecord, JobId, JobRecord, JobState, NewJob, Outcome, Worker
 /// one store share one clock. Implementations are checked by one suite, `tests/store_contract`.
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
-    /// Takes in a job, durably as far as the store is durable, and queues it behind those already waiting.
+    /// Takes in a job, durably as far as the store is durable, and queues it behind those of its priority. A job
+    /// with an idempotency key that is known already is not taken in: the job that came with the key is returned.
     ///
     /// # Errors
-    /// [`StoreError::QueueFull`]; nothing is kept then.
-    async fn enqueue(&self, job: NewJob) -> Result<JobRecord, StoreError>;
+    /// [`StoreError::QueueFull`], [`StoreError::KeyReused`]; nothing is kept then.
+    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError>;
 
     /// What is known about a job.
     ///
@@ -40,12 +41,17 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError>;
 
-    /// Hands out up to `request.slots` jobs, oldest first: jobs whose lease ran out, then queued ones. A job
-    /// whose lease ran out for the `max_attempts`-th time fails, or is cancelled if that was asked, instead.
+    /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones, the highest
+    /// priority first and the oldest first among equals. It stops at the first job that does not fit into the
+    /// free memory, so that large jobs are not overtaken for ever.
+    ///
+    /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
+    /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
+    /// nothing else ([`ClaimRequest::alone`]): no job is given up because of its neighbour's fault.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].
-    async fn claim(&self, request: &ClaimRequest) -> Result<Vec<Claim>, StoreError>;
+    async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
     /// Extends leases by `lease` from now and tells of each whether it is still held, in the given order.
     ///
@@ -59,11 +65,23 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError>;
 
-    /// Ends a leased job.
+    /// Ends a leased job; `records` are its last iterations.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
-    async fn finish(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError>;
+    async fn finish(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+        outcome: Outcome,
+    ) -> Result<(), StoreError>;
+
+    /// Gives leased jobs back to the queue, as if they had not been taken up; one that was to stop is cancelled.
+    /// Leases that are lost already are passed over.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn release(&self, leases: &[Lease]) -> Result<(), StoreError>;
 
     /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished one is left.
     /// Returns the job as it is afterwards.
@@ -89,6 +107,40 @@ pub trait JobStore: Send + Sync + 'static {
     /// # Errors
     /// [`StoreError::Unavailable`].
     async fn counts(&self) -> Result<Counts, StoreError>;
+
+    /// Removes finished jobs, and forgotten idempotency keys, that are older than allowed, a bounded number at a
+    /// time. Returns how many jobs it removed.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError>;
+
+    /// Shows that the store answers.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn ping(&self) -> Result<(), StoreError>;
+}
+
+/// Most jobs one [`JobStore::sweep`] removes.
+pub const SWEEP: usize = 500;
+
+/// How long finished jobs are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Retention {
+    /// Those with a result.
+    pub succeeded: Duration,
+    /// Those without: failed, cancelled, timed out.
+    pub failed: Duration,
+}
+
+/// What became of a job that was handed in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Enqueued {
+    /// The job.
+    pub job: JobRecord,
+    /// It is not new: it came with the same idempotency key before.
+    pub replayed: bool,
 }
 
 /// Jobs in each state.
@@ -101,10 +153,25 @@ pub struct ClaimRequest {
     pub owner: WorkerId,
     /// How many solvers are free; never ask for more.
     pub slots: usize,
+    /// Whether the worker does nothing else, and may be given a job that must run by itself.
+    pub alone: bool,
+    /// Memory \[bytes\] that the jobs may need in all, by their estimates.
+    pub free_memory: u64,
+    /// Memory \[bytes\] of the idle worker. Jobs that need more are left to others.
+    pub memory: u64,
     /// How long the jobs are his without a heartbeat.
     pub lease: Duration,
-    /// How often a job may be taken up in all.
+    /// How often a job's worker may be lost.
     pub max_attempts: u32,
+}
+
+/// What a worker is handed.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Claims {
+    /// The jobs, in the order of the queue.
+    pub jobs: Vec<Claim>,
+    /// A job waits for a worker that does nothing else.
+    pub lonely_waits: bool,
 }
 
 /// The right to write to a running job. It is lost for good when another worker takes the job up.
@@ -123,6 +190,10 @@ pub struct Lease {
 pub struct Claim {
     /// The right to it.
     pub lease: Lease,
+    /// It must run by itself.
+    pub alone: bool,
+    /// Memory \[bytes\] it is estimated to need.
+    pub memory: u64,
     /// The job as it was submitted (JSON).
     pub request: Bytes,
 }
@@ -146,6 +217,8 @@ pub struct JobFilter {
     pub state: Option<JobState>,
     /// Only jobs with this label.
     pub tag: Option<(String, String)>,
+    /// Only jobs handed in under this key.
+    pub submitter: Option<KeyId>,
     /// Only jobs submitted before this one: the previous page's [`JobPage::next`].
     pub before: Option<JobId>,
     /// Most jobs on the page.
@@ -173,6 +246,9 @@ pub enum StoreError {
         /// Jobs waiting.
         queued: usize,
     },
+    /// The idempotency key came with another body before.
+    #[error("the idempotency key was used with another body before")]
+    KeyReused,
     /// Another worker owns the job, or nobody does any more.
     #[error("the job's lease is lost")]
     LeaseLost,
@@ -182,4 +258,11 @@ pub enum StoreError {
     /// The storage does not answer.
     #[error("storage is unavailable")]
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
+}
+
+impl StoreError {
+    /// Wraps whatever made the storage fail.
+    pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+        Self::Unavailable(source.into())
+    }
 }

@@ -5,6 +5,11 @@
 //! supernodes: runs of columns `[start, end)` with one common set of rows below, stored as a dense
 //! column-major panel whose first `end - start` rows are the diagonal block.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "equations are numbered by u32, so that there are fewer than 2^32 of them"
+)]
+
 use std::ops::Range;
 use std::sync::Arc;
 

@@ -1,5 +1,10 @@
 //! The order in which nodes are eliminated, and its elimination tree.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "nodes are numbered by u32, so that there are fewer than 2^32 of them"
+)]
+
 use super::nested_dissection::nested_dissection;
 use super::{Graph, LatticePoint};
 
@@ -138,6 +143,7 @@ fn postorder(node_at: &[u32], graph: &Graph) -> Vec<u32> {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_sign_loss, reason = "small grids")]
 mod tests {
     use super::*;
 

@@ -1,5 +1,10 @@
 //! Adjacency of nodes.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "nodes are numbered by u32, so that there are fewer than 2^32 of them"
+)]
+
 /// An undirected graph in compressed form; a node is not its own neighbour.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Graph {

@@ -128,6 +128,7 @@ fn split(
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_sign_loss, clippy::cast_possible_truncation, reason = "small grids")]
 mod tests {
     use super::*;
 

@@ -1,5 +1,10 @@
 //! Sparsity of a symmetric matrix.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "equations are numbered by u32, so that there are fewer than 2^32 of them"
+)]
+
 /// Lower triangle, diagonal included, in compressed columns; rows ascend within a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SymmetricPattern {

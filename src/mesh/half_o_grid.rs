@@ -4,6 +4,13 @@
 //! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
 //! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
 use std::f64::consts::PI;
 
 use super::{Mesh, MeshError, Outline};
@@ -174,62 +181,70 @@ impl<'a> Builder<'a> {
     }
 
     /// Points on the outer boundary that face the perimeter, and which of them are held.
-    fn outer_boundary(&self) -> Vec<([f64; 2], bool)> {
+    ///
+    /// Each lies at nearly the angle about the centre at which its perimeter node lies, so that rays stay straight
+    /// and rings cannot fold; angles are stretched as a whole where the free surface bends down, and the rays next
+    /// to the corners of the body are turned into them.
+    fn outer_boundary(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<([f64; 2], bool)> {
         let depth = self.outline.depth();
         let end = |sign: f64| self.outline.end(sign);
-        let corner = |sign: f64| [end(sign)[0], -depth];
-        let has_side = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
-        let columns = self.zone.columns;
-        let last = if self.zone.symmetric { [0.0, -depth] } else { corner(-1.0) };
-        // Corners with the number of divisions up to each; a cylinder has no side walls, so that its support
-        // faces the block's walls as well as its base.
-        let mut corners = vec![(end(1.0), 0)];
-        let mut held_from = 0;
-        let mut base_divisions = columns;
-        if has_side(1.0) {
-            corners.push((corner(1.0), self.rows));
-            held_from = self.rows;
-        } else {
-            base_divisions += self.rows;
-        }
-        let left_wall = !self.zone.symmetric && has_side(-1.0);
-        if !self.zone.symmetric && !left_wall {
-            base_divisions += self.rows;
-        }
-        corners.push((last, base_divisions));
-        let held_to = held_from + base_divisions;
-        if left_wall {
-            corners.push((end(-1.0), self.rows));
-        }
-        let mut points = vec![corners[0].0];
-        for pair in corners.windows(2) {
-            let ([x0, y0], ([x1, y1], divisions)) = (pair[0].0, pair[1]);
-            for k in 1..=divisions {
-                let t = k as f64 / divisions as f64;
-                points.push([x0 + t * (x1 - x0), y0 + t * (y1 - y0)]);
+        let first = angle_about(centre, end(1.0));
+        let last = if self.zone.symmetric { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
+        let (from, to) = (inner[0].angle, inner[inner.len() - 1].angle);
+        let mut angles: Vec<f64> =
+            inner.iter().map(|p| first + (p.angle - from) * (last - first) / (to - from)).collect();
+        let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
+        let mut corners = Vec::new();
+        for sign in [1.0, -1.0] {
+            if has_wall(sign) && (sign > 0.0 || !self.zone.symmetric) {
+                let corner = angle_about(centre, [end(sign)[0], -depth]);
+                corners.push(turn_nearest(&mut angles, corner));
             }
         }
-        points.into_iter().enumerate().map(|(s, p)| (p, (held_from..=held_to).contains(&s))).collect()
+        let right = if has_wall(1.0) { corners.first().copied().unwrap_or(0) } else { 0 };
+        let left = match (self.zone.symmetric, has_wall(-1.0)) {
+            (false, true) => corners.last().copied().unwrap_or(angles.len() - 1),
+            _ => angles.len() - 1,
+        };
+        let place = |(s, &angle): (usize, &f64)| {
+            let (sin, cos) = angle.sin_cos();
+            let drop = centre[1] + depth;
+            let point = if s == 0 {
+                end(1.0)
+            } else if s + 1 == angles.len() && !self.zone.symmetric {
+                end(-1.0)
+            } else if s < right {
+                [end(1.0)[0], centre[1] + (end(1.0)[0] - centre[0]) * sin / cos]
+            } else if s > left {
+                [end(-1.0)[0], centre[1] + (end(-1.0)[0] - centre[0]) * sin / cos]
+            } else if s == right && right > 0 {
+                [end(1.0)[0], -depth]
+            } else if s == left && left + 1 < angles.len() {
+                [end(-1.0)[0], -depth]
+            } else {
+                [centre[0] - drop * cos / sin, -depth]
+            };
+            (point, (right..=left).contains(&s))
+        };
+        let mut points: Vec<_> = angles.iter().enumerate().map(place).collect();
+        if let (true, Some(axis)) = (self.zone.symmetric, points.last_mut()) {
+            axis.0 = [0.0, -depth];
+        }
+        points
     }
 
     /// The rings, from the block outward.
     fn rings(&mut self, refinement: Refinement) {
         let perimeter = self.perimeter();
-        let outer = self.outer_boundary();
         let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
-        let polar = |p: [f64; 2]| -> Polar {
-            let (x, y) = (p[0] - centre[0], p[1] - centre[1]);
-            // Below the surface angles run from 0 (right) to -π (left); a surface that rises a little on the
-            // left must not jump to +π.
-            let angle = y.atan2(x);
-            Polar {
-                log_radius: x.hypot(y).ln(),
-                angle: if angle > 0.5 * PI { angle - 2.0 * PI } else { angle },
-            }
+        let polar = |p: [f64; 2]| Polar {
+            log_radius: (p[0] - centre[0]).hypot(p[1] - centre[1]).ln(),
+            angle: angle_about(centre, p),
         };
         let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
+        let outer = self.outer_boundary(&inner, centre);
         let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
-        let steps = ring_steps(&inner, &outer_polar, self.zone.spacing(), refinement);
+        let steps = ring_steps(&inner, &outer_polar, &self.zone, refinement);
         let last = perimeter.len() - 1;
 
         let mut previous = perimeter;
@@ -285,9 +300,7 @@ impl<'a> Builder<'a> {
         let radius = ((1.0 - eta) * inner[s].log_radius + eta * outer[s].log_radius).exp();
         let sign = if s == 0 { 1.0 } else { -1.0 };
         let [x, y] = self.outline.surface_point_at(centre, radius, sign);
-        let angle = (y - centre[1]).atan2(x - centre[0]);
-        let angle = if angle > 0.5 * PI { angle - 2.0 * PI } else { angle };
-        angle - ((1.0 - eta) * inner[s].angle + eta * outer[s].angle)
+        angle_about(centre, [x, y]) - ((1.0 - eta) * inner[s].angle + eta * outer[s].angle)
     }
 
     fn finish(self) -> Mesh {
@@ -295,10 +308,37 @@ impl<'a> Builder<'a> {
     }
 }
 
+/// Angle of a point about a centre, from 0 (right) through -π/2 (below) to -π (left); a surface that rises a little
+/// on the left goes on below -π instead of jumping to +π.
+fn angle_about(centre: [f64; 2], point: [f64; 2]) -> f64 {
+    let angle = (point[1] - centre[1]).atan2(point[0] - centre[0]);
+    if angle > 0.5 * PI { angle - 2.0 * PI } else { angle }
+}
+
+/// Sets the inner angle nearest to `target` to it and returns its index; angles fall and stay in order.
+fn turn_nearest(angles: &mut [f64], target: f64) -> usize {
+    let distance = |s: &usize| (angles[*s] - target).abs();
+    let inner = 1..angles.len().saturating_sub(1);
+    let nearest = inner.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
+    // A target beyond the last inner ray leaves that ray on the near side of its neighbour.
+    if let Some(angle) = angles.get_mut(nearest) {
+        *angle = target;
+    }
+    nearest
+}
+
 /// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block element, each
 /// further one `growth` times thicker.
-fn ring_steps(inner: &[Polar], outer: &[Polar], spacing: f64, refinement: Refinement) -> Vec<f64> {
-    let mean = |curve: &[Polar]| curve.iter().map(|p| p.log_radius).sum::<f64>() / curve.len() as f64;
+fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: Refinement) -> Vec<f64> {
+    let spacing = zone.spacing();
+    // Of both sides of the axis, also where only one is meshed, so that half and full models have the same rings.
+    let mean = |curve: &[Polar]| {
+        let sum: f64 = curve.iter().map(|p| p.log_radius).sum();
+        match curve.last() {
+            Some(axis) if zone.symmetric => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
+            _ => sum / curve.len() as f64,
+        }
+    };
     let (first, last) = (mean(inner).exp(), mean(outer).exp());
     let growth = refinement.growth;
     let (mut radii, mut radius, mut thickness) = (Vec::new(), first, spacing);

@@ -57,6 +57,7 @@ impl MonotoneCubic {
     }
 
     /// Whether the curve equals its mirror image in x = 0.
+    #[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
     pub fn is_even(&self) -> bool {
         self.points.iter().zip(self.points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1])
     }

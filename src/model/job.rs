@@ -78,8 +78,7 @@ impl Job {
     ///
     /// # Errors
     /// [`JobError::Syntax`] if the text is not JSON; [`JobError::Fields`] with every fault in document order if it
-    /// is not a job or not one this version solves (see [`Job::unsupported`]). The list ends with a note after
-    /// 100 faults.
+    /// is not a job. The list ends with a note after 100 faults.
     pub fn from_json(text: &[u8]) -> Result<Self, JobError> {
         Self::solvable(&reader::parse(text)?)
     }

@@ -23,6 +23,7 @@ impl Job {
     }
 }
 
+#[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
 fn is_meridian(profile: &Profile) -> bool {
     let points = profile.points();
     let starts_on_axis = points.first().is_some_and(|[x, _]| *x == 0.0);

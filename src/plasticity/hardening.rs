@@ -126,8 +126,10 @@ mod tests {
         UniaxialCurve::of(&Deformable::new(elastic, Some(hardening)).unwrap()).unwrap()
     }
 
+    type Stress = Box<dyn Fn(f64) -> f64>;
+
     /// Every law with its own uniaxial curve q(ε_p).
-    fn laws() -> Vec<(UniaxialCurve, Box<dyn Fn(f64) -> f64>)> {
+    fn laws() -> Vec<(UniaxialCurve, Stress)> {
         let yield_stress = positive(500.0);
         let tangent = |value| NonNegativeF64::new(value).unwrap();
         let points = vec![[0.0, 400.0], [1e-3, 520.0], [0.01, 600.0], [0.1, 640.0]];

@@ -3,6 +3,7 @@
 mod build;
 mod contact;
 mod error_bars;
+pub mod export;
 mod fields;
 mod load_approach;
 mod onset;

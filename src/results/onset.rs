@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::contact::force;
+use super::recovery::element_mean;
 use super::units::Writer;
 use crate::contact::ContactLoad;
 use crate::model::{Body, Job, Load, Material};
@@ -20,9 +21,9 @@ pub struct YieldOnsetReport {
     pub peak_pressure: f64,
     /// Which body yields first; of two alike, the lower one.
     pub body: Side,
-    /// x of the first point to yield; a symmetric contact has its mirror image as well.
+    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as well.
     pub position: f64,
-    /// Its depth.
+    /// Depth of that middle.
     pub depth: f64,
 }
 
@@ -44,8 +45,10 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: Writer) -> Option<Yie
     let sides = [(Side::Upper, &job.upper, &step.bodies[0]), (Side::Lower, &job.lower, &step.bodies[1])];
     let points = sides.into_iter().filter_map(|(side, body, solution)| {
         let (limit, solution) = (yield_stress(body)?, solution.as_ref()?);
-        let points = solution.stress.points.iter().flatten();
-        let utilisations = points.map(|point| (von_mises(point.stress) / limit, point.position));
+        // As in the search for the load: single Gauss points lie above the field.
+        let means = solution.stress.points.iter().map(element_mean);
+        let utilisations =
+            means.map(|(centroid, [x, y, z, t, _])| (von_mises([x, y, z, t]) / limit, centroid));
         let highest = utilisations.max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((side, highest))
     });

@@ -108,7 +108,7 @@ impl<'a> Recovery<'a> {
 }
 
 /// Centroid and mean values of an element.
-fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
+pub(super) fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
     let total: f64 = points.iter().map(|p| p.weight).sum();
     let (mut centroid, mut values) = ([0.0; 2], [0.0; 5]);
     for point in points {

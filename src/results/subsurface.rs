@@ -25,8 +25,9 @@ pub(super) fn profile(body: &BodySolution, symmetric: bool, x: f64, write: Write
     };
     for node in line {
         let y = mesh.nodes[node as usize][1];
-        let values =
-            if mesh.nodes[node as usize][0] == x { Some(recovery.node(node)) } else { recovery.at([x, y]) };
+        // A node on the very line needs no interpolation.
+        let is_on_line = (mesh.nodes[node as usize][0] - x).abs() <= 1e-12 * mesh.zone.half_width();
+        let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, y]) };
         let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]) = values else { continue };
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         report.depth.push(write.figure(Quantity::Length, surface - y));

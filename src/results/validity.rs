@@ -30,9 +30,11 @@ pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) 
     let mut say = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
     match step.status {
         SolveStatus::Converged => {}
-        SolveStatus::NotConverged => say("not_converged", not_converged(step)),
+        SolveStatus::NotConverged => {
+            say("not_converged", not_converged(step));
+        }
         SolveStatus::Cancelled => {
-            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into())
+            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into());
         }
         SolveStatus::TimedOut => {
             say("timed_out", "The deadline passed; the figures are those of the last iteration.".into());

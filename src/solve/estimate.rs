@@ -39,7 +39,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
         let zone = extent.zone(problem.is_symmetric(), reserve, spacing);
         let refinement = refinement(extent.half_width / spacing);
         let nodes = |outline| estimated_nodes(outline, zone, refinement);
-        let found = cost(&problem, problem.deformable_outlines().map(nodes).collect());
+        let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
         worst.equations = worst.equations.max(found.equations);
         worst.bytes = worst.bytes.max(found.bytes);
     }
@@ -53,12 +53,12 @@ fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem.is_symmetric(), 1.0, spacing);
     let nodes = |outline| estimated_nodes(outline, zone, refinement(half_width / spacing));
-    cost(problem, problem.deformable_outlines().map(nodes).collect())
+    cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
 }
 
 /// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were measured and
 /// doubled. Equal bodies are solved once.
-fn cost(problem: &Problem, nodes: Vec<usize>) -> Estimate {
+fn cost(problem: &Problem, nodes: &[usize]) -> Estimate {
     let equations: usize = nodes.iter().map(|n| 2 * n).sum();
     let solved = if problem.bodies_are_equal() { 1 } else { nodes.len() };
     let bytes: f64 = nodes

@@ -92,7 +92,7 @@ impl Extent {
         };
         let parts = pass.parts();
         let smallest = match parts.as_slice() {
-            [_] => patch.half_width(),
+            [only] if !zone.symmetric || only.left == 0.0 => patch.half_width(),
             many => {
                 many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
             }
@@ -115,15 +115,17 @@ impl Extent {
         }
     }
 
-    /// Element size for so many elements over a half-width \[mm\].
+    /// Element size for so many elements over a half-width \[mm\], and half a one more, so that the end of the
+    /// contact falls between two nodes.
     pub fn spacing(&self, elements: usize) -> f64 {
-        self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width) / elements as f64
+        let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
+        resolved / (elements as f64 + 0.5)
     }
 
     /// A zone that covers the contact and `headroom` times more, with elements of a given size.
     pub fn zone(&self, symmetric: bool, headroom: f64, spacing: f64) -> ContactZone {
-        let half = ZONE * headroom * self.half_width;
-        let columns = (half / spacing).round().max(4.0);
+        let columns = (ZONE * headroom * self.half_width / spacing).round().max(4.0);
+        let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
         let columns = columns as usize;

@@ -130,11 +130,6 @@ impl<'a> Iteration<'a> {
         relative(self.system.distance(u, start), self.system.norm(u))
     }
 
-    /// `‖R‖` \[N/mm\].
-    pub fn force_norm(&self, response: &Response) -> f64 {
-        norm(&response.contact.force)
-    }
-
     /// Initial-stress loads of given displacements.
     pub fn initial_stress(&mut self, displacement: &PerModel, loads: &mut PerModel) -> usize {
         let system = self.system;
@@ -218,7 +213,8 @@ impl<'a> Iteration<'a> {
     }
 }
 
-fn norm(v: &[f64]) -> f64 {
+/// Euclidean norm.
+pub(super) fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 

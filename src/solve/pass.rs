@@ -1,5 +1,7 @@
 //! One mesh: build, iterate, and do it again if the mesh turns out too small.
 
+#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
+
 use super::body::{BodyModel, PlasticReach};
 use super::iteration::{Controls, Iteration, Outcome};
 use super::patch::ContactPatch;
@@ -36,7 +38,7 @@ impl Prepared {
     /// Displacements to start a load from: on the straight line through the last two states, or the last one.
     fn start(&self, load: f64) -> Option<PerModel> {
         match self.states.as_slice() {
-            [.., (before, u), (last, v)] if last != before => {
+            [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
                 let t = (load - last) / (last - before);
                 let along = |(u, v): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
                     u.iter().zip(v).map(|(u, v)| v + t * (v - u)).collect()
@@ -125,14 +127,13 @@ pub(super) fn run(
     let mut available = prepared;
     let (mut enlargements, mut meshes) = (0, 0);
     loop {
-        let prepared = match available.take() {
-            Some(prepared) => prepared,
-            None => {
-                meshes += 1;
-                let PassRequest { zone, refinement, plastic_reach, .. } = request;
-                let system = System::build(problem, zone, refinement, plastic_reach, phases, observer)?;
-                Prepared { system, states: Vec::new() }
-            }
+        let prepared = if let Some(prepared) = available.take() {
+            prepared
+        } else {
+            meshes += 1;
+            let PassRequest { zone, refinement, plastic_reach, .. } = request;
+            let system = System::build(problem, zone, refinement, plastic_reach, phases, observer)?;
+            Prepared { system, states: Vec::new() }
         };
         let start = prepared.start(request.load.magnitude());
         let Prepared { system, states } = prepared;

@@ -218,7 +218,7 @@ impl<'a> Runner<'a> {
                 extent,
                 SIZING_ELEMENTS,
                 Reserve { width: 1.0, resolution: 1.0 },
-                auxiliary(1e-3),
+                auxiliary(1e-4),
             );
             request.plastic_reach = PlasticReach::WholeBody;
             let pass = self.quietly(&request, None, solution, observer)?;

@@ -1,6 +1,7 @@
 //! Jobs in this process's memory: nothing to set up, nothing left after a restart, and never more than the
 //! limits allow.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -9,8 +10,9 @@ use bytes::Bytes;
 
 use super::shelf::Shelf;
 use crate::jobs::{
-    Claim, ClaimRequest, Clock, Counts, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord, JobState,
-    JobStore, Lease, LeaseStatus, NewJob, Outcome, StoreError,
+    ApiKey, ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
+    JobRecord, JobState, JobStore, KeyId, KeyStore, Lease, LeaseStatus, NewJob, Outcome, Retention,
+    StoreError,
 };
 
 /// Bounds of a [`MemoryStore`].
@@ -35,6 +37,7 @@ impl Default for MemoryLimits {
 /// A [`JobStore`] in memory.
 pub struct MemoryStore {
     shelf: Mutex<Shelf>,
+    keys: Mutex<BTreeMap<KeyId, ApiKey>>,
     hub: Arc<Hub>,
     clock: Arc<dyn Clock>,
 }
@@ -42,7 +45,7 @@ pub struct MemoryStore {
 impl MemoryStore {
     /// An empty store that announces on `hub`.
     pub fn new(limits: MemoryLimits, hub: Arc<Hub>, clock: Arc<dyn Clock>) -> Self {
-        Self { shelf: Mutex::new(Shelf::new(limits)), hub, clock }
+        Self { shelf: Mutex::new(Shelf::new(limits)), keys: Mutex::default(), hub, clock }
     }
 
     fn shelf(&self) -> MutexGuard<'_, Shelf> {
@@ -51,11 +54,31 @@ impl MemoryStore {
 }
 
 #[async_trait]
+impl KeyStore for MemoryStore {
+    async fn add_key(&self, key: ApiKey) -> Result<(), StoreError> {
+        self.keys.lock().unwrap_or_else(PoisonError::into_inner).insert(key.id, key);
+        Ok(())
+    }
+
+    async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
+        let keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(keys.values().filter(|key| id.is_none_or(|id| key.id == id)).cloned().collect())
+    }
+
+    async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError> {
+        let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(key) = keys.get_mut(&id).filter(|key| key.revoked_at.is_none()) else { return Ok(false) };
+        key.revoked_at = Some(self.clock.now());
+        Ok(true)
+    }
+}
+
+#[async_trait]
 impl JobStore for MemoryStore {
-    async fn enqueue(&self, job: NewJob) -> Result<JobRecord, StoreError> {
-        let record = self.shelf().enqueue(job, self.clock.now())?;
+    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+        let enqueued = self.shelf().enqueue(job, self.clock.now())?;
         self.hub.announce_work();
-        Ok(record)
+        Ok(enqueued)
     }
 
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError> {
@@ -71,12 +94,12 @@ impl JobStore for MemoryStore {
         Ok(self.shelf().entry(id)?.report.clone())
     }
 
-    async fn claim(&self, request: &ClaimRequest) -> Result<Vec<Claim>, StoreError> {
+    async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (claims, ended) = self.shelf().claim(request, self.clock.now());
         for id in ended {
             self.hub.announce_finished(id);
         }
-        for claim in &claims {
+        for claim in &claims.jobs {
             self.hub.announce_progress(claim.lease.job);
         }
         Ok(claims)
@@ -92,9 +115,27 @@ impl JobStore for MemoryStore {
         Ok(())
     }
 
-    async fn finish(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError> {
-        self.shelf().finish(lease, outcome, self.clock.now())?;
+    async fn finish(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+        outcome: Outcome,
+    ) -> Result<(), StoreError> {
+        self.shelf().finish(lease, records, outcome, self.clock.now())?;
         self.hub.announce_finished(lease.job);
+        Ok(())
+    }
+
+    async fn release(&self, leases: &[Lease]) -> Result<(), StoreError> {
+        let ended = self.shelf().release(leases, self.clock.now());
+        for lease in leases {
+            if ended.contains(&lease.job) {
+                self.hub.announce_finished(lease.job);
+            } else {
+                self.hub.announce_progress(lease.job);
+            }
+        }
+        self.hub.announce_work();
         Ok(())
     }
 
@@ -118,5 +159,13 @@ impl JobStore for MemoryStore {
 
     async fn counts(&self) -> Result<Counts, StoreError> {
         Ok(self.shelf().counts())
+    }
+
+    async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
+        Ok(self.shelf().sweep(retention, self.clock.now()))
+    }
+
+    async fn ping(&self) -> Result<(), StoreError> {
+        Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! The bookkeeping of [`MemoryStore`](super::MemoryStore): plain data and plain functions under one lock.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::ops::Bound;
 use std::time::Duration;
 
@@ -9,8 +10,8 @@ use jiff::{SignedDuration, Timestamp};
 
 use super::MemoryLimits;
 use crate::jobs::{
-    Claim, ClaimRequest, Counts, IterationRecord, JobFailure, JobFilter, JobId, JobPage, JobRecord, JobState,
-    Lease, LeaseStatus, NewJob, Outcome, StoreError, WorkerId,
+    Claim, ClaimRequest, Claims, Counts, Enqueued, IterationRecord, JobFailure, JobFilter, JobId, JobPage,
+    JobRecord, JobState, KeyId, Lease, LeaseStatus, NewJob, Outcome, Retention, SWEEP, StoreError, WorkerId,
 };
 use crate::solve::Interrupt;
 
@@ -19,10 +20,15 @@ pub(super) struct Entry {
     state: JobState,
     request: Bytes,
     tags: BTreeMap<String, String>,
+    priority: i16,
+    memory: u64,
+    submitter: Option<KeyId>,
+    idempotency_key: Option<String>,
     created_at: Timestamp,
     started_at: Option<Timestamp>,
     finished_at: Option<Timestamp>,
     attempts: u32,
+    losses: u32,
     owner: Option<WorkerId>,
     leased_until: Timestamp,
     cancel_requested: bool,
@@ -38,20 +44,28 @@ impl Entry {
         size_of::<Self>() + self.request.len() + tags + history + self.report.as_ref().map_or(0, Bytes::len)
     }
 
+    fn place(&self, id: JobId) -> Place {
+        (Reverse(self.priority), id)
+    }
+
     fn is_held_by(&self, lease: &Lease) -> bool {
         self.state == JobState::Running && self.owner == Some(lease.owner) && self.attempts == lease.attempt
     }
 }
 
+/// A job's place in the queue: the highest priority first, then the oldest.
+type Place = (Reverse<i16>, JobId);
+
 /// All jobs. `queued` and `finished` are in the order of queueing and finishing.
 pub(super) struct Shelf {
     limits: MemoryLimits,
     jobs: BTreeMap<JobId, Entry>,
-    queued: VecDeque<JobId>,
+    queued: BTreeSet<Place>,
     queued_bytes: usize,
     running: Vec<JobId>,
     finished: VecDeque<JobId>,
     finished_bytes: usize,
+    known: HashMap<(Option<KeyId>, String), ([u8; 32], JobId)>,
 }
 
 impl Shelf {
@@ -59,23 +73,38 @@ impl Shelf {
         Self {
             limits,
             jobs: BTreeMap::new(),
-            queued: VecDeque::new(),
+            queued: BTreeSet::new(),
             queued_bytes: 0,
             running: Vec::new(),
             finished: VecDeque::new(),
             finished_bytes: 0,
+            known: HashMap::new(),
         }
     }
 
-    pub(super) fn enqueue(&mut self, job: NewJob, now: Timestamp) -> Result<JobRecord, StoreError> {
+    pub(super) fn enqueue(&mut self, job: NewJob, now: Timestamp) -> Result<Enqueued, StoreError> {
+        let known = job.idempotency.map(|name| ((job.submitter, name.key), name.digest));
+        if let Some((key, digest)) = &known
+            && let Some((first, id)) = self.known.get(key)
+        {
+            if first != digest {
+                return Err(StoreError::KeyReused);
+            }
+            return Ok(Enqueued { job: self.record(*id)?, replayed: true });
+        }
         let entry = Entry {
             state: JobState::Queued,
             request: job.request,
             tags: job.tags,
+            priority: job.priority,
+            memory: job.memory,
+            submitter: job.submitter,
+            idempotency_key: known.as_ref().map(|((_, key), _)| key.clone()),
             created_at: now,
             started_at: None,
             finished_at: None,
             attempts: 0,
+            losses: 0,
             owner: None,
             leased_until: now,
             cancel_requested: false,
@@ -88,9 +117,12 @@ impl Shelf {
             return Err(StoreError::QueueFull { queued: self.queued.len() });
         }
         self.queued_bytes = bytes;
-        self.queued.push_back(job.id);
+        self.queued.insert(entry.place(job.id));
         self.jobs.insert(job.id, entry);
-        self.record(job.id)
+        if let Some((key, digest)) = known {
+            self.known.insert(key, (digest, job.id));
+        }
+        Ok(Enqueued { job: self.record(job.id)?, replayed: false })
     }
 
     pub(super) fn entry(&self, id: JobId) -> Result<&Entry, StoreError> {
@@ -104,16 +136,18 @@ impl Shelf {
 
     pub(super) fn record(&self, id: JobId) -> Result<JobRecord, StoreError> {
         let entry = self.entry(id)?;
-        let queued = entry.state == JobState::Queued;
+        let place = (entry.state == JobState::Queued).then(|| self.queued.range(..entry.place(id)).count());
         Ok(JobRecord {
             id,
             state: entry.state,
             tags: entry.tags.clone(),
+            priority: entry.priority,
+            submitter: entry.submitter,
             created_at: entry.created_at,
             started_at: entry.started_at,
             finished_at: entry.finished_at,
             attempts: entry.attempts,
-            queue_position: if queued { self.queued.iter().position(|other| *other == id) } else { None },
+            queue_position: place,
             cancel_requested: entry.cancel_requested,
             iterations: entry.history.len(),
             latest: entry.history.last().cloned(),
@@ -123,41 +157,69 @@ impl Shelf {
     }
 
     /// Jobs handed out, and jobs that ended because nobody may take them up again.
-    pub(super) fn claim(&mut self, request: &ClaimRequest, now: Timestamp) -> (Vec<Claim>, Vec<JobId>) {
-        let (mut claims, mut ended) = (Vec::new(), Vec::new());
+    pub(super) fn claim(&mut self, request: &ClaimRequest, now: Timestamp) -> (Claims, Vec<JobId>) {
+        let ended = self.give_up(request.max_attempts, now);
         let expired: Vec<JobId> =
             self.running.iter().copied().filter(|id| self.has_expired(*id, now)).collect();
-        for id in expired {
-            let Some(entry) = self.jobs.get(&id) else { continue };
+        let (lonely, others): (Vec<JobId>, Vec<JobId>) = expired
+            .into_iter()
+            .filter(|id| self.fits(*id, request.memory))
+            .partition(|id| self.jobs.get(id).is_some_and(|job| job.losses + 2 >= request.max_attempts));
+        if let (Some(id), true) = (lonely.first(), request.alone) {
+            let jobs = self.hand_out(*id, true, request, now).into_iter().collect();
+            return (Claims { jobs, lonely_waits: false }, ended);
+        }
+        let mut claims = Claims { jobs: Vec::new(), lonely_waits: !lonely.is_empty() };
+        let mut free = request.free_memory;
+        let queued = self.queued.iter().map(|(_, id)| *id).filter(|id| self.fits(*id, request.memory));
+        let candidates: Vec<JobId> = others.into_iter().chain(queued.take(request.slots)).collect();
+        for id in candidates {
+            let memory = self.jobs.get(&id).map_or(0, |job| job.memory);
+            if claims.jobs.len() >= request.slots || memory > free {
+                break;
+            }
+            free -= memory;
+            claims.jobs.extend(self.hand_out(id, false, request, now));
+        }
+        (claims, ended)
+    }
+
+    fn fits(&self, id: JobId, memory: u64) -> bool {
+        self.jobs.get(&id).is_some_and(|job| job.memory <= memory)
+    }
+
+    /// Ends the jobs whose lease ran out and that nobody takes up again.
+    fn give_up(&mut self, max_attempts: u32, now: Timestamp) -> Vec<JobId> {
+        let mut ended = Vec::new();
+        for id in self.running.clone() {
+            let Some(entry) = self.jobs.get(&id).filter(|entry| entry.leased_until <= now) else { continue };
+            let losses = entry.losses + 1;
             let outcome = if entry.cancel_requested {
                 Outcome::Interrupted(Interrupt::Cancelled)
-            } else if entry.attempts >= request.max_attempts {
-                let lost = format!("the worker was lost {} times while solving this job", entry.attempts);
-                Outcome::Failed(JobFailure::internal(lost))
+            } else if losses >= max_attempts {
+                Outcome::Failed(JobFailure::lost(losses))
             } else {
-                if claims.len() < request.slots {
-                    claims.extend(self.hand_out(id, request, now));
-                }
                 continue;
             };
             self.end(id, outcome, now);
             ended.push(id);
         }
-        while claims.len() < request.slots {
-            let Some(id) = self.queued.pop_front() else { break };
-            self.queued_bytes -= self.jobs.get(&id).map_or(0, Entry::bytes);
-            self.running.push(id);
-            claims.extend(self.hand_out(id, request, now));
-        }
-        (claims, ended)
+        ended
     }
 
     fn has_expired(&self, id: JobId, now: Timestamp) -> bool {
         self.jobs.get(&id).is_some_and(|entry| entry.leased_until <= now)
     }
 
-    fn hand_out(&mut self, id: JobId, request: &ClaimRequest, now: Timestamp) -> Option<Claim> {
+    fn hand_out(&mut self, id: JobId, alone: bool, request: &ClaimRequest, now: Timestamp) -> Option<Claim> {
         let entry = self.jobs.get_mut(&id)?;
+        if entry.state == JobState::Queued {
+            self.queued_bytes -= entry.bytes();
+            self.queued.remove(&entry.place(id));
+            self.running.push(id);
+        } else {
+            entry.losses += 1;
+        }
         entry.state = JobState::Running;
         entry.started_at = Some(now);
         entry.attempts += 1;
@@ -165,7 +227,29 @@ impl Shelf {
         entry.leased_until = after(now, request.lease);
         entry.history.clear();
         let lease = Lease { job: id, owner: request.owner, attempt: entry.attempts };
-        Some(Claim { lease, request: entry.request.clone() })
+        Some(Claim { lease, alone, memory: entry.memory, request: entry.request.clone() })
+    }
+
+    /// Gives leased jobs back. Returns those that ended instead.
+    pub(super) fn release(&mut self, leases: &[Lease], now: Timestamp) -> Vec<JobId> {
+        let mut ended = Vec::new();
+        for lease in leases {
+            let Ok(entry) = self.leased(lease) else { continue };
+            if entry.cancel_requested {
+                self.end(lease.job, Outcome::Interrupted(Interrupt::Cancelled), now);
+                ended.push(lease.job);
+                continue;
+            }
+            entry.state = JobState::Queued;
+            entry.owner = None;
+            entry.started_at = None;
+            entry.history.clear();
+            let (place, bytes) = (entry.place(lease.job), entry.bytes());
+            self.queued.insert(place);
+            self.queued_bytes += bytes;
+            self.running.retain(|id| *id != lease.job);
+        }
+        ended
     }
 
     pub(super) fn heartbeat(
@@ -187,10 +271,11 @@ impl Shelf {
     pub(super) fn finish(
         &mut self,
         lease: &Lease,
+        records: &[IterationRecord],
         outcome: Outcome,
         now: Timestamp,
     ) -> Result<(), StoreError> {
-        self.leased(lease)?;
+        self.leased(lease)?.history.extend_from_slice(records);
         self.end(lease.job, outcome, now);
         Ok(())
     }
@@ -201,7 +286,7 @@ impl Shelf {
             JobState::Queued => {
                 entry.cancel_requested = true;
                 self.queued_bytes -= entry.bytes();
-                self.queued.retain(|other| *other != id);
+                self.queued.remove(&entry.place(id));
                 self.end(id, Outcome::Interrupted(Interrupt::Cancelled), now);
             }
             JobState::Running => entry.cancel_requested = true,
@@ -232,15 +317,41 @@ impl Shelf {
             && (self.finished.len() > self.limits.finished_jobs
                 || self.finished_bytes > self.limits.finished_bytes)
         {
-            let Some(oldest) = self.finished.pop_front() else { return };
-            self.finished_bytes -= self.jobs.remove(&oldest).map_or(0, |entry| entry.bytes());
+            let Some(oldest) = self.finished.front().copied() else { return };
+            self.remove(oldest);
         }
+    }
+
+    fn remove(&mut self, id: JobId) {
+        self.finished.retain(|other| *other != id);
+        if let Some(entry) = self.jobs.remove(&id) {
+            self.finished_bytes -= entry.bytes();
+            if let Some(key) = entry.idempotency_key {
+                self.known.remove(&(entry.submitter, key));
+            }
+        }
+    }
+
+    pub(super) fn sweep(&mut self, retention: &Retention, now: Timestamp) -> usize {
+        let is_old = |entry: &Entry| {
+            let with_result = matches!(entry.state, JobState::Succeeded | JobState::NotConverged);
+            let keep = if with_result { retention.succeeded } else { retention.failed };
+            entry.finished_at.is_some_and(|finished| after(finished, keep) <= now)
+        };
+        let jobs = &self.jobs;
+        let old = self.finished.iter().copied().filter(|id| jobs.get(id).is_some_and(is_old));
+        let old: Vec<JobId> = old.take(SWEEP).collect();
+        for id in &old {
+            self.remove(*id);
+        }
+        old.len()
     }
 
     pub(super) fn list(&self, filter: &JobFilter) -> JobPage {
         let end = filter.before.map_or(Bound::Unbounded, Bound::Excluded);
         let wanted = |entry: &Entry| {
             filter.state.is_none_or(|state| entry.state == state)
+                && filter.submitter.is_none_or(|key| entry.submitter == Some(key))
                 && filter.tag.as_ref().is_none_or(|(key, value)| entry.tags.get(key) == Some(value))
         };
         let newest_first = self.jobs.range((Bound::Unbounded, end)).rev();
@@ -255,8 +366,7 @@ impl Shelf {
         if !state.is_finished() {
             return Err(StoreError::Unfinished(state));
         }
-        self.finished.retain(|other| *other != id);
-        self.finished_bytes -= self.jobs.remove(&id).map_or(0, |entry| entry.bytes());
+        self.remove(id);
         Ok(())
     }
 

@@ -8,20 +8,21 @@ mod attempt;
 mod observer;
 mod pool;
 mod running;
+mod seats;
 mod supervise;
 
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
-use crate::jobs::{ClaimRequest, Hub, JobSolver, JobStore, WorkerId};
+use crate::jobs::{Claim, ClaimRequest, Hub, JobSolver, JobStore, WorkerId};
 use pool::SolverPool;
 use running::Running;
+use seats::{Seats, Taken};
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 const LAST_WORDS: Duration = Duration::from_secs(2);
@@ -31,6 +32,8 @@ const LAST_WORDS: Duration = Duration::from_secs(2);
 pub struct WorkerSettings {
     /// Jobs solved at the same time.
     pub slots: usize,
+    /// Memory \[bytes\] they may need together, by their estimates.
+    pub memory: u64,
     /// Longest time a job may be solved for.
     pub job_timeout: Duration,
     /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as often.
@@ -39,6 +42,8 @@ pub struct WorkerSettings {
     pub poll: Duration,
     /// How often a job is taken up before it is given up.
     pub max_attempts: u32,
+    /// Whether to solve what is queued before stopping. A store that outlives the process needs no such care.
+    pub empties_queue: bool,
 }
 
 /// A running pool of solvers.
@@ -55,7 +60,7 @@ pub(crate) struct Crew {
     hub: Arc<Hub>,
     solver: Arc<dyn JobSolver>,
     pool: SolverPool,
-    free: Arc<Semaphore>,
+    seats: Arc<Seats>,
     running: Running,
     tasks: TaskTracker,
     drain: CancellationToken,
@@ -80,7 +85,7 @@ impl Worker {
             hub,
             solver,
             pool: SolverPool::new(settings.slots)?,
-            free: Arc::new(Semaphore::new(settings.slots)),
+            seats: Arc::new(Seats::new(settings.slots, settings.memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),
             drain: CancellationToken::new(),
@@ -91,8 +96,8 @@ impl Worker {
         Ok(Self { crew, heartbeat })
     }
 
-    /// Finishes what is queued and running, then stops. What is left after `grace` is cancelled. Returns
-    /// whether everything was finished.
+    /// Finishes what is running, and what is queued if so set, then stops. What is left after `grace` is stopped
+    /// and goes back to the queue. Returns whether everything was finished.
     pub async fn drain(self, grace: Duration) -> bool {
         self.crew.drain.cancel();
         self.crew.tasks.close();
@@ -101,7 +106,7 @@ impl Worker {
             self.crew.halt.cancel();
             self.crew.running.stop_all();
             if timeout(LAST_WORDS, self.crew.tasks.wait()).await.is_err() {
-                tracing::warn!("solves left running at the end of the grace time");
+                self.crew.let_go().await;
             }
         }
         self.heartbeat.abort();
@@ -111,51 +116,72 @@ impl Worker {
 
 impl Crew {
     async fn claim_jobs(self: Arc<Self>) {
+        let mut lonely_waits = false;
         loop {
-            let permits = tokio::select! {
-                permits = self.free_slots() => permits,
+            let taken = tokio::select! {
+                taken = self.seats.take(lonely_waits) => taken,
                 () = self.halt.cancelled() => return,
             };
-            let request = ClaimRequest {
-                owner: self.id,
-                slots: permits.len(),
-                lease: self.settings.lease,
-                max_attempts: self.settings.max_attempts,
-            };
-            match self.store.claim(&request).await {
-                Ok(claims) if claims.is_empty() => {
-                    drop(permits);
-                    if self.drain.is_cancelled() {
-                        return;
-                    }
-                    self.idle().await;
-                }
+            if self.drain.is_cancelled() && !self.settings.empties_queue {
+                return;
+            }
+            match self.store.claim(&self.request(&taken)).await {
                 Ok(claims) => {
-                    for (claim, permit) in claims.into_iter().zip(permits) {
-                        self.tasks.spawn(Arc::clone(&self).supervise(claim, permit));
+                    lonely_waits = claims.lonely_waits && !taken.all;
+                    if claims.jobs.is_empty() && !lonely_waits {
+                        drop(taken);
+                        if self.drain.is_cancelled() {
+                            return;
+                        }
+                        self.idle().await;
+                        continue;
                     }
+                    self.start(claims.jobs, taken);
                 }
                 Err(error) => {
                     tracing::error!(error = &error as &dyn std::error::Error, "cannot claim jobs");
-                    drop(permits);
-                    tokio::select! { () = sleep(self.settings.poll) => {}, () = self.halt.cancelled() => return }
+                    drop(taken);
+                    tokio::select! { () = sleep(self.settings.poll) => {}, () = self.drain.cancelled() => return }
                 }
             }
         }
     }
 
-    /// Waits for a free solver and takes all that are free; none once the pool is closed.
-    async fn free_slots(&self) -> Vec<OwnedSemaphorePermit> {
-        let first = Arc::clone(&self.free).acquire_owned().await;
-        let others = std::iter::from_fn(|| Arc::clone(&self.free).try_acquire_owned().ok());
-        first.into_iter().chain(others).collect()
+    fn request(&self, taken: &Taken) -> ClaimRequest {
+        ClaimRequest {
+            owner: self.id,
+            slots: taken.len(),
+            alone: taken.all,
+            free_memory: self.seats.free_memory(),
+            memory: self.seats.memory(),
+            lease: self.settings.lease,
+            max_attempts: self.settings.max_attempts,
+        }
+    }
+
+    fn start(self: &Arc<Self>, claims: Vec<Claim>, mut taken: Taken) {
+        for claim in claims {
+            if let Some(seat) = taken.seat(&self.seats, claim.alone, claim.memory) {
+                self.tasks.spawn(Arc::clone(self).supervise(claim, seat));
+            }
+        }
     }
 
     async fn idle(&self) {
         tokio::select! {
             () = self.hub.work() => {}
+            () = self.seats.freed() => {}
             () = sleep(self.settings.poll) => {}
             () = self.drain.cancelled() => {}
+        }
+    }
+
+    /// Gives back what does not stop.
+    async fn let_go(&self) {
+        let leases = self.running.leases();
+        tracing::warn!(jobs = leases.len(), "solves left running at the end of the grace time");
+        if let Err(error) = self.store.release(&leases).await {
+            tracing::error!(error = &error as &dyn std::error::Error, "cannot give jobs back");
         }
     }
 }

@@ -9,34 +9,42 @@ use super::Crew;
 use super::observer::StopFlag;
 use crate::jobs::{Lease, LeaseStatus};
 
-/// Leases in hand, each with the flag that stops its solve.
+/// Leases in hand, each with the flag that stops its solve; without it, the solve has ended and its outcome is being
+/// written.
 #[derive(Debug, Default)]
-pub(super) struct Running(Mutex<HashMap<Lease, StopFlag>>);
+pub(super) struct Running(Mutex<HashMap<Lease, Option<StopFlag>>>);
 
 impl Running {
     pub(super) fn add(&self, lease: Lease, stop: StopFlag) {
-        self.lock().insert(lease, stop);
+        self.lock().insert(lease, Some(stop));
     }
 
     pub(super) fn remove(&self, lease: &Lease) {
         self.lock().remove(lease);
     }
 
-    pub(super) fn stop(&self, lease: &Lease) {
-        if let Some(stop) = self.lock().get(lease) {
-            stop.raise();
-        }
+    /// The solve has ended, but the job is still ours.
+    pub(super) fn settle(&self, lease: &Lease) {
+        self.lock().insert(*lease, None);
+    }
+
+    /// Stops a solve; `false` if it has ended.
+    pub(super) fn stop(&self, lease: &Lease) -> bool {
+        let lock = self.lock();
+        let Some(Some(stop)) = lock.get(lease) else { return false };
+        stop.raise();
+        true
     }
 
     pub(super) fn stop_all(&self) {
-        self.lock().values().for_each(StopFlag::raise);
+        self.lock().values().flatten().for_each(StopFlag::raise);
     }
 
-    fn leases(&self) -> Vec<Lease> {
+    pub(super) fn leases(&self) -> Vec<Lease> {
         self.lock().keys().copied().collect()
     }
 
-    fn lock(&self) -> MutexGuard<'_, HashMap<Lease, StopFlag>> {
+    fn lock(&self) -> MutexGuard<'_, HashMap<Lease, Option<StopFlag>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -66,10 +74,13 @@ impl Crew {
     fn heed(&self, lease: &Lease, status: LeaseStatus) {
         match status {
             LeaseStatus::Held { cancel_requested: false } => {}
-            LeaseStatus::Held { cancel_requested: true } => self.running.stop(lease),
-            LeaseStatus::Lost => {
-                tracing::warn!(job = %lease.job, attempt = lease.attempt, "lease lost");
+            LeaseStatus::Held { cancel_requested: true } => {
                 self.running.stop(lease);
+            }
+            LeaseStatus::Lost => {
+                if self.running.stop(lease) {
+                    tracing::warn!(job = %lease.job, attempt = lease.attempt, "lease lost");
+                }
             }
         }
     }

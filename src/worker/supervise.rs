@@ -3,22 +3,33 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::sync::OwnedSemaphorePermit;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
-use tokio::time::sleep;
+use tokio::time::{Instant, sleep, sleep_until};
 
 use super::Crew;
 use super::attempt::attempt;
 use super::observer::{JobObserver, StopFlag};
-use crate::jobs::{Claim, IterationRecord, JobFailure, Lease, Outcome, StoreError};
+use super::seats::Seat;
+use crate::jobs::{Claim, IterationRecord, JobFailure, JobState, Lease, Outcome, StoreError};
 
-/// Most messages taken at once: a fast solve's iterations are written in bunches.
+/// Most messages taken at once.
 const BUNCH: usize = 64;
 
-/// Waits between tries to write an outcome to a store that does not answer. After the last, the lease runs out
-/// and the job is taken up again.
-const RETRIES: [Duration; 4] =
-    [Duration::from_millis(100), Duration::from_millis(500), Duration::from_secs(2), Duration::from_secs(5)];
+/// Time between two reports of progress. A job that ends sooner is written once, with its result.
+const PROGRESS: Duration = Duration::from_millis(100);
+
+/// Waits between tries to write an outcome to a store that does not answer. Together they are about as long as a
+/// lease: after that the job is taken up again.
+const RETRIES: [Duration; 8] = [
+    Duration::from_millis(100),
+    Duration::from_millis(500),
+    Duration::from_secs(2),
+    Duration::from_secs(5),
+    Duration::from_secs(5),
+    Duration::from_secs(5),
+    Duration::from_secs(5),
+    Duration::from_secs(5),
+];
 
 /// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by the job's own
 /// limit, so the channel need not be.
@@ -30,18 +41,26 @@ pub(super) enum Message {
 }
 
 impl Crew {
-    /// Sees one job through. `permit` is its solver.
-    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, permit: OwnedSemaphorePermit) {
+    /// Sees one job through.
+    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, seat: Seat) {
         let lease = claim.lease;
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();
         self.running.add(lease, stop.clone());
         let messages = self.start_solve(claim, stop.clone());
-        let outcome = self.follow(&lease, messages, &stop).await;
-        self.running.remove(&lease);
-        drop(permit);
+        let (records, outcome) = self.follow(&lease, messages, &stop).await;
+        drop(seat);
+        self.running.settle(&lease);
         let state = outcome.state();
-        match self.write_outcome(&lease, outcome).await {
+        let stopped_by_shutdown = state == JobState::Cancelled && self.halt.is_cancelled();
+        let written = if stopped_by_shutdown {
+            self.store.release(&[lease]).await
+        } else {
+            self.write_outcome(&lease, &records, outcome).await
+        };
+        self.running.remove(&lease);
+        match written {
+            Ok(()) if stopped_by_shutdown => tracing::info!(job = %lease.job, "given back"),
             Ok(()) => tracing::info!(job = %lease.job, %state, "finished"),
             Err(error) => {
                 let error = &error as &dyn std::error::Error;
@@ -62,63 +81,65 @@ impl Crew {
         messages
     }
 
-    /// Forwards progress to the store and the wish to stop to the solver, until the solve ends.
+    /// Forwards progress to the store and the wish to stop to the solver, until the solve ends. Returns what is
+    /// still to be written.
     async fn follow(
         &self,
         lease: &Lease,
         mut messages: UnboundedReceiver<Message>,
         stop: &StopFlag,
-    ) -> Outcome {
+    ) -> (Vec<IterationRecord>, Outcome) {
         let mut watch = self.hub.watch(lease.job);
         // Whoever asked between the claim and the watch was not heard.
         if self.store.get(lease.job).await.is_ok_and(|record| record.cancel_requested) {
             stop.raise();
         }
         let mut bunch = Vec::with_capacity(BUNCH);
+        let mut records = Vec::new();
+        let mut write_at = Instant::now() + PROGRESS;
         loop {
             tokio::select! {
                 count = messages.recv_many(&mut bunch, BUNCH) => {
                     if count == 0 {
-                        return Outcome::Failed(JobFailure::internal("the solver thread is gone"));
+                        let failure = JobFailure::internal("the solver thread is gone");
+                        return (records, Outcome::Failed(failure));
                     }
-                    if let Some(outcome) = self.take_messages(lease, &mut bunch, stop).await {
-                        return outcome;
+                    for message in bunch.drain(..) {
+                        match message {
+                            Message::Iteration(record) => records.push(record),
+                            Message::Done(outcome) => return (records, outcome),
+                        }
                     }
+                }
+                () = sleep_until(write_at), if !records.is_empty() => {
+                    self.write_progress(lease, &mut records, stop).await;
+                    write_at = Instant::now() + PROGRESS;
                 }
                 signal = watch.changed() => if signal.cancel_requested { stop.raise() },
             }
         }
     }
 
-    async fn take_messages(
-        &self,
-        lease: &Lease,
-        bunch: &mut Vec<Message>,
-        stop: &StopFlag,
-    ) -> Option<Outcome> {
-        let (mut records, mut outcome) = (Vec::with_capacity(bunch.len()), None);
-        for message in bunch.drain(..) {
-            match message {
-                Message::Iteration(record) => records.push(record),
-                Message::Done(done) => outcome = Some(done),
+    /// Writes iterations; those that could not be written are kept for the next time.
+    async fn write_progress(&self, lease: &Lease, records: &mut Vec<IterationRecord>, stop: &StopFlag) {
+        match self.store.record_progress(lease, records).await {
+            Ok(()) => records.clear(),
+            Err(StoreError::LeaseLost | StoreError::NotFound) => stop.raise(),
+            Err(error) => {
+                let error = &error as &dyn std::error::Error;
+                tracing::warn!(job = %lease.job, error, "progress not written yet");
             }
         }
-        if !records.is_empty() {
-            match self.store.record_progress(lease, &records).await {
-                Ok(()) => {}
-                Err(StoreError::LeaseLost | StoreError::NotFound) => stop.raise(),
-                Err(error) => {
-                    let error = &error as &dyn std::error::Error;
-                    tracing::warn!(job = %lease.job, error, "progress lost");
-                }
-            }
-        }
-        outcome
     }
 
-    async fn write_outcome(&self, lease: &Lease, outcome: Outcome) -> Result<(), StoreError> {
+    async fn write_outcome(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+        outcome: Outcome,
+    ) -> Result<(), StoreError> {
         for wait in RETRIES {
-            match self.store.finish(lease, outcome.clone()).await {
+            match self.store.finish(lease, records, outcome.clone()).await {
                 Err(StoreError::Unavailable(error)) => {
                     tracing::warn!(job = %lease.job, error = error.as_ref() as &dyn std::error::Error, "retrying");
                     sleep(wait).await;
@@ -126,6 +147,6 @@ impl Crew {
                 answer => return answer,
             }
         }
-        self.store.finish(lease, outcome).await
+        self.store.finish(lease, records, outcome).await
     }
 }

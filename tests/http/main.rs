@@ -3,11 +3,15 @@
 
 mod bad_input;
 mod curl;
+mod events;
 mod in_process;
 mod jobs;
+mod keys;
+mod listing;
 mod protocol;
 mod readme;
 mod server;
 mod shutdown;
 mod solvers;
+mod submission;
 mod troubled;

@@ -1,6 +1,7 @@
 //! The real binary on a free port.
 
 use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
@@ -71,10 +72,30 @@ impl Target {
     }
 }
 
+/// A directory that is removed in the end.
+#[derive(Debug)]
+pub struct Scratch(pub PathBuf);
+
+impl Scratch {
+    pub fn new() -> Self {
+        let name = format!("brinell-test-{}", brinell::jobs::JobId::generate());
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        std::fs::create_dir_all(&path).expect("a scratch directory can be made");
+        Self(path)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
 /// A running `brinell serve`.
 pub struct Server {
     pub target: Target,
     child: Child,
+    _data: Scratch,
     // Kept open: a service whose standard output is closed would be another test.
     _stdout: BufReader<ChildStdout>,
 }
@@ -84,10 +105,13 @@ impl Server {
         Self::start_with(&[])
     }
 
+    /// With a data directory of its own, unless the arguments say otherwise.
     pub fn start_with(args: &[&str]) -> Self {
+        let data = Scratch::new();
         let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
             .args(["serve", "--listen", "127.0.0.1:0"])
             .args(args)
+            .env("BRINELL_DATA_DIR", &data.0)
             .env("BRINELL_LOG", "warn")
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -97,7 +121,7 @@ impl Server {
         let mut line = String::new();
         stdout.read_line(&mut line).expect("the service says where it listens");
         let url = line.trim().strip_prefix("brinell listening on ").expect("an address").to_owned();
-        Self { target: Target { url }, child, _stdout: stdout }
+        Self { target: Target { url }, child, _data: data, _stdout: stdout }
     }
 
     /// The process.

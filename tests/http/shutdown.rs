@@ -42,7 +42,7 @@ fn while_draining_jobs_finish_new_ones_are_refused_and_questions_answered() {
 
 #[test]
 fn what_is_left_after_the_grace_time_is_cancelled() {
-    let service = InProcess::start(|config| config.grace = Duration::from_millis(50));
+    let service = InProcess::start(|config| config.work.grace = Duration::from_millis(50));
     let running = service.target.submit(&job("slow"));
     service.target.wait_for(&running, &["running"]);
     service.stop.cancel();

@@ -9,7 +9,7 @@ use brinell::model::Job;
 use brinell::results::{MeshReport, Report, RunError, Timings};
 use brinell::solve::{Interrupt, IterationRecord, Observer, SolveStatus};
 
-/// `panic`, `nan`, `impossible`, `give_up`; `slow` iterates until the gate is opened or it is told to stop; anything
+/// `abort`, `panic`, `nan`, `impossible`, `give_up`; `slow` iterates until the gate is opened or it is told to stop; anything
 /// else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
@@ -48,6 +48,7 @@ impl TestSolver {
 impl JobSolver for TestSolver {
     fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
         match job.tags.get("test").map(String::as_str) {
+            Some("abort") => std::process::abort(),
             Some("panic") => panic!("the secret of the solver"),
             Some("nan") => {
                 let mut report = report(SolveStatus::Converged);

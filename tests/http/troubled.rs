@@ -130,7 +130,7 @@ fn a_client_that_hangs_up_cancels_its_solve() {
 
 #[test]
 fn a_job_past_its_deadline_is_stopped() {
-    let service = InProcess::start(|config| config.job_timeout = Duration::from_millis(20));
+    let service = InProcess::start(|config| config.work.job_timeout = Duration::from_millis(20));
     let id = service.target.submit(&job("slow"));
     service.target.wait_for(&id, &["timed_out"]);
     assert_eq!(service.target.get(&format!("{id}/result")).json()["status"], "timed_out");
@@ -139,7 +139,7 @@ fn a_job_past_its_deadline_is_stopped() {
 
 #[test]
 fn a_full_queue_asks_to_come_back() {
-    let service = InProcess::start(|config| config.queue_capacity = 1);
+    let service = InProcess::start(|config| config.storage.queue_capacity = 1);
     let running = service.target.submit(&job("slow"));
     service.target.wait_for(&running, &["running"]);
     let queued = service.target.submit(&job("quick"));

@@ -17,8 +17,17 @@ pub(in crate::http) async fn get_result(
     Err(no_result(&state.desk.get(id).await?))
 }
 
+/// The answer to a client that has waited for the end of a job.
+pub(super) async fn finished(state: &HttpState, record: &JobRecord) -> Result<Response, Problem> {
+    match (state.desk.report(record.id).await?, &record.failure) {
+        (Some(json), _) => Ok(wire::report(record.id, json)),
+        (None, Some(failure)) => Err(failure.into()),
+        (None, None) => Err(no_result(record)),
+    }
+}
+
 /// Why this job has no report.
-pub(super) fn no_result(record: &JobRecord) -> Problem {
+fn no_result(record: &JobRecord) -> Problem {
     let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
     let problem = Problem::new(kind, format!("the job is {}", record.state));
     match &record.failure {

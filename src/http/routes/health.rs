@@ -17,6 +17,6 @@ pub(in crate::http) async fn readyz(State(state): State<HttpState>) -> Result<Js
     if state.desk.is_closed() {
         return Err(Problem::new(ProblemType::ShuttingDown, "the service is shutting down"));
     }
-    state.desk.counts().await?;
+    state.desk.ping().await?;
     Ok(Json(json!({"status": "ready"})))
 }

@@ -1,10 +1,16 @@
 //! One endpoint a file.
 
 pub(super) mod cancel_job;
+pub(super) mod delete_job;
+pub(super) mod get_capacity;
+pub(super) mod get_events;
+pub(super) mod get_examples;
 pub(super) mod get_job;
 pub(super) mod get_problem;
 pub(super) mod get_result;
 pub(super) mod health;
+pub(super) mod list_jobs;
+pub(super) mod post_hertz;
 pub(super) mod post_job;
 pub(super) mod post_solve;
 pub(super) mod post_validate;

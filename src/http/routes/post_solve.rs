@@ -15,27 +15,30 @@ use axum::extract::State;
 use axum::response::Response;
 use tokio::runtime::Handle;
 
-use super::get_result::no_result;
+use super::get_result::finished;
+use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem, wire};
-use crate::jobs::{Desk, JobId};
+use crate::jobs::{Desk, JobId, Submission};
+
+/// Somebody waits: these jobs go before queued ones of ordinary priority.
+const URGENT: i16 = 1;
 
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
+    caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
-    let id = state.desk.submit(text).await?.id;
+    let submission =
+        Submission { request: text, priority: URGENT, submitter: caller.key(), ..Submission::default() };
+    let id = state.desk.submit(submission).await?.job.id;
     let mut hang_up = HangUp { desk: Arc::clone(&state.desk), job: Some(id) };
     let record = state.desk.wait(id, state.settings.solve_limit).await?;
     hang_up.job = None;
     if !record.state.is_finished() {
         return Ok(wire::accepted(&record));
     }
-    match (state.desk.report(id).await?, &record.failure) {
-        (Some(json), _) => Ok(wire::report(id, json)),
-        (None, Some(failure)) => Err(failure.into()),
-        (None, None) => Err(no_result(&record)),
-    }
+    finished(&state, &record).await
 }
 
 /// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.

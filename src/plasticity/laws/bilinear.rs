@@ -19,11 +19,11 @@ impl HardeningLaw for Bilinear {
         self.yield_stress
     }
 
-    /// Closed form: `ε_p = max(0, (3G ε_q - σ_y) / (3G + H))`.
+    /// Closed form: `q = (3G σ_y + H 3G ε_q) / (3G + H)` beyond yield.
     #[inline]
     fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
         let trial = self.triple_shear * equivalent_strain;
-        let excess = (trial - self.yield_stress).max(0.0);
-        trial - self.triple_shear * excess / (self.triple_shear + self.plastic_modulus)
+        let flowing = self.triple_shear * self.yield_stress + self.plastic_modulus * trial;
+        trial.min(flowing / (self.triple_shear + self.plastic_modulus))
     }
 }

@@ -28,14 +28,13 @@ fn solve(
             low = strain;
         }
         let newton = strain - excess / (slope + triple_shear);
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        let step = (next - strain).abs();
-        strain = next;
-        if step <= 1e-15 * high || excess == 0.0 {
+        if (newton - strain).abs() <= 1e-15 * trial / triple_shear {
             break;
         }
+        strain = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
     }
-    trial - triple_shear * strain
+    // Not `trial - 3G ε_p`, which loses all digits of the stress at large strains.
+    trial.min(curve(strain).0)
 }
 
 /// `q = σ_y (1 + ε_p/ε_0)^n`.

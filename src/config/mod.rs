@@ -1,0 +1,144 @@
+//! Settings of the service: each is a flag and a `BRINELL_*` variable; the flag wins.
+
+mod machine;
+mod parse;
+mod storage;
+mod work;
+
+use std::net::SocketAddr;
+use std::time::Duration;
+
+use clap::Args;
+
+use crate::http::{Capacity, HttpSettings};
+use crate::jobs::DeskLimits;
+use parse::seconds;
+pub use storage::{DatabaseUrl, StorageConfig};
+pub use work::WorkConfig;
+
+/// Settings of `brinell serve`.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct ServeConfig {
+    /// Address and port to listen on; port 0 is any free one
+    #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
+    pub listen: String,
+
+    /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
+    #[arg(long, env = "BRINELL_NO_WORKERS", conflicts_with_all = ["workers", "memory_limit"])]
+    pub no_workers: bool,
+
+    /// Longest time POST /v1/solve waits for its result before it answers 202
+    #[arg(long, env = "BRINELL_SOLVE_LIMIT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub solve_limit: Duration,
+
+    /// Largest request body
+    #[arg(long, env = "BRINELL_MAX_BODY", value_name = "BYTES", default_value = "1048576")]
+    pub max_body: usize,
+
+    /// Largest estimated memory of a job
+    #[arg(long, env = "BRINELL_MAX_JOB_MEMORY", value_name = "MIB", default_value = "4096")]
+    pub max_job_memory: u32,
+
+    /// Answer only to API keys (`brinell key create`), on loopback too
+    #[arg(long, env = "BRINELL_REQUIRE_API_KEY")]
+    pub require_api_key: bool,
+
+    /// Answer to everybody, also on addresses other than loopback
+    #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
+    pub allow_anonymous: bool,
+
+    #[command(flatten)]
+    /// Where jobs are kept.
+    pub storage: StorageConfig,
+
+    #[command(flatten)]
+    /// How they are solved.
+    pub work: WorkConfig,
+}
+
+impl Default for ServeConfig {
+    fn default() -> Self {
+        Self {
+            listen: "127.0.0.1:8080".to_owned(),
+            no_workers: false,
+            solve_limit: Duration::from_secs(30),
+            max_body: 1 << 20,
+            max_job_memory: 4096,
+            require_api_key: false,
+            allow_anonymous: false,
+            storage: StorageConfig::default(),
+            work: WorkConfig::default(),
+        }
+    }
+}
+
+impl ServeConfig {
+    /// Bounds on what is taken in. What no solver here could take is refused, unless others solve.
+    pub fn desk(&self) -> DeskLimits {
+        let job_bytes = u64::from(self.max_job_memory) << 20;
+        let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.memory() };
+        DeskLimits { job_bytes: job_bytes.min(solvable) }
+    }
+
+    /// Whether requests need an API key: if so set, and wherever others than this machine can ask.
+    pub fn keys_required(&self, address: SocketAddr) -> bool {
+        self.require_api_key || !(self.allow_anonymous || address.ip().to_canonical().is_loopback())
+    }
+
+    /// Bounds on single requests.
+    pub fn http(&self) -> HttpSettings {
+        HttpSettings {
+            max_body_bytes: self.max_body,
+            solve_limit: self.solve_limit,
+            capacity: Capacity {
+                solvers: if self.no_workers { 0 } else { self.work.slots() },
+                memory_bytes: if self.no_workers { 0 } else { self.work.memory() },
+                queued_jobs: self.storage.queue_capacity,
+                job_seconds: self.work.job_timeout.as_secs_f64(),
+            },
+            ..HttpSettings::default()
+        }
+    }
+}
+
+/// Settings of `brinell worker`.
+#[derive(Debug, Clone, PartialEq, Default, Args)]
+pub struct WorkerConfig {
+    #[command(flatten)]
+    /// Where jobs are kept.
+    pub storage: StorageConfig,
+
+    #[command(flatten)]
+    /// How they are solved.
+    pub work: WorkConfig,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        config: ServeConfig,
+    }
+
+    #[test]
+    fn keys_are_required_where_others_can_ask() {
+        let config = ServeConfig::default();
+        let required = |address: &str| config.keys_required(address.parse().unwrap());
+        assert!(!required("127.0.0.1:80") && !required("[::1]:80"));
+        assert!(required("0.0.0.0:80") && required("192.168.1.1:80") && required("[::]:80"));
+        let open = ServeConfig { allow_anonymous: true, ..ServeConfig::default() };
+        assert!(!open.keys_required("0.0.0.0:80".parse().unwrap()));
+        let closed = ServeConfig { require_api_key: true, ..ServeConfig::default() };
+        assert!(closed.keys_required("127.0.0.1:80".parse().unwrap()));
+    }
+
+    #[test]
+    fn the_defaults_of_the_flags_are_the_defaults_of_the_type() {
+        assert_eq!(Line::parse_from(["brinell"]).config, ServeConfig::default());
+    }
+}

@@ -1,0 +1,37 @@
+//! Values of flags.
+
+use std::time::Duration;
+
+/// Reads a positive number of seconds, fractions allowed, up to about three years.
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
+    time(text, 1.0, "seconds")
+}
+
+/// Reads a positive number of hours, fractions allowed, up to about three years.
+pub(super) fn hours(text: &str) -> Result<Duration, String> {
+    time(text, 3600.0, "hours")
+}
+
+fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
+    let value: f64 = text.parse().map_err(|_| format!("must be a number of {name}"))?;
+    if value > 0.0 && value * unit <= 1e8 {
+        Ok(Duration::from_secs_f64(value * unit))
+    } else {
+        Err(format!("must be greater than 0 and at most {:.0} {name}", 1e8 / unit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_must_be_positive() {
+        assert_eq!(seconds("0.5"), Ok(Duration::from_millis(500)));
+        assert_eq!(hours("0.5"), Ok(Duration::from_mins(30)));
+        for text in ["0", "-1", "NaN", "inf", "soon", "1e9"] {
+            assert!(seconds(text).is_err(), "{text}");
+            assert!(hours(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! How jobs are solved.
+
+use std::num::NonZeroUsize;
+use std::thread::available_parallelism;
+use std::time::Duration;
+
+use clap::Args;
+
+use super::machine::machine_memory;
+use super::parse::seconds;
+use crate::worker::WorkerSettings;
+
+/// Part of the machine's memory that jobs may take, in percent.
+const MEMORY_PERCENT: u64 = 70;
+
+/// Memory \[bytes\] assumed where the system does not tell.
+const UNKNOWN_MEMORY: u64 = 4 << 30;
+
+/// Settings of the solvers.
+#[derive(Debug, Clone, PartialEq, Args)]
+pub struct WorkConfig {
+    /// Jobs solved at the same time [default: one per core]
+    #[arg(long, env = "BRINELL_WORKERS", value_name = "N")]
+    pub workers: Option<NonZeroUsize>,
+
+    /// Memory that the jobs being solved may need together [default: 70 % of the machine's or the container's]
+    #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
+    pub memory_limit: Option<u32>,
+
+    /// Longest time a job may be solved for
+    #[arg(long, env = "BRINELL_JOB_TIMEOUT", value_name = "SECONDS", default_value = "600", value_parser = seconds)]
+    pub job_timeout: Duration,
+
+    /// How often the worker of a job may be lost before the job is given up
+    #[arg(long, env = "BRINELL_MAX_ATTEMPTS", value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=100))]
+    pub max_attempts: u32,
+
+    /// Time after which a worker without a sign of life is taken for lost
+    #[arg(long, env = "BRINELL_LEASE", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub lease: Duration,
+
+    /// Time to finish running jobs in after SIGTERM; the others go back to the queue
+    #[arg(long, env = "BRINELL_GRACE", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub grace: Duration,
+}
+
+impl Default for WorkConfig {
+    fn default() -> Self {
+        Self {
+            workers: None,
+            memory_limit: None,
+            job_timeout: Duration::from_mins(10),
+            max_attempts: 3,
+            lease: Duration::from_secs(30),
+            grace: Duration::from_secs(30),
+        }
+    }
+}
+
+impl WorkConfig {
+    /// How many jobs are solved at the same time.
+    pub fn slots(&self) -> usize {
+        self.workers.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get)
+    }
+
+    /// Memory \[bytes\] that the jobs being solved may need together.
+    pub fn memory(&self) -> u64 {
+        let default = || machine_memory().unwrap_or(UNKNOWN_MEMORY) / 100 * MEMORY_PERCENT;
+        self.memory_limit.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20)
+    }
+
+    /// How a worker works whose store is durable or not.
+    pub fn worker(&self, durable: bool) -> WorkerSettings {
+        WorkerSettings {
+            slots: self.slots(),
+            memory: self.memory(),
+            job_timeout: self.job_timeout,
+            lease: self.lease,
+            poll: Duration::from_secs(1),
+            max_attempts: self.max_attempts,
+            empties_queue: !durable,
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Who asks, and what they may.
+//!
+//! Without API keys everybody is an administrator: the service then belongs on loopback or behind something that
+//! guards it. With them, every request under `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key
+//! it came under and to administrators, and does not exist for others.
+
+use axum::extract::{FromRequestParts, Request, State};
+use axum::http::header::AUTHORIZATION;
+use axum::http::request::Parts;
+use axum::http::{HeaderMap, Method};
+use axum::middleware::Next;
+use axum::response::Response;
+
+use super::HttpState;
+use super::problem::Problem;
+use super::problem_type::ProblemType;
+use crate::jobs::{JobRecord, KeyId, Scope};
+
+/// Requests that change nothing although their method is POST.
+const HARMLESS: [&str; 2] = ["/v1/validate", "/v1/hertz"];
+
+/// Who asks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Caller {
+    key: Option<KeyId>,
+    scope: Scope,
+}
+
+impl Caller {
+    const ANYBODY: Self = Self { key: None, scope: Scope::Admin };
+
+    /// The key that new jobs come under.
+    pub(super) const fn key(self) -> Option<KeyId> {
+        self.key
+    }
+
+    /// The key whose jobs are all that is visible; `None` if everything is.
+    pub(super) fn confined_to(self) -> Option<KeyId> {
+        self.key.filter(|_| self.scope != Scope::Admin)
+    }
+
+    /// Whether a job exists for this caller.
+    pub(super) fn sees(self, record: &JobRecord) -> bool {
+        self.confined_to().is_none_or(|key| record.submitter == Some(key))
+    }
+}
+
+impl FromRequestParts<HttpState> for Caller {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let caller = parts.extensions.get().copied();
+        let caller = caller.or((!state.settings.require_api_key).then_some(Self::ANYBODY));
+        caller.ok_or_else(|| Problem::new(ProblemType::Unauthorized, "an API key is required"))
+    }
+}
+
+/// Lets those pass who may.
+pub(super) async fn authenticate(
+    State(state): State<HttpState>,
+    mut request: Request,
+    next: Next,
+) -> Result<Response, Problem> {
+    if state.settings.require_api_key {
+        let caller = identify(&state, request.headers()).await?;
+        let reads = matches!(*request.method(), Method::GET | Method::HEAD);
+        if caller.scope == Scope::Read && !reads && !HARMLESS.contains(&request.uri().path()) {
+            return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
+        }
+        request.extensions_mut().insert(caller);
+    }
+    Ok(next.run(request).await)
+}
+
+async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Problem> {
+    let refused = |detail| Problem::new(ProblemType::Unauthorized, detail);
+    let line = headers.get(AUTHORIZATION).and_then(|line| line.to_str().ok());
+    let (scheme, token) = line
+        .and_then(|line| line.split_once(' '))
+        .ok_or_else(|| refused("send the header Authorization: Bearer TOKEN"))?;
+    if !scheme.eq_ignore_ascii_case("bearer") {
+        return Err(refused("send the header Authorization: Bearer TOKEN"));
+    }
+    let key = state.desk.authenticate(token.trim()).await?;
+    let key = key.ok_or_else(|| refused("the API key is not known, or no longer good"))?;
+    Ok(Caller { key: Some(key.id), scope: key.scope })
+}

@@ -1,0 +1,61 @@
+//! Takes connections: HTTP/1.1, with bounds on heads and on the patience with slow clients.
+
+use std::time::Duration;
+
+use axum::Router;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::server::graceful::GracefulShutdown;
+use hyper_util::service::TowerToHyperService;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::time::sleep;
+use tokio_util::sync::CancellationToken;
+
+/// Longest time a request's head may take to arrive, and a connection may idle between two requests.
+const HEAD_TIME: Duration = Duration::from_secs(30);
+
+/// Most bytes of a head: a longer one is answered by 431.
+const HEAD_BYTES: usize = 64 << 10;
+
+/// Most headers in it.
+const HEADERS: usize = 100;
+
+/// Pause after a connection could not be taken, as when there are too many.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// Serves until `close`, then lets every connection finish the request it is in.
+pub async fn serve(listener: TcpListener, router: Router, close: CancellationToken) {
+    let connections = GracefulShutdown::new();
+    loop {
+        let accepted = tokio::select! {
+            accepted = listener.accept() => accepted,
+            () = close.cancelled() => break,
+        };
+        match accepted {
+            Ok((stream, _)) => attend(stream, router.clone(), &connections),
+            Err(error) => {
+                tracing::warn!(%error, "a connection could not be taken");
+                sleep(PAUSE).await;
+            }
+        }
+    }
+    drop(listener);
+    connections.shutdown().await;
+}
+
+fn attend(stream: TcpStream, router: Router, connections: &GracefulShutdown) {
+    // Answers are single writes; waiting to fill a packet would only delay them.
+    let _ = stream.set_nodelay(true);
+    let connection = http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(HEAD_TIME)
+        .max_buf_size(HEAD_BYTES)
+        .max_headers(HEADERS)
+        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(router));
+    let connection = connections.watch(connection);
+    tokio::spawn(async move {
+        if let Err(error) = connection.await {
+            tracing::debug!(%error, "a connection ended early");
+        }
+    });
+}

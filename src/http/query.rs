@@ -1,0 +1,84 @@
+//! Query strings, checked: an unknown parameter is a typing mistake, not an extension.
+
+use axum::extract::{FromRequestParts, Query};
+use axum::http::request::Parts;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use super::HttpState;
+use super::problem::Problem;
+use super::problem_type::ProblemType;
+use crate::jobs::{JobFilter, JobId, JobState};
+
+/// Jobs on a page, unless asked otherwise, and at most.
+const PAGE: usize = 20;
+const MAX_PAGE: usize = 100;
+
+/// Bounds of `?priority=`.
+const MAX_PRIORITY: i16 = 100;
+
+pub(super) fn wrong(detail: impl Into<String>) -> Problem {
+    Problem::new(ProblemType::InvalidQuery, detail)
+}
+
+/// Reads the whole query string.
+pub(super) async fn read<T: DeserializeOwned + Send + 'static>(
+    parts: &mut Parts,
+    state: &HttpState,
+) -> Result<T, Problem> {
+    let query = Query::<T>::from_request_parts(parts, state).await;
+    query.map(|Query(query)| query).map_err(|rejection| wrong(rejection.body_text()))
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PriorityQuery {
+    priority: Option<i16>,
+}
+
+/// The `?priority=` of a submission: larger goes first, 0 is ordinary.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Priority(pub(super) i16);
+
+impl FromRequestParts<HttpState> for Priority {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let priority = read::<PriorityQuery>(parts, state).await?.priority.unwrap_or(0);
+        if priority.unsigned_abs() > MAX_PRIORITY.unsigned_abs() {
+            return Err(wrong(format!("priority must be between -{MAX_PRIORITY} and {MAX_PRIORITY}")));
+        }
+        Ok(Self(priority))
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ListQuery {
+    status: Option<JobState>,
+    tag: Option<String>,
+    limit: Option<usize>,
+    cursor: Option<String>,
+}
+
+/// Which jobs to list: `?status=`, `?tag=name:value`, `?limit=`, `?cursor=`.
+#[derive(Debug, Clone)]
+pub(super) struct ListFilter(pub(super) JobFilter);
+
+impl FromRequestParts<HttpState> for ListFilter {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let query: ListQuery = read(parts, state).await?;
+        let no_tag = || wrong("tag must be name:value");
+        let tag = query.tag.as_deref().map(|tag| tag.split_once(':').ok_or_else(no_tag)).transpose()?;
+        let tag = tag.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let limit = query.limit.unwrap_or(PAGE);
+        if !(1..=MAX_PAGE).contains(&limit) {
+            return Err(wrong(format!("limit must be between 1 and {MAX_PAGE}, got {limit}")));
+        }
+        let no_cursor = |_| wrong("cursor must be the next_cursor of a page");
+        let before = query.cursor.map(|cursor| cursor.parse::<JobId>().map_err(no_cursor)).transpose()?;
+        Ok(Self(JobFilter { state: query.status, tag, submitter: None, before, limit }))
+    }
+}

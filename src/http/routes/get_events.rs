@@ -1,0 +1,44 @@
+//! `GET /v1/jobs/{id}/events`: a job as server-sent events, from its beginning or from where the client left off.
+//!
+//! | event | id | data |
+//! |---|---|---|
+//! | `state` | none, or `A-N-end` with the last | the job, as `GET /v1/jobs/{id}` |
+//! | `iteration` | `A-N`: the N-th iteration of attempt A | the iteration |
+//!
+//! The stream ends with the job. A client that comes back with `Last-Event-ID: A-N` gets what followed; one that
+//! has seen the end gets 204, which tells it not to come again. When a job is taken up anew, its iterations begin
+//! again under the next attempt.
+
+use std::convert::Infallible;
+use std::time::Duration;
+
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::response::{IntoResponse, Response};
+use futures_util::stream;
+
+use crate::http::follower::{Follower, Place};
+use crate::http::job_path::JobPath;
+use crate::http::{HttpState, Problem};
+
+/// Time between signs of life while nothing happens.
+const KEEP_ALIVE: Duration = Duration::from_secs(15);
+
+pub(in crate::http) async fn get_events(
+    State(state): State<HttpState>,
+    JobPath(id): JobPath,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
+    let record = state.desk.get(id).await?;
+    if last.is_some_and(|last| last == Place::end_of(&record)) && record.state.is_finished() {
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    }
+    let follower = Follower::new(state.desk, id, last.and_then(Place::parse), state.closing);
+    let events = stream::unfold(follower, |mut follower| async {
+        let event = follower.next().await?;
+        Some((Ok::<Event, Infallible>(event), follower))
+    });
+    Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
+}

@@ -1,0 +1,52 @@
+//! `GET /v1/examples`: jobs to begin with, ready to be posted.
+
+use axum::Json;
+use serde::Serialize;
+use serde_json::value::RawValue;
+
+use crate::http::Problem;
+use crate::http::problem_type::ProblemType;
+
+/// Every file in `api/examples`.
+const EXAMPLES: [(&str, &str); 3] = [
+    ("two_cylinders", include_str!("../../../api/examples/two_cylinders.json")),
+    ("cylinder_on_block", include_str!("../../../api/examples/cylinder_on_block.json")),
+    ("ramberg_osgood", include_str!("../../../api/examples/ramberg_osgood.json")),
+];
+
+/// The examples, keys in the order of their files.
+#[derive(Debug, Serialize)]
+pub(in crate::http) struct Examples {
+    examples: Vec<Example>,
+}
+
+#[derive(Debug, Serialize)]
+struct Example {
+    name: &'static str,
+    job: &'static RawValue,
+}
+
+pub(in crate::http) async fn get_examples() -> Result<Json<Examples>, Problem> {
+    let example = |(name, text)| Ok(Example { name, job: serde_json::from_str(text)? });
+    let examples = EXAMPLES.into_iter().map(example).collect::<Result<_, serde_json::Error>>();
+    let fault = |error: serde_json::Error| Problem::new(ProblemType::Internal, error.to_string());
+    Ok(Json(Examples { examples: examples.map_err(fault)? }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_is_served() {
+        let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/api/examples");
+        for entry in std::fs::read_dir(directory).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            assert!(EXAMPLES.iter().any(|(served, _)| *served == name), "{name} is not served");
+        }
+        for (name, text) in EXAMPLES {
+            assert!(crate::model::Job::from_json(text.as_bytes()).is_ok(), "{name}");
+        }
+    }
+}

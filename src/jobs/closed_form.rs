@@ -1,0 +1,87 @@
+//! What theory answers without a mesh.
+
+use serde::Serialize;
+
+use crate::model::{FieldError, Job, Load, Quantity, Units};
+use crate::solve::ElasticReference;
+
+/// Hertz's contact of the bodies of a job, in the units of the job.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClosedForm {
+    /// Units of all figures.
+    pub units: &'static str,
+    /// Effective radius of the two surfaces.
+    pub effective_radius: f64,
+    /// Force at which the first body begins to yield; `null` if none can.
+    pub yield_onset_force: Option<f64>,
+    /// One for each force of the load.
+    pub steps: Vec<ClosedFormStep>,
+}
+
+/// Hertz's contact under one force.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClosedFormStep {
+    /// The force.
+    pub force: f64,
+    /// Half-width of the strip, or radius of the circle.
+    pub half_width: f64,
+    /// Peak pressure.
+    pub peak_pressure: f64,
+    /// Whether a body yields under this force: then Hertz's figures no longer hold.
+    pub yields: bool,
+}
+
+impl ClosedForm {
+    /// The closed form for a job.
+    ///
+    /// # Errors
+    /// The fields to which Hertz's theory does not apply.
+    pub fn of(job: &Job) -> Result<Self, Vec<FieldError>> {
+        let Load::Forces(forces) = &job.load else {
+            let detail = "the closed form takes a force or forces; the approach of two cylinders has none";
+            return Err(vec![FieldError::new("/load", detail)]);
+        };
+        let (units, force_unit) = (job.units, job.analysis.force());
+        let mut whole = None;
+        let mut steps = Vec::with_capacity(forces.len());
+        for force in forces.iter().map(|force| force.get()) {
+            let reference = ElasticReference::of(job, force).ok_or_else(not_hertzian)?;
+            steps.push(ClosedFormStep {
+                force: force_unit.to_wire(units, force),
+                half_width: Quantity::Length.to_wire(units, reference.half_width),
+                peak_pressure: Quantity::Stress.to_wire(units, reference.peak_pressure),
+                yields: reference.yield_onset_force.is_some_and(|onset| force > onset),
+            });
+            whole = Some(reference);
+        }
+        let whole = whole.ok_or_else(not_hertzian)?;
+        Ok(Self {
+            units: Units::name(units),
+            effective_radius: Quantity::Length.to_wire(units, whole.effective_radius),
+            yield_onset_force: whole.yield_onset_force.map(|force| force_unit.to_wire(units, force)),
+            steps,
+        })
+    }
+}
+
+fn not_hertzian() -> Vec<FieldError> {
+    let detail = "Hertz's theory needs arcs that open away from the contact, and a body that deforms";
+    ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reference_problem() {
+        let job = Job::from_json(include_bytes!("../../api/examples/two_cylinders.json")).unwrap();
+        let hertz = ClosedForm::of(&job).unwrap();
+        assert_eq!((hertz.effective_radius, hertz.steps.len()), (10.0, 1));
+        // a = √(4 F R / (π E*)), E* = E / (2 (1 - ν²))
+        let modulus = 210_000.0 / (2.0 * 0.91);
+        let a = (4.0 * hertz.steps[0].force * 10.0 / (std::f64::consts::PI * modulus)).sqrt();
+        assert!((hertz.steps[0].half_width / a - 1.0).abs() < 1e-12);
+        assert!(hertz.steps[0].yields);
+    }
+}

@@ -1,0 +1,176 @@
+//! Jobs in PostgreSQL, shared by any number of processes on any number of machines.
+//!
+//! The database's clock stamps all times, so the machines' own clocks do not matter. Changes are told by
+//! `NOTIFY` inside the transaction that makes them; each process listens on one connection. When that breaks, it is
+//! made anew and everybody looks again; and whoever waits also looks once a second by himself.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use async_trait::async_trait;
+use sqlx::pool::PoolConnection;
+use sqlx::postgres::{PgListener, PgPoolOptions};
+use sqlx::{PgConnection, PgPool, Postgres, Transaction};
+use thiserror::Error;
+use tokio::task::AbortHandle;
+use tokio::time::sleep;
+
+use super::Store;
+use super::migration::{self, Step};
+use super::sql::{Backend, Change, SqlStore};
+use crate::jobs::{Clock, Hub, JobId, StoreError, WorkerId};
+
+const STEPS: &[Step] =
+    &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") }];
+
+/// Connections of one process.
+const CONNECTIONS: u32 = 10;
+
+/// Longest wait for one of them.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Where changes are told.
+const CHANNEL: &str = "brinell";
+
+/// Time between two tries to listen.
+const LISTEN_AGAIN: Duration = Duration::from_secs(1);
+
+/// Why there is no store.
+#[derive(Debug, Error)]
+pub enum PostgresError {
+    /// The database cannot be reached.
+    #[error("cannot connect to the database: {0}")]
+    Connect(#[source] sqlx::Error),
+    /// Its tables cannot be brought up to date.
+    #[error("cannot bring the database up to date: {0}")]
+    Migrate(#[source] sqlx::Error),
+}
+
+/// The database, connected.
+struct PostgresPool {
+    pool: PgPool,
+    node: WorkerId,
+    clock: Option<Arc<dyn Clock>>,
+    listener: AbortHandle,
+}
+
+/// Connects to the store at a `postgres://` address and makes its tables if need be. A `clock` takes the place of
+/// the database's own, for tests.
+///
+/// # Errors
+/// [`PostgresError`].
+pub async fn open_postgres(
+    url: &str,
+    queue_capacity: usize,
+    hub: Arc<Hub>,
+    clock: Option<Arc<dyn Clock>>,
+) -> Result<Arc<dyn Store>, PostgresError> {
+    let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(PATIENCE);
+    let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
+    migration::run(STEPS, &pool).await.map_err(PostgresError::Migrate)?;
+    let node = WorkerId::generate();
+    let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&hub))).abort_handle();
+    let backend = PostgresPool { pool, node, clock, listener };
+    Ok(Arc::new(SqlStore { backend, hub, queue_capacity }))
+}
+
+impl Drop for PostgresPool {
+    fn drop(&mut self) {
+        self.listener.abort();
+    }
+}
+
+#[async_trait]
+impl Backend for PostgresPool {
+    type Database = Postgres;
+
+    async fn read(&self) -> Result<PoolConnection<Postgres>, StoreError> {
+        Ok(self.pool.acquire().await?)
+    }
+
+    async fn write(&self) -> Result<(Transaction<'static, Postgres>, i64), StoreError> {
+        let mut transaction = self.pool.begin().await?;
+        if let Some(clock) = &self.clock {
+            return Ok((transaction, clock.now().as_microsecond()));
+        }
+        let now = sqlx::query_scalar("SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint");
+        let now = now.fetch_one(&mut *transaction).await?;
+        Ok((transaction, now))
+    }
+
+    async fn notify(&self, connection: &mut PgConnection, changes: &[Change]) -> Result<(), StoreError> {
+        for change in changes {
+            let tell = sqlx::query("SELECT pg_notify($1, $2)").bind(CHANNEL);
+            tell.bind(message(self.node, *change)).execute(&mut *connection).await?;
+        }
+        Ok(())
+    }
+}
+
+/// A change as it is told to others: who, what, which job.
+fn message(node: WorkerId, change: Change) -> String {
+    match change {
+        Change::Work => format!("{node} work"),
+        Change::Progress(id) => format!("{node} progress {id}"),
+        Change::Cancel(id) => format!("{node} cancel {id}"),
+        Change::Finished(id) => format!("{node} finished {id}"),
+    }
+}
+
+/// What another process tells; nothing if it is our own voice, or a newer version's.
+fn heard(message: &str, node: WorkerId) -> Option<Change> {
+    let mut words = message.split(' ');
+    if words.next()? == node.to_string() {
+        return None;
+    }
+    let (what, id) = (words.next()?, words.next().and_then(|id| id.parse::<JobId>().ok()));
+    match (what, id) {
+        ("work", None) => Some(Change::Work),
+        ("progress", Some(id)) => Some(Change::Progress(id)),
+        ("cancel", Some(id)) => Some(Change::Cancel(id)),
+        ("finished", Some(id)) => Some(Change::Finished(id)),
+        _ => None,
+    }
+}
+
+/// Passes on what other processes tell, for ever.
+async fn listen(pool: PgPool, node: WorkerId, hub: Arc<Hub>) {
+    loop {
+        if let Err(error) = listen_once(&pool, node, &hub).await {
+            tracing::warn!(%error, "not listening to the database; looking once a second instead");
+        }
+        sleep(LISTEN_AGAIN).await;
+    }
+}
+
+async fn listen_once(pool: &PgPool, node: WorkerId, hub: &Hub) -> Result<(), sqlx::Error> {
+    let mut listener = PgListener::connect_with(pool).await?;
+    listener.listen(CHANNEL).await?;
+    loop {
+        // Whatever was told before this moment was told to nobody here.
+        hub.announce_gap();
+        while let Some(notification) = listener.try_recv().await? {
+            if let Some(change) = heard(notification.payload(), node) {
+                change.announce(hub);
+            }
+        }
+        tracing::warn!("the connection that listens to the database broke and is made anew");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn others_are_heard_and_one_self_is_not() {
+        let (here, there, id) = (WorkerId::generate(), WorkerId::generate(), JobId::generate());
+        for change in [Change::Work, Change::Progress(id), Change::Cancel(id), Change::Finished(id)] {
+            assert_eq!(heard(&message(there, change), here), Some(change));
+            assert_eq!(heard(&message(here, change), here), None);
+        }
+        for noise in ["", "x", "x y", "x cancel", "x cancel y"] {
+            assert_eq!(heard(noise, here), None, "{noise:?}");
+        }
+    }
+}

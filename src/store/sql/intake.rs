@@ -1,0 +1,153 @@
+//! Statements that take jobs in, stop them and remove them.
+
+use sqlx::types::Uuid;
+use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
+
+use super::codec::{count, pack, to_json};
+use super::reading::Reading;
+use crate::jobs::{Enqueued, Idempotency, JobId, JobRecord, JobState, NewJob, Retention, SWEEP, StoreError};
+
+const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
+     ON CONFLICT DO NOTHING";
+const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
+const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, request, submitter, created_at)
+     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7)";
+const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
+const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
+         finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
+         state = CASE WHEN state = 'queued' THEN 'cancelled' ELSE state END
+     WHERE id = $1 AND state IN ('queued', 'running')";
+const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
+const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
+         AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
+     ORDER BY finished_at LIMIT $3)";
+
+/// Changes from outside.
+pub(in crate::store) trait Intake: Reading {
+    fn enqueue(
+        &mut self,
+        job: NewJob,
+        capacity: usize,
+        now: i64,
+    ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
+    /// The job that came with this name before, if there is one; else the name is taken for `job`.
+    fn replay(
+        &mut self,
+        job: JobId,
+        submitter: Uuid,
+        name: &Idempotency,
+    ) -> impl Future<Output = Result<Option<JobRecord>, StoreError>> + Send;
+    fn cancel(&mut self, id: JobId, now: i64) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
+    fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn sweep(
+        &mut self,
+        retention: &Retention,
+        now: i64,
+    ) -> impl Future<Output = Result<usize, StoreError>> + Send;
+}
+
+/// The latest time of finishing that is old enough.
+fn cutoff(now: i64, keep: std::time::Duration) -> i64 {
+    now.saturating_sub(i64::try_from(keep.as_micros()).unwrap_or(i64::MAX))
+}
+
+macro_rules! intake {
+    ($database:ty, $connection:ty) => {
+        impl Intake for $connection {
+            async fn enqueue(
+                &mut self,
+                job: NewJob,
+                capacity: usize,
+                now: i64,
+            ) -> Result<Enqueued, StoreError> {
+                let submitter = job.submitter.map(|key| key.uuid());
+                if let Some(name) = &job.idempotency
+                    && let Some(job) = self.replay(job.id, submitter.unwrap_or_default(), name).await?
+                {
+                    return Ok(Enqueued { job, replayed: true });
+                }
+                let queued = sqlx::query_scalar::<$database, i64>(QUEUED).fetch_one(&mut *self).await?;
+                let queued: usize = count(queued)?;
+                if queued >= capacity {
+                    return Err(StoreError::QueueFull { queued });
+                }
+                sqlx::query::<$database>(INSERT)
+                    .bind(job.id.uuid())
+                    .bind(i32::from(job.priority))
+                    .bind(i64::try_from(job.memory).unwrap_or(i64::MAX))
+                    .bind(to_json(&job.tags)?)
+                    .bind(pack(&job.request)?)
+                    .bind(submitter)
+                    .bind(now)
+                    .execute(&mut *self)
+                    .await?;
+                for (name, value) in job.tags {
+                    let tag = sqlx::query::<$database>(TAG).bind(job.id.uuid()).bind(name).bind(value);
+                    tag.execute(&mut *self).await?;
+                }
+                Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
+            }
+
+            async fn replay(
+                &mut self,
+                job: JobId,
+                submitter: Uuid,
+                name: &Idempotency,
+            ) -> Result<Option<JobRecord>, StoreError> {
+                let taken = sqlx::query::<$database>(TAKE_NAME)
+                    .bind(submitter)
+                    .bind(name.key.clone())
+                    .bind(name.digest.to_vec())
+                    .bind(job.uuid())
+                    .execute(&mut *self)
+                    .await?;
+                if taken.rows_affected() == 1 {
+                    return Ok(None);
+                }
+                let known = sqlx::query_as::<$database, (Vec<u8>, Uuid)>(KNOWN)
+                    .bind(submitter)
+                    .bind(name.key.clone())
+                    .fetch_optional(&mut *self)
+                    .await?;
+                // Removed in this very moment: the client may ask again.
+                let gone = || StoreError::unavailable("the job of this idempotency key is being removed");
+                let (digest, first) = known.ok_or_else(gone)?;
+                if digest != name.digest {
+                    return Err(StoreError::KeyReused);
+                }
+                self.find(JobId::from(first)).await.map(Some)
+            }
+
+            async fn cancel(&mut self, id: JobId, now: i64) -> Result<JobRecord, StoreError> {
+                sqlx::query::<$database>(CANCEL).bind(id.uuid()).bind(now).execute(&mut *self).await?;
+                self.find(id).await
+            }
+
+            async fn delete(&mut self, id: JobId) -> Result<(), StoreError> {
+                let done = sqlx::query::<$database>(DELETE).bind(id.uuid()).execute(&mut *self).await?;
+                if done.rows_affected() == 1 {
+                    return Ok(());
+                }
+                match self.find(id).await?.state {
+                    state @ (JobState::Queued | JobState::Running) => Err(StoreError::Unfinished(state)),
+                    // Finished between the two statements: the client may ask again.
+                    _ => Err(StoreError::Unfinished(JobState::Running)),
+                }
+            }
+
+            async fn sweep(&mut self, retention: &Retention, now: i64) -> Result<usize, StoreError> {
+                let done = sqlx::query::<$database>(SWEEP_OLD)
+                    .bind(cutoff(now, retention.succeeded))
+                    .bind(cutoff(now, retention.failed))
+                    .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
+                    .execute(self)
+                    .await?;
+                count(done.rows_affected())
+            }
+        }
+    };
+}
+
+intake!(Sqlite, SqliteConnection);
+intake!(Postgres, PgConnection);

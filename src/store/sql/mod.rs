@@ -1,0 +1,165 @@
+//! Jobs in a database: [`SqlStore`] is the [`JobStore`] of every [`Backend`].
+//!
+//! Every change is one transaction: what it writes can be read when it is announced, here and, through the
+//! backend, to other processes.
+
+mod backend;
+mod claiming;
+mod codec;
+mod intake;
+mod keys;
+mod leasing;
+mod reading;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use async_trait::async_trait;
+use bytes::Bytes;
+use sqlx::Transaction;
+
+use crate::jobs::{
+    ClaimRequest, Claims, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
+    JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
+};
+pub(super) use backend::{Backend, Change};
+use claiming::Claiming;
+use intake::Intake;
+use leasing::Leasing;
+use reading::Reading;
+
+impl From<sqlx::Error> for StoreError {
+    fn from(error: sqlx::Error) -> Self {
+        Self::unavailable(error)
+    }
+}
+
+/// A [`JobStore`] in a database.
+pub(super) struct SqlStore<B> {
+    pub(super) backend: B,
+    pub(super) hub: Arc<Hub>,
+    pub(super) queue_capacity: usize,
+}
+
+impl<B: Backend> SqlStore<B> {
+    /// Commits a transaction and announces what it changed.
+    async fn commit(
+        &self,
+        mut transaction: Transaction<'static, B::Database>,
+        changes: &[Change],
+    ) -> Result<(), StoreError> {
+        self.backend.notify(&mut transaction, changes).await?;
+        transaction.commit().await?;
+        for change in changes {
+            change.announce(&self.hub);
+        }
+        Ok(())
+    }
+}
+
+#[async_trait]
+impl<B: Backend> JobStore for SqlStore<B> {
+    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let enqueued = Intake::enqueue(&mut *transaction, job, self.queue_capacity, now).await?;
+        self.commit(transaction, &[Change::Work]).await?;
+        Ok(enqueued)
+    }
+
+    async fn get(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        self.backend.read().await?.find(id).await
+    }
+
+    async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
+        Reading::history(&mut *self.backend.read().await?, id, after).await
+    }
+
+    async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
+        Reading::report(&mut *self.backend.read().await?, id).await
+    }
+
+    async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let ended = transaction.give_up(request.max_attempts, now).await?;
+        let claims = Claiming::claim(&mut *transaction, request, now).await?;
+        let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
+        let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
+        self.commit(transaction, &changes).await?;
+        Ok(claims)
+    }
+
+    async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let statuses = Leasing::heartbeat(&mut *transaction, leases, lease, now).await?;
+        self.commit(transaction, &[]).await?;
+        Ok(statuses)
+    }
+
+    async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError> {
+        let (mut transaction, _) = self.backend.write().await?;
+        Leasing::record_progress(&mut *transaction, lease, records).await?;
+        self.commit(transaction, &[Change::Progress(lease.job)]).await
+    }
+
+    async fn finish(
+        &self,
+        lease: &Lease,
+        records: &[IterationRecord],
+        outcome: Outcome,
+    ) -> Result<(), StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        Leasing::record_progress(&mut *transaction, lease, records).await?;
+        Leasing::finish(&mut *transaction, lease, &outcome, now).await?;
+        self.commit(transaction, &[Change::Finished(lease.job)]).await
+    }
+
+    async fn release(&self, leases: &[Lease]) -> Result<(), StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let mut changes = vec![Change::Work];
+        for lease in leases {
+            match Leasing::release(&mut *transaction, lease, now).await? {
+                Some(true) => changes.push(Change::Finished(lease.job)),
+                Some(false) => changes.push(Change::Progress(lease.job)),
+                None => {}
+            }
+        }
+        self.commit(transaction, &changes).await
+    }
+
+    async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let record = Intake::cancel(&mut *transaction, id, now).await?;
+        let changes: &[Change] = match record.state {
+            JobState::Running => &[Change::Cancel(id)],
+            JobState::Cancelled => &[Change::Finished(id)],
+            _ => &[],
+        };
+        self.commit(transaction, changes).await?;
+        Ok(record)
+    }
+
+    async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError> {
+        Reading::list(&mut *self.backend.read().await?, filter).await
+    }
+
+    async fn delete(&self, id: JobId) -> Result<(), StoreError> {
+        let (mut transaction, _) = self.backend.write().await?;
+        Intake::delete(&mut *transaction, id).await?;
+        self.commit(transaction, &[]).await
+    }
+
+    async fn counts(&self) -> Result<Counts, StoreError> {
+        Reading::counts(&mut *self.backend.read().await?).await
+    }
+
+    async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
+        let (mut transaction, now) = self.backend.write().await?;
+        let swept = Intake::sweep(&mut *transaction, retention, now).await?;
+        self.commit(transaction, &[]).await?;
+        Ok(swept)
+    }
+
+    async fn ping(&self) -> Result<(), StoreError> {
+        Reading::ping(&mut *self.backend.read().await?).await
+    }
+}

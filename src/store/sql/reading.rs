@@ -1,0 +1,109 @@
+//! Statements that change nothing.
+
+use bytes::Bytes;
+use sqlx::types::Uuid;
+use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
+
+use super::codec::{JobRow, count, job_columns, job_record, state_named, unpack, unpack_records};
+use crate::jobs::{Counts, IterationRecord, JobFilter, JobId, JobPage, JobRecord, StoreError};
+
+/// One job with its place in the queue.
+const FIND: &str = concat!(
+    "SELECT ",
+    job_columns!(),
+    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued'
+       AND (q.priority > j.priority OR (q.priority = j.priority AND q.id < j.id))) END
+     FROM jobs j WHERE j.id = $1"
+);
+
+/// Jobs without their places, which would cost a look at the whole queue for each.
+const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE TRUE");
+
+const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
+const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
+const REPORT: &str = "SELECT r.body FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
+const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
+
+/// Questions to a connection.
+pub(in crate::store) trait Reading: Send {
+    fn find(&mut self, id: JobId) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
+    fn history(
+        &mut self,
+        id: JobId,
+        after: usize,
+    ) -> impl Future<Output = Result<Vec<IterationRecord>, StoreError>> + Send;
+    fn report(&mut self, id: JobId) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
+    fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
+    fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
+    fn ping(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
+}
+
+// The statements are the same for every database, the types that carry them are not: generic code would need a
+// page of bounds for each of these functions.
+macro_rules! reading {
+    ($database:ty, $connection:ty) => {
+        impl Reading for $connection {
+            async fn find(&mut self, id: JobId) -> Result<JobRecord, StoreError> {
+                let row = sqlx::query_as::<$database, JobRow>(FIND).bind(id.uuid());
+                row.fetch_optional(self).await?.map_or(Err(StoreError::NotFound), job_record)
+            }
+
+            async fn history(&mut self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
+                let found = sqlx::query_scalar::<$database, Uuid>(EXISTS).bind(id.uuid());
+                found.fetch_optional(&mut *self).await?.ok_or(StoreError::NotFound)?;
+                let after = i32::try_from(after).unwrap_or(i32::MAX);
+                let rows = sqlx::query_as::<$database, (i32, Vec<u8>)>(HISTORY).bind(id.uuid()).bind(after);
+                let mut records = Vec::new();
+                for (first, packed) in rows.fetch_all(self).await? {
+                    let seen: usize = count((after - first).max(0))?;
+                    records.extend(unpack_records(&packed)?.into_iter().skip(seen));
+                }
+                Ok(records)
+            }
+
+            async fn report(&mut self, id: JobId) -> Result<Option<Bytes>, StoreError> {
+                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(REPORT).bind(id.uuid());
+                let body = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
+                body.as_deref().map(unpack).transpose()
+            }
+
+            async fn list(&mut self, filter: &JobFilter) -> Result<JobPage, StoreError> {
+                let mut query = QueryBuilder::<$database>::new(LIST);
+                if let Some(state) = filter.state {
+                    query.push(" AND j.state = ").push_bind(state.name());
+                }
+                if let Some(key) = filter.submitter {
+                    query.push(" AND j.submitter = ").push_bind(key.uuid());
+                }
+                if let Some(before) = filter.before {
+                    query.push(" AND j.id < ").push_bind(before.uuid());
+                }
+                if let Some((name, value)) = &filter.tag {
+                    query.push(" AND EXISTS (SELECT 1 FROM job_tags t WHERE t.job = j.id AND t.name = ");
+                    query.push_bind(name.clone()).push(" AND t.value = ").push_bind(value.clone()).push(")");
+                }
+                let one_more = i64::try_from(filter.limit).unwrap_or(i64::MAX).saturating_add(1);
+                query.push(" ORDER BY j.id DESC LIMIT ").push_bind(one_more);
+                let rows: Vec<JobRow> = query.build_query_as().fetch_all(self).await?;
+                let is_last = rows.len() <= filter.limit;
+                let jobs: Vec<JobRecord> =
+                    rows.into_iter().take(filter.limit).map(job_record).collect::<Result<_, _>>()?;
+                let next = if is_last { None } else { jobs.last().map(|job| job.id) };
+                Ok(JobPage { jobs, next })
+            }
+
+            async fn counts(&mut self) -> Result<Counts, StoreError> {
+                let rows = sqlx::query_as::<$database, (String, i64)>(COUNTS).fetch_all(self).await?;
+                rows.into_iter().map(|(state, jobs)| Ok((state_named(&state)?, count(jobs)?))).collect()
+            }
+
+            async fn ping(&mut self) -> Result<(), StoreError> {
+                sqlx::query::<$database>("SELECT 1").execute(self).await?;
+                Ok(())
+            }
+        }
+    };
+}
+
+reading!(Sqlite, SqliteConnection);
+reading!(Postgres, PgConnection);

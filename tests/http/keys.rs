@@ -1,0 +1,113 @@
+//! API keys: made on the command line, asked for over HTTP.
+
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::process::Command;
+
+use crate::curl::{Answer, curl, curl_with_input};
+use crate::server::{DEADLINE, Scratch, Server, example};
+
+/// A service that requires keys.
+struct Guarded {
+    server: Server,
+    data: Scratch,
+}
+
+impl Guarded {
+    fn start() -> Self {
+        let data = Scratch::new();
+        let server = Server::start_with(&["--require-api-key", "--data-dir", data.0.to_str().unwrap()]);
+        Self { server, data }
+    }
+
+    /// Runs `brinell key` beside the service.
+    fn key(&self, args: &[&str]) -> String {
+        let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
+            .arg("key")
+            .args(args)
+            .args(["--data-dir", self.data.0.to_str().unwrap()])
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap().trim().to_owned()
+    }
+
+    fn ask(&self, token: &str, method: &str, path: &str) -> Answer {
+        let (header, url) = (format!("Authorization: Bearer {token}"), self.url(path));
+        curl(&["-X", method, "-H", &header, &url])
+    }
+
+    fn post(&self, token: &str, path: &str) -> Answer {
+        let (header, url) = (format!("Authorization: Bearer {token}"), self.url(path));
+        let args = ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
+        curl_with_input(&args, example().to_string().into())
+    }
+
+    fn url(&self, path: &str) -> String {
+        format!("{}{path}", self.server.target.url)
+    }
+}
+
+#[test]
+fn without_a_good_key_nothing_under_v1_is_answered() {
+    let guarded = Guarded::start();
+    let target = &guarded.server.target;
+    for path in ["/v1/jobs", "/v1/capacity", "/v1/jobs/none"] {
+        let answer = target.get(path);
+        answer.problem(401, "unauthorized");
+        assert_eq!(answer.header("www-authenticate"), Some("Bearer"));
+        guarded.ask("brinell_x_y", "GET", path).problem(401, "unauthorized");
+    }
+    target.post("/v1/solve", example().to_string()).problem(401, "unauthorized");
+    assert_eq!((target.get("/livez").status, target.get("/readyz").status), (200, 200));
+    let token = guarded.key(&["create", "press"]);
+    let guessed = format!("{}0", &token[..token.len() - 1]);
+    let other = if guessed == token { format!("{}1", &token[..token.len() - 1]) } else { guessed };
+    guarded.ask(&other, "GET", "/v1/jobs").problem(401, "unauthorized");
+    assert_eq!(guarded.ask(&token, "GET", "/v1/jobs").status, 200);
+    let listed = guarded.key(&["list"]);
+    assert!(listed.contains("press") && !listed.contains(&token[token.len() - 32..]), "{listed}");
+    guarded.key(&["revoke", listed.split(' ').next().unwrap()]);
+    guarded.ask(&token, "GET", "/v1/jobs").problem(401, "unauthorized");
+}
+
+#[test]
+fn jobs_are_visible_to_their_key_and_to_administrators() {
+    let guarded = Guarded::start();
+    let [mine, other, reader, admin] = [
+        guarded.key(&["create", "mine"]),
+        guarded.key(&["create", "other"]),
+        guarded.key(&["create", "reader", "--scope", "read"]),
+        guarded.key(&["create", "admin", "--scope", "admin"]),
+    ];
+    let accepted = guarded.post(&mine, "/v1/jobs");
+    assert_eq!(accepted.status, 202);
+    let job = accepted.header("location").unwrap();
+    let finished = format!("{job}?wait=30");
+    assert_eq!(guarded.ask(&mine, "GET", &finished).json()["status"], "succeeded");
+    assert_eq!(guarded.ask(&admin, "GET", &format!("{job}/result")).status, 200);
+    for token in [&other, &reader] {
+        guarded.ask(token, "GET", job).problem(404, "job-not-found");
+        guarded.ask(token, "GET", &format!("{job}/result")).problem(404, "job-not-found");
+        guarded.ask(token, "GET", &format!("{job}/events")).problem(404, "job-not-found");
+    }
+    let count = |token| guarded.ask(token, "GET", "/v1/jobs").json()["jobs"].as_array().unwrap().len();
+    assert_eq!([count(&mine), count(&other), count(&admin)], [1, 0, 1]);
+    guarded.post(&reader, "/v1/jobs").problem(403, "forbidden");
+    assert_eq!(guarded.post(&reader, "/v1/validate").status, 200);
+    guarded.ask(&other, "DELETE", job).problem(404, "job-not-found");
+    assert_eq!(guarded.ask(&mine, "DELETE", job).status, 204);
+}
+
+#[test]
+fn a_head_of_any_size_is_not_read() {
+    let server = Server::start();
+    let mut stream = TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
+    stream.set_read_timeout(Some(DEADLINE)).unwrap();
+    let head = format!("GET /livez HTTP/1.1\r\nHost: x\r\n{}\r\n", "X: y\r\n".repeat(200));
+    stream.write_all(head.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 431"), "{answer}");
+    server.target.assert_alive();
+}

@@ -1,0 +1,105 @@
+//! Looking around: lists, examples, closed forms, capacity; and removing jobs.
+
+use serde_json::{Value, json};
+
+use crate::curl::{curl, pointers};
+use crate::in_process::{InProcess, job};
+use crate::server::{Server, Target, example};
+
+fn page(target: &Target, query: &str) -> (Vec<String>, Value) {
+    let answer = target.get(&format!("/v1/jobs?{query}"));
+    assert_eq!(answer.status, 200, "{}", String::from_utf8_lossy(&answer.body));
+    let list = answer.json();
+    let address = |job: &Value| job["links"]["self"].as_str().unwrap().to_owned();
+    (list["jobs"].as_array().unwrap().iter().map(address).collect(), list["next_cursor"].clone())
+}
+
+#[test]
+fn jobs_are_listed_newest_first_page_by_page() {
+    let service = InProcess::start(|_| ());
+    let target = &service.target;
+    let slow = target.submit(&job("slow"));
+    target.wait_for(&slow, &["running"]);
+    let mut jobs = vec![slow.clone()];
+    for _ in 0..4 {
+        jobs.push(target.submit(&job("quick")));
+    }
+    jobs.reverse();
+    assert_eq!(page(target, ""), (jobs.clone(), Value::Null));
+    let (first, cursor) = page(target, "limit=2");
+    assert_eq!(first, jobs[..2]);
+    let (second, cursor) = page(target, &format!("limit=2&cursor={}", cursor.as_str().unwrap()));
+    assert_eq!(second, jobs[2..4]);
+    let (third, cursor) = page(target, &format!("limit=2&cursor={}", cursor.as_str().unwrap()));
+    assert_eq!((third.as_slice(), cursor), (&jobs[4..], Value::Null));
+    assert_eq!(page(target, "status=running").0, [slow.clone()]);
+    assert_eq!(page(target, "status=queued&tag=test:quick&limit=1").0, jobs[..1]);
+    assert!(page(target, "tag=test:none").0.is_empty());
+    for query in ["status=lost", "limit=0", "limit=101", "cursor=x", "tag=test", "stat=queued"] {
+        target.get(&format!("/v1/jobs?{query}")).problem(400, "invalid-query");
+    }
+    service.solver.open_gate();
+}
+
+#[test]
+fn finished_jobs_are_deleted() {
+    let service = InProcess::start(|_| ());
+    let target = &service.target;
+    let delete = |job: &str| curl(&["-X", "DELETE", &format!("{}{job}", target.url)]);
+    let slow = target.submit(&job("slow"));
+    target.wait_for(&slow, &["running"]);
+    delete(&slow).problem(409, "job-unfinished");
+    service.solver.open_gate();
+    target.wait_for(&slow, &["succeeded"]);
+    assert_eq!(delete(&slow).status, 204);
+    delete(&slow).problem(404, "job-not-found");
+    target.get(&format!("{slow}/result")).problem(404, "job-not-found");
+}
+
+#[test]
+fn hertz_answers_without_a_mesh() {
+    let server = Server::start();
+    let answer = server.target.post("/v1/hertz", example().to_string());
+    assert_eq!(answer.status, 200);
+    let hertz = answer.json();
+    assert_eq!(
+        (hertz["units"].as_str(), hertz["steps"][0]["yields"].as_bool()),
+        (Some("mm_N_MPa"), Some(true))
+    );
+    assert!(hertz["yield_onset_force"].as_f64().is_some_and(|force| force > 0.0 && force < 612.0));
+
+    let mut sweep = example();
+    sweep["load"] = json!({"forces": [1.0, 10.0]});
+    let hertz = server.target.post("/v1/hertz", sweep.to_string()).json();
+    assert_eq!(hertz["steps"].as_array().unwrap().len(), 2);
+    assert_eq!(hertz["steps"][0]["yields"], false);
+    sweep["load"] = json!({"approach": 0.01});
+    let problem = server.target.post("/v1/hertz", sweep.to_string()).problem(422, "invalid-job");
+    assert_eq!(pointers(&problem), ["/load"]);
+}
+
+#[test]
+fn every_example_is_accepted_as_it_is_served() {
+    let server = Server::start();
+    let examples = server.target.get("/v1/examples").json();
+    let examples = examples["examples"].as_array().unwrap();
+    assert!(examples.len() >= 3);
+    for example in examples {
+        let answer = server.target.post("/v1/validate", example["job"].to_string());
+        assert_eq!(answer.status, 200, "{}", example["name"]);
+    }
+}
+
+#[test]
+fn capacity_tells_how_busy_the_queue_is() {
+    let service = InProcess::start(|config| config.storage.queue_capacity = 7);
+    let slow = service.target.submit(&job("slow"));
+    service.target.wait_for(&slow, &["running"]);
+    service.target.submit(&job("quick"));
+    let capacity = service.target.get("/v1/capacity").json();
+    assert_eq!(capacity["solvers"], 1);
+    assert_eq!(capacity["queue"], json!({"queued": 1, "running": 1, "capacity": 7}));
+    assert_eq!(capacity["limits"]["body_bytes"], 1 << 20);
+    assert!(capacity["memory_bytes"].as_u64().is_some_and(|bytes| bytes > 1 << 20));
+    service.solver.open_gate();
+}

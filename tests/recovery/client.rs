@@ -1,0 +1,115 @@
+//! A client that asks hundreds of questions over one connection.
+
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use crate::server::{DEADLINE, example};
+
+/// One connection.
+pub struct Client {
+    stream: BufReader<TcpStream>,
+}
+
+impl Client {
+    pub fn connect(url: &str) -> Self {
+        let stream = TcpStream::connect(url.strip_prefix("http://").unwrap()).unwrap();
+        stream.set_nodelay(true).unwrap();
+        stream.set_read_timeout(Some(DEADLINE)).unwrap();
+        Self { stream: BufReader::new(stream) }
+    }
+
+    pub fn get(&mut self, path: &str) -> (u16, Value) {
+        self.ask("GET", path, "", "")
+    }
+
+    /// Queues a job and returns its id.
+    #[track_caller]
+    pub fn submit(&mut self, job: &Value) -> String {
+        let (status, receipt) = self.ask("POST", "/v1/jobs", "", &job.to_string());
+        assert_eq!(status, 202, "{receipt}");
+        receipt["id"].as_str().unwrap().to_owned()
+    }
+
+    pub fn ask(&mut self, method: &str, path: &str, headers: &str, body: &str) -> (u16, Value) {
+        let length = body.len();
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+             {headers}\r\n"
+        );
+        self.stream.get_mut().write_all((head + body).as_bytes()).unwrap();
+        let (mut status, mut length) = (0, 0);
+        loop {
+            let mut line = String::new();
+            self.stream.read_line(&mut line).unwrap();
+            match line.trim_end().split_once(": ") {
+                Some((name, value)) if name == "content-length" => length = value.parse().unwrap(),
+                Some(_) => {}
+                None if line.starts_with("HTTP/1.1 ") => status = line[9..12].parse().unwrap(),
+                None => break,
+            }
+        }
+        let mut body = vec![0; length];
+        self.stream.read_exact(&mut body).unwrap();
+        (status, serde_json::from_slice(&body).unwrap_or(Value::Null))
+    }
+
+    /// Waits until no job is queued or running.
+    #[track_caller]
+    pub fn wait_until_idle(&mut self) {
+        let started = Instant::now();
+        loop {
+            let (status, capacity) = self.get("/v1/capacity");
+            let queue = &capacity["queue"];
+            if status == 200 && queue["queued"] == 0 && queue["running"] == 0 {
+                return;
+            }
+            assert!(started.elapsed() < 2 * DEADLINE, "still {queue}");
+        }
+    }
+
+    /// Every job the service knows.
+    #[track_caller]
+    pub fn all_jobs(&mut self) -> BTreeMap<String, Value> {
+        let mut jobs = BTreeMap::new();
+        let mut cursor = String::new();
+        loop {
+            let (status, page) = self.get(&format!("/v1/jobs?limit=100{cursor}"));
+            assert_eq!(status, 200);
+            for job in page["jobs"].as_array().unwrap() {
+                let twice = jobs.insert(job["id"].as_str().unwrap().to_owned(), job.clone());
+                assert_eq!(twice, None, "listed twice");
+            }
+            match page["next_cursor"].as_str() {
+                Some(next) => cursor = format!("&cursor={next}"),
+                None => return jobs,
+            }
+        }
+    }
+
+    /// Asserts that exactly these jobs are known, that all have succeeded, and that each has its result.
+    #[track_caller]
+    pub fn assert_all_succeeded(&mut self, ids: &[String]) {
+        let jobs = self.all_jobs();
+        assert_eq!(jobs.len(), ids.len(), "lost, or taken in twice");
+        for id in ids {
+            let job = &jobs[id];
+            assert_eq!(job["status"], "succeeded", "{job}");
+            let (status, report) = self.get(&format!("/v1/jobs/{id}/result"));
+            assert_eq!((status, report["tags"]["number"].as_str()), (200, job["tags"]["number"].as_str()));
+            let iterations = report["steps"][0]["history"].as_array().unwrap().len();
+            assert_eq!(job["progress"]["iterations"], iterations, "the history is that of one attempt");
+        }
+    }
+}
+
+/// A small job that knows its number.
+pub fn small_job(number: usize) -> Value {
+    let mut job = example();
+    job["mesh"] = json!({"elements_per_half_width": 4});
+    job["tags"] = json!({"number": number.to_string()});
+    job
+}

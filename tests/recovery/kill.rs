@@ -1,0 +1,35 @@
+//! kill -9 of the only process.
+
+use crate::client::{Client, small_job};
+use crate::server::{Scratch, Server};
+
+#[test]
+fn five_hundred_queued_jobs_survive_kill_9() {
+    let data = Scratch::new();
+    let args = ["--data-dir", data.0.to_str().unwrap(), "--workers", "4"];
+    let mut server = Server::start_with(&args);
+    let mut client = Client::connect(&server.target.url);
+    let mut ids = Vec::new();
+    let queued = loop {
+        ids.push(client.submit(&small_job(ids.len())));
+        if ids.len() % 50 == 0 {
+            let (_, capacity) = client.get("/v1/capacity");
+            if capacity["queue"]["queued"].as_u64().unwrap() >= 500 && capacity["queue"]["running"] != 0 {
+                break capacity["queue"].clone();
+            }
+        }
+        assert!(ids.len() < 20_000, "jobs are solved faster than they are handed in");
+    };
+    server.signal("KILL");
+    server.wait();
+    drop(server);
+
+    let server = Server::start_with(&args);
+    let mut client = Client::connect(&server.target.url);
+    client.wait_until_idle();
+    client.assert_all_succeeded(&ids);
+    let jobs = client.all_jobs();
+    let again = jobs.values().filter(|job| job["attempts"] == 2).count();
+    assert!((1..=4).contains(&again), "{again} jobs ran twice; {queued} at the kill");
+    assert!(jobs.values().all(|job| job["attempts"].as_u64().is_some_and(|attempts| attempts <= 2)));
+}

@@ -1,0 +1,97 @@
+//! What the stores in databases promise beyond the process.
+
+use std::sync::Arc;
+
+use brinell::jobs::{Hub, JobState, StoreError, SystemClock};
+use brinell::solve::SolveStatus;
+use brinell::store::{SqliteError, open_sqlite};
+use jiff::SignedDuration;
+use tokio::time::timeout;
+
+use crate::subject::{DEADLINE, Place, Subject, iteration, reported};
+
+#[tokio::test]
+async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
+    let subject = Subject::sqlite().await;
+    let (done, running, queued) =
+        (subject.enqueue("done").await, subject.enqueue("running").await, subject.enqueue("queued").await);
+    let claims = subject.claim(2).await;
+    let records = [iteration(1), iteration(2)];
+    subject.store.finish(&claims[0].lease, &records, reported(SolveStatus::Converged)).await.unwrap();
+    let Subject { store, clock, place, .. } = subject;
+    drop(store);
+
+    let after = Subject::again(place, clock).await;
+    assert_eq!(after.store.history(done, 0).await.unwrap(), records);
+    assert_eq!(after.store.report(done).await.unwrap().unwrap(), "{\"report\": 1}");
+    assert_eq!(after.get(queued).await.queue_position, Some(0));
+    let stale = after.finish(&claims[1].lease, SolveStatus::Converged).await;
+    assert!(stale.is_ok(), "nobody has taken it up yet");
+    assert_eq!(after.get(running).await.state, JobState::Succeeded);
+    assert_eq!(after.claim_one().await.job, queued);
+    let Subject { store, clock, place, .. } = after;
+    drop(store);
+    let again = Subject::again(place, clock).await;
+    let lease = again.claim_one().await;
+    assert_eq!((lease.job, lease.attempt), (queued, 2), "without waiting for the lease");
+}
+
+#[tokio::test]
+async fn a_data_directory_has_one_owner() {
+    let subject = Subject::sqlite().await;
+    let Place::Directory(directory) = &subject.place else { panic!("a directory") };
+    let second = open_sqlite(&directory.0, 1, Hub::new(), Arc::new(SystemClock)).await;
+    assert!(matches!(second.err(), Some(SqliteError::InUse(_))));
+}
+
+#[tokio::test]
+async fn what_one_process_does_another_hears() {
+    let here = Subject::postgres().await;
+    let there = Subject::again(here.place.clone(), Arc::clone(&here.clock)).await;
+    let id = here.enqueue("x").await;
+    timeout(DEADLINE, there.hub.work()).await.expect("work is heard of");
+    let (mut at_worker, mut at_client) = (there.hub.watch(id), here.hub.watch(id));
+    let lease = there.claim_one().await;
+    // The listener may have started only now, and then everybody is told to look.
+    while here.get(id).await.state != JobState::Running {
+        timeout(DEADLINE, at_client.changed()).await.expect("the start is heard of");
+    }
+    here.store.cancel(id).await.unwrap();
+    let heard = async { while !at_worker.changed().await.cancel_requested {} };
+    timeout(DEADLINE, heard).await.expect("the wish to stop is heard of");
+    there.finish(&lease, SolveStatus::Cancelled).await.unwrap();
+    timeout(DEADLINE, at_client.finished()).await.expect("the end is heard of");
+    assert_eq!(here.store.report(id).await.unwrap().unwrap(), "{\"report\": 1}");
+}
+
+#[tokio::test]
+async fn a_lost_worker_s_job_is_run_by_another_process() {
+    let dead = Subject::postgres().await;
+    let alive = Subject::again(dead.place.clone(), Arc::clone(&dead.clock)).await;
+    let id = dead.enqueue("x").await;
+    let lost = dead.claim_one().await;
+    assert!(alive.claim(1).await.is_empty());
+    dead.clock.advance(SignedDuration::from_secs(31));
+    let lease = alive.claim_one().await;
+    assert!(matches!(dead.finish(&lost, SolveStatus::Converged).await, Err(StoreError::LeaseLost)));
+    alive.finish(&lease, SolveStatus::NotConverged).await.unwrap();
+    assert_eq!(dead.get(id).await.state, JobState::NotConverged);
+}
+
+#[tokio::test]
+async fn several_processes_may_start_at_once_on_an_empty_database() {
+    let first = Subject::postgres().await;
+    let Place::Database(url) = &first.place else { panic!("a database") };
+    let empty = crate::cluster::Cluster::shared().database().await;
+    assert_ne!(url, &empty);
+    let place = Place::Database(empty);
+    let starts = (0..4).map(|_| tokio::spawn(Subject::again(place.clone(), Arc::clone(&first.clock))));
+    let mut nodes = Vec::new();
+    for start in starts.collect::<Vec<_>>() {
+        nodes.push(start.await.unwrap());
+    }
+    let id = nodes[0].enqueue("x").await;
+    for node in &nodes {
+        assert_eq!(node.get(id).await.id, id, "an id answers the same everywhere");
+    }
+}

@@ -1,0 +1,110 @@
+//! Whose job it is.
+
+use brinell::jobs::{ClaimRequest, FailureKind, JobId, JobState, Lease, LeaseStatus, StoreError, WorkerId};
+use brinell::solve::SolveStatus;
+use jiff::SignedDuration;
+
+use crate::subject::{LEASE, Subject, ids, iteration};
+
+pub async fn only_the_holder_of_the_lease_writes(subject: &Subject) {
+    let (store, id) = (&subject.store, subject.enqueue("x").await);
+    let lease = subject.claim_one().await;
+    let strangers = [
+        Lease { owner: WorkerId::generate(), ..lease },
+        Lease { attempt: lease.attempt + 1, ..lease },
+        Lease { job: JobId::generate(), ..lease },
+    ];
+    for stranger in strangers {
+        let refused = store.record_progress(&stranger, &[iteration(1)]).await;
+        assert!(matches!(refused, Err(StoreError::LeaseLost)));
+        let refused = subject.finish(&stranger, SolveStatus::Converged).await;
+        assert!(matches!(refused, Err(StoreError::LeaseLost)));
+        assert_eq!(store.heartbeat(&[stranger], LEASE).await.unwrap(), [LeaseStatus::Lost]);
+    }
+    subject.finish(&lease, SolveStatus::NotConverged).await.unwrap();
+    let again = subject.finish(&lease, SolveStatus::Converged).await;
+    assert!(matches!(again, Err(StoreError::LeaseLost)));
+    assert_eq!(subject.get(id).await.state, JobState::NotConverged);
+}
+
+pub async fn an_expired_job_is_handed_out_again_and_given_up_at_last(subject: &Subject) {
+    let (store, id) = (&subject.store, subject.enqueue("x").await);
+    let first = subject.claim_one().await;
+    store.record_progress(&first, &[iteration(1)]).await.unwrap();
+    assert!(subject.claim(1).await.is_empty(), "the lease still holds");
+
+    subject.clock.advance(SignedDuration::from_secs(31));
+    let second = subject.claim_one().await;
+    assert_eq!((second.job, second.attempt), (id, 2));
+    assert!(matches!(store.record_progress(&first, &[iteration(2)]).await, Err(StoreError::LeaseLost)));
+    assert!(store.history(id, 0).await.unwrap().is_empty(), "a new attempt has a new history");
+
+    subject.clock.advance(SignedDuration::from_secs(31));
+    assert!(subject.claim(1).await.is_empty());
+    let given_up = subject.get(id).await;
+    assert_eq!(given_up.state, JobState::Failed);
+    let failure = given_up.failure.unwrap();
+    assert_eq!(failure.kind, FailureKind::Internal);
+    assert!(failure.detail.contains("lost 2 times"), "{}", failure.detail);
+}
+
+pub async fn heartbeats_keep_a_job_and_tell_of_cancellation(subject: &Subject) {
+    let (store, id) = (&subject.store, subject.enqueue("x").await);
+    let lease = subject.claim_one().await;
+    for _ in 0..3 {
+        subject.clock.advance(SignedDuration::from_secs(20));
+        let kept = LeaseStatus::Held { cancel_requested: false };
+        assert_eq!(store.heartbeat(&[lease], LEASE).await.unwrap(), [kept]);
+        assert!(subject.claim(1).await.is_empty());
+    }
+    store.cancel(id).await.unwrap();
+    let to_stop = LeaseStatus::Held { cancel_requested: true };
+    assert_eq!(store.heartbeat(&[lease], LEASE).await.unwrap(), [to_stop]);
+}
+
+pub async fn an_expired_job_that_was_to_stop_is_cancelled(subject: &Subject) {
+    let (store, id) = (&subject.store, subject.enqueue("x").await);
+    subject.claim_one().await;
+    store.cancel(id).await.unwrap();
+    subject.clock.advance(SignedDuration::from_secs(31));
+    assert!(subject.claim(1).await.is_empty());
+    assert_eq!(subject.get(id).await.state, JobState::Cancelled);
+}
+
+pub async fn the_last_attempt_runs_alone(subject: &Subject) {
+    let (guilty, neighbour) = (subject.enqueue("guilty").await, subject.enqueue("neighbour").await);
+    assert_eq!(subject.claim(2).await.len(), 2);
+    subject.clock.advance(SignedDuration::from_secs(31));
+    let fresh = subject.enqueue("fresh").await;
+    let busy = ClaimRequest { alone: false, ..Subject::request(3) };
+    let claims = subject.claims(busy).await;
+    assert_eq!((ids(&claims.jobs), claims.lonely_waits), (vec![fresh], true));
+
+    let claims = subject.claims(Subject::request(3)).await;
+    assert_eq!(ids(&claims.jobs), [guilty]);
+    assert!(claims.jobs[0].alone);
+    let last = claims.jobs[0].lease;
+    assert_eq!(last.attempt, 2);
+    subject.finish(&last, SolveStatus::Converged).await.unwrap();
+    let claims = subject.claims(Subject::request(3)).await;
+    assert_eq!((ids(&claims.jobs), claims.jobs[0].alone), (vec![neighbour], true));
+}
+
+pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
+    let (store, id) = (&subject.store, subject.enqueue("x").await);
+    for attempt in 1..=4 {
+        let lease = subject.claim_one().await;
+        assert_eq!(lease.attempt, attempt, "being released is no loss");
+        store.record_progress(&lease, &[iteration(1)]).await.unwrap();
+        store.release(&[lease]).await.unwrap();
+        let released = subject.get(id).await;
+        assert_eq!((released.state, released.queue_position), (JobState::Queued, Some(0)));
+        assert_eq!((released.iterations, released.started_at), (0, None));
+        assert!(matches!(subject.finish(&lease, SolveStatus::Converged).await, Err(StoreError::LeaseLost)));
+    }
+    let lease = subject.claim_one().await;
+    store.cancel(id).await.unwrap();
+    store.release(&[lease]).await.unwrap();
+    assert_eq!(subject.get(id).await.state, JobState::Cancelled);
+    store.release(&[lease]).await.unwrap();
+}

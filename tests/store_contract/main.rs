@@ -1,0 +1,66 @@
+//! What every `JobStore` promises. Each backend runs the whole suite.
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
+
+#[path = "../support/cluster.rs"]
+mod cluster;
+mod durable;
+mod keys;
+mod leases;
+mod life;
+mod memory_bounds;
+mod names;
+mod queue;
+mod subject;
+
+/// `contract!(name, start)`: all promises, each on a store of its own.
+macro_rules! contract {
+    ($backend:ident, $start:expr) => {
+        contract! {
+            $backend, $start,
+            life a_job_goes_its_way;
+            life unknown_jobs_are_not_found;
+            life a_queued_job_is_cancelled_at_once;
+            life a_running_job_is_asked_to_stop;
+            life failures_are_kept;
+            life only_finished_jobs_are_deleted;
+            life changes_are_announced_after_they_can_be_read;
+            life old_jobs_are_swept_each_in_its_time;
+            queue jobs_are_handed_out_in_order_and_only_once;
+            queue a_full_queue_refuses_and_keeps_nothing;
+            queue pages_are_newest_first_and_filtered;
+            queue the_highest_priority_goes_first;
+            queue jobs_are_handed_out_within_the_memory;
+            queue many_workers_at_once_never_get_the_same_job;
+            queue jobs_are_listed_by_submitter;
+            leases only_the_holder_of_the_lease_writes;
+            leases an_expired_job_is_handed_out_again_and_given_up_at_last;
+            leases heartbeats_keep_a_job_and_tell_of_cancellation;
+            leases an_expired_job_that_was_to_stop_is_cancelled;
+            leases the_last_attempt_runs_alone;
+            leases a_released_job_is_queued_as_if_never_taken_up;
+            keys api_keys_are_kept_and_revoked;
+            names the_same_name_is_the_same_job;
+            names a_name_is_free_again_with_its_job;
+            names a_refused_job_does_not_take_its_name;
+            names the_same_name_at_the_same_instant_is_one_job;
+        }
+    };
+    ($backend:ident, $start:expr, $($part:ident $promise:ident;)*) => {
+        mod $backend {
+            $(#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+            async fn $promise() {
+                crate::$part::$promise(&$start).await;
+            })*
+        }
+    };
+}
+
+contract!(
+    memory,
+    crate::subject::Subject::memory(brinell::store::MemoryLimits {
+        queued_jobs: crate::subject::QUEUE_CAPACITY,
+        ..brinell::store::MemoryLimits::default()
+    })
+);
+contract!(sqlite, crate::subject::Subject::sqlite().await);
+contract!(postgres, crate::subject::Subject::postgres().await);

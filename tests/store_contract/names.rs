@@ -1,0 +1,55 @@
+//! Submissions that come twice.
+
+use brinell::jobs::{Idempotency, KeyId, NewJob, StoreError};
+use brinell::solve::SolveStatus;
+
+use crate::subject::{ALL, QUEUE_CAPACITY, Subject, job};
+
+fn named(name: &str, digest: u8) -> NewJob {
+    NewJob { idempotency: Some(Idempotency { key: name.to_owned(), digest: [digest; 32] }), ..job("x") }
+}
+
+pub async fn the_same_name_is_the_same_job(subject: &Subject) {
+    let first = subject.submit(named("a", 1)).await.unwrap();
+    let again = subject.submit(named("a", 1)).await.unwrap();
+    assert_eq!((first.replayed, again.replayed, again.job.id), (false, true, first.job.id));
+    assert!(matches!(subject.submit(named("a", 2)).await, Err(StoreError::KeyReused)));
+    assert_ne!(subject.submit(named("b", 1)).await.unwrap().job.id, first.job.id);
+    let other_key = NewJob { submitter: Some(KeyId::generate()), ..named("a", 2) };
+    assert!(!subject.submit(other_key).await.unwrap().replayed, "names of different keys do not meet");
+    assert_eq!(subject.page(ALL).await.0.len(), 3);
+}
+
+pub async fn a_name_is_free_again_with_its_job(subject: &Subject) {
+    let first = subject.submit(named("a", 1)).await.unwrap().job.id;
+    let lease = subject.claim_one().await;
+    subject.finish(&lease, SolveStatus::Converged).await.unwrap();
+    assert!(subject.submit(named("a", 1)).await.unwrap().replayed);
+    subject.store.delete(first).await.unwrap();
+    assert!(!subject.submit(named("a", 2)).await.unwrap().replayed);
+}
+
+pub async fn a_refused_job_does_not_take_its_name(subject: &Subject) {
+    for _ in 0..QUEUE_CAPACITY {
+        subject.enqueue("x").await;
+    }
+    assert!(matches!(subject.submit(named("a", 1)).await, Err(StoreError::QueueFull { .. })));
+    subject.claim_one().await;
+    assert!(!subject.submit(named("a", 2)).await.unwrap().replayed);
+    assert!(subject.submit(named("a", 2)).await.unwrap().replayed, "a full queue still replays");
+}
+
+pub async fn the_same_name_at_the_same_instant_is_one_job(subject: &Subject) {
+    let submissions = (0..8).map(|_| {
+        let store = subject.store.clone();
+        tokio::spawn(async move { store.enqueue(named("a", 1)).await.unwrap() })
+    });
+    let (mut ids, mut fresh) = (Vec::new(), 0);
+    for submission in submissions.collect::<Vec<_>>() {
+        let enqueued = submission.await.unwrap();
+        fresh += usize::from(!enqueued.replayed);
+        ids.push(enqueued.job.id);
+    }
+    ids.dedup();
+    assert_eq!((ids.len(), fresh), (1, 1));
+}

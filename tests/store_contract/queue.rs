@@ -1,0 +1,110 @@
+//! Who is next.
+
+use std::collections::BTreeSet;
+
+use brinell::jobs::{ClaimRequest, JobFilter, JobId, JobState, KeyId, NewJob, StoreError};
+
+use crate::subject::{ALL, MEMORY, QUEUE_CAPACITY, Subject, ids as ids_of, job};
+
+pub async fn jobs_are_handed_out_in_order_and_only_once(subject: &Subject) {
+    let mut ids = Vec::new();
+    for name in ["a", "b", "c", "d"] {
+        ids.push(subject.enqueue(name).await);
+    }
+    assert_eq!(subject.get(ids[2]).await.queue_position, Some(2));
+    assert_eq!(ids_of(&subject.claim(3).await), ids[..3]);
+    assert_eq!(ids_of(&subject.claim(3).await), ids[3..]);
+    assert!(subject.claim(3).await.is_empty());
+}
+
+pub async fn a_full_queue_refuses_and_keeps_nothing(subject: &Subject) {
+    for _ in 0..QUEUE_CAPACITY {
+        subject.enqueue("x").await;
+    }
+    let one_more = job("more");
+    let id = one_more.id;
+    let refused = subject.submit(one_more.clone()).await;
+    assert!(matches!(refused, Err(StoreError::QueueFull { queued: QUEUE_CAPACITY })));
+    assert!(matches!(subject.store.get(id).await, Err(StoreError::NotFound)));
+    subject.claim_one().await;
+    subject.submit(one_more.clone()).await.unwrap();
+}
+
+pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {
+    let mut ids = Vec::new();
+    for name in ["a", "b", "a"] {
+        ids.push(subject.enqueue(name).await);
+    }
+    ids.reverse();
+    assert_eq!(subject.page(ALL).await, (ids.clone(), None));
+    let (first, next) = subject.page(JobFilter { limit: 2, ..ALL }).await;
+    assert_eq!((first.as_slice(), next), (&ids[..2], Some(ids[1])));
+    assert_eq!(subject.page(JobFilter { limit: 2, before: next, ..ALL }).await, (vec![ids[2]], None));
+    let tagged = JobFilter { tag: Some(("name".to_owned(), "a".to_owned())), ..ALL };
+    assert_eq!(subject.page(tagged).await.0, [ids[0], ids[2]]);
+    subject.claim_one().await;
+    let running = JobFilter { state: Some(JobState::Running), ..ALL };
+    assert_eq!(subject.page(running).await.0, [ids[2]]);
+}
+
+pub async fn the_highest_priority_goes_first(subject: &Subject) {
+    let mut ids = Vec::new();
+    for (name, priority) in [("a", 0), ("b", -3), ("c", 7), ("d", 0)] {
+        ids.push(subject.submit(NewJob { priority, ..job(name) }).await.unwrap().job.id);
+    }
+    let mut places = Vec::new();
+    for id in &ids {
+        places.push(subject.get(*id).await.queue_position);
+    }
+    assert_eq!(places, [Some(1), Some(3), Some(0), Some(2)]);
+    assert_eq!(ids_of(&subject.claim(4).await), [ids[2], ids[0], ids[3], ids[1]]);
+    assert_eq!(subject.get(ids[2]).await.priority, 7);
+}
+
+pub async fn jobs_are_handed_out_within_the_memory(subject: &Subject) {
+    let mut ids = Vec::new();
+    for (name, memory) in [("huge", MEMORY + 1), ("half", 500), ("most", 600), ("tiny", 1)] {
+        ids.push(subject.submit(NewJob { memory, ..job(name) }).await.unwrap().job.id);
+    }
+    let claims = subject.claim(4).await;
+    assert_eq!(
+        ids_of(&claims),
+        [ids[1]],
+        "the next does not fit beside it, and the small one must not overtake"
+    );
+    assert_eq!(claims[0].memory, 500);
+    let rest = ClaimRequest { free_memory: 500, alone: false, ..Subject::request(3) };
+    assert!(subject.claims(rest).await.jobs.is_empty());
+    assert_eq!(ids_of(&subject.claim(4).await), [ids[2], ids[3]]);
+    assert!(subject.claim(4).await.is_empty(), "what never fits is left to others");
+    let larger = ClaimRequest { free_memory: 2 * MEMORY, memory: 2 * MEMORY, ..Subject::request(1) };
+    assert_eq!(ids_of(&subject.claims(larger).await.jobs), [ids[0]]);
+}
+
+pub async fn many_workers_at_once_never_get_the_same_job(subject: &Subject) {
+    let mut queued = BTreeSet::new();
+    for _ in 0..QUEUE_CAPACITY {
+        queued.insert(subject.enqueue("x").await);
+    }
+    let claims = (0..8).map(|_| {
+        let (store, request) = (subject.store.clone(), Subject::request(1));
+        tokio::spawn(async move { store.claim(&request).await.unwrap() })
+    });
+    let mut claimed: Vec<JobId> = Vec::new();
+    for claim in claims.collect::<Vec<_>>() {
+        claimed.extend(ids_of(&claim.await.unwrap().jobs));
+    }
+    // A worker may look away while another holds the row; what is left is handed out next.
+    claimed.extend(ids_of(&subject.claim(QUEUE_CAPACITY).await));
+    assert_eq!(claimed.len(), QUEUE_CAPACITY);
+    assert_eq!(claimed.into_iter().collect::<BTreeSet<_>>(), queued);
+}
+
+pub async fn jobs_are_listed_by_submitter(subject: &Subject) {
+    let (one, other) = (KeyId::generate(), KeyId::generate());
+    let mine = subject.submit(NewJob { submitter: Some(one), ..job("a") }).await.unwrap().job;
+    subject.submit(NewJob { submitter: Some(other), ..job("a") }).await.unwrap();
+    subject.enqueue("a").await;
+    assert_eq!(subject.get(mine.id).await.submitter, Some(one));
+    assert_eq!(subject.page(JobFilter { submitter: Some(one), ..ALL }).await, (vec![mine.id], None));
+}

@@ -1,0 +1,186 @@
+//! A store under test.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use brinell::jobs::{
+    Claim, ClaimRequest, Claims, Clock, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobRecord, Lease,
+    NewJob, Outcome, StoreError, WorkerId,
+};
+use brinell::solve::SolveStatus;
+use brinell::store::{MemoryLimits, MemoryStore, Store, open_postgres, open_sqlite};
+use bytes::Bytes;
+use jiff::{SignedDuration, Timestamp};
+
+use crate::cluster::Cluster;
+
+/// Limits that every backend under test is started with.
+pub const QUEUE_CAPACITY: usize = 4;
+pub const LEASE: Duration = Duration::from_secs(30);
+pub const MAX_ATTEMPTS: u32 = 2;
+pub const MEMORY: u64 = 1000;
+
+/// Longest time anything in these tests may take.
+pub const DEADLINE: Duration = Duration::from_secs(20);
+
+pub const ALL: JobFilter = JobFilter { state: None, tag: None, submitter: None, before: None, limit: 100 };
+
+/// A clock that only the test moves.
+pub struct TestClock(Mutex<Timestamp>);
+
+impl TestClock {
+    pub fn advance(&self, by: SignedDuration) {
+        *self.0.lock().unwrap() += by;
+    }
+}
+
+impl Clock for TestClock {
+    fn now(&self) -> Timestamp {
+        *self.0.lock().unwrap()
+    }
+}
+
+/// A store under test with the hub it announces on and the clock it reads.
+pub struct Subject {
+    pub store: Arc<dyn Store>,
+    pub hub: Arc<Hub>,
+    pub clock: Arc<TestClock>,
+    /// Where a second process would find the same jobs.
+    pub place: Place,
+}
+
+/// Where a store keeps its jobs.
+#[derive(Clone)]
+pub enum Place {
+    Memory,
+    Directory(Arc<Scratch>),
+    Database(String),
+}
+
+/// A directory that is removed in the end.
+pub struct Scratch(pub PathBuf);
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+impl Subject {
+    pub fn memory(limits: MemoryLimits) -> Self {
+        let (hub, clock) = (Hub::new(), clock());
+        let store = Arc::new(MemoryStore::new(limits, Arc::clone(&hub), Arc::clone(&clock) as _));
+        Self { store, hub, clock, place: Place::Memory }
+    }
+
+    pub async fn sqlite() -> Self {
+        let name = format!("brinell-test-{}", JobId::generate());
+        let directory = Scratch(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name));
+        Self::at(Place::Directory(Arc::new(directory)), clock()).await
+    }
+
+    pub async fn postgres() -> Self {
+        Self::at(Place::Database(Cluster::shared().database().await), clock()).await
+    }
+
+    /// What another process would see, once this one is gone or beside it.
+    pub async fn again(place: Place, clock: Arc<TestClock>) -> Self {
+        Self::at(place, clock).await
+    }
+
+    async fn at(place: Place, clock: Arc<TestClock>) -> Self {
+        let hub = Hub::new();
+        let (capacity, hub_of_store, time) =
+            (QUEUE_CAPACITY, Arc::clone(&hub), Arc::clone(&clock) as Arc<dyn Clock>);
+        let store = match &place {
+            Place::Memory => panic!("memory is not shared"),
+            Place::Directory(path) => open_sqlite(&path.0, capacity, hub_of_store, time).await.unwrap(),
+            Place::Database(url) => open_postgres(url, capacity, hub_of_store, Some(time)).await.unwrap(),
+        };
+        Self { store, hub, clock, place }
+    }
+
+    pub async fn enqueue(&self, tag: &str) -> JobId {
+        self.submit(job(tag)).await.unwrap().job.id
+    }
+
+    pub async fn submit(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+        self.store.enqueue(job).await
+    }
+
+    /// What a worker that does nothing else is handed.
+    pub fn request(slots: usize) -> ClaimRequest {
+        ClaimRequest {
+            owner: WorkerId::generate(),
+            slots,
+            alone: true,
+            free_memory: MEMORY,
+            memory: MEMORY,
+            lease: LEASE,
+            max_attempts: MAX_ATTEMPTS,
+        }
+    }
+
+    pub async fn claims(&self, request: ClaimRequest) -> Claims {
+        self.store.claim(&request).await.unwrap()
+    }
+
+    pub async fn claim(&self, slots: usize) -> Vec<Claim> {
+        self.claims(Self::request(slots)).await.jobs
+    }
+
+    pub async fn claim_one(&self) -> Lease {
+        let claims = self.claim(1).await;
+        assert_eq!(claims.len(), 1);
+        claims[0].lease
+    }
+
+    pub async fn finish(&self, lease: &Lease, status: SolveStatus) -> Result<(), StoreError> {
+        self.store.finish(lease, &[], reported(status)).await
+    }
+
+    pub async fn get(&self, id: JobId) -> JobRecord {
+        self.store.get(id).await.unwrap()
+    }
+
+    pub async fn page(&self, filter: JobFilter) -> (Vec<JobId>, Option<JobId>) {
+        let page = self.store.list(&filter).await.unwrap();
+        (page.jobs.into_iter().map(|job| job.id).collect(), page.next)
+    }
+}
+
+fn clock() -> Arc<TestClock> {
+    Arc::new(TestClock(Mutex::new("2026-01-01T00:00:00Z".parse().unwrap())))
+}
+
+pub fn job(tag: &str) -> NewJob {
+    let tags = BTreeMap::from([("name".to_owned(), tag.to_owned())]);
+    NewJob { tags, ..NewJob::new(Bytes::from(format!("{{\"job\": \"{tag}\"}}"))) }
+}
+
+pub fn ids(claims: &[Claim]) -> Vec<JobId> {
+    claims.iter().map(|claim| claim.lease.job).collect()
+}
+
+pub fn iteration(number: usize) -> IterationRecord {
+    IterationRecord {
+        iteration: number,
+        contact_pivots: 1,
+        initial_stress_updates: 1,
+        factorizations: 0,
+        displacement_change: 1e-3,
+        force_change: 1e-3,
+        equilibrium_residual: 1e-3,
+        plastic_points: 10,
+        contact_pairs: 20,
+        approach: 0.02,
+        peak_pressure: 1200.0,
+        elapsed_ms: 1.0,
+    }
+}
+
+pub fn reported(status: SolveStatus) -> Outcome {
+    Outcome::Reported { status, report: Bytes::from_static(b"{\"report\": 1}") }
+}
