@@ -1,16 +1,13 @@
 //! The report of a solution.
 
-use std::f64::consts::PI;
 use std::time::Duration;
 
-use super::subsurface;
 use super::units::Writer;
 use super::{
-    ContactNodes, ContactReport, ErrorEstimate, HertzReport, LoadReport, MeshReport, PerBody,
-    PlasticityReport, Report, StepReport, Timings, validity,
+    HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport, Timings, contact,
+    error_bars, fields, load_approach, onset, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
-use crate::element::Kinematics;
 use crate::model::{Body, Job, Material, Named, Quantity, Shape};
 use crate::solve::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
@@ -28,6 +25,7 @@ pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) ->
         analysis: job.analysis.name().to_owned(),
         status: worst_status(solution),
         steps,
+        load_approach: load_approach::curve(&solution.steps, write),
         mesh: mesh_report(solution, write),
         timings_ms: timings(&solution.phases, end, end.saturating_sub(start)),
         tags: job.tags.clone(),
@@ -51,15 +49,17 @@ fn worst_status(solution: &Solution) -> SolveStatus {
 }
 
 fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
-    let contact = contact_report(step, write);
     let bodies = PerBody { upper: &step.bodies[0], lower: &step.bodies[1] };
-    let peak = peak_abscissa(step);
+    let peak = contact::peak_abscissa(step);
     let subsurface = job.output.subsurface.then(|| {
         bodies.each(|body| body.as_ref().map(|body| subsurface::profile(body, step.symmetric, peak, write)))
     });
-    let reference = ElasticReference::of(job, contact_force(step));
+    let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
+    let zone = |body: &Body, k: usize| {
+        step.bodies[k].as_ref().map(|solution| plasticity_report(solution, body, step.symmetric, write))
+    };
     StepReport {
         load: match step.load {
             ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
@@ -68,10 +68,10 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         status: step.status,
         approach: write.length(step.approach),
         approach_datum: approach_datum(job, write),
-        contact,
+        contact: contact::report(step, write),
+        contact_stiffness: write.stiffness(step.elastic_stiffness),
         subsurface,
-        plasticity: bodies
-            .each(|body| body.as_ref().map(|body| plasticity_report(body, step.symmetric, write))),
+        plasticity: PerBody { upper: zone(&job.upper, 0), lower: zone(&job.lower, 1) },
         hertz: reference.map(|reference| HertzReport {
             half_width: write.length(reference.half_width),
             peak_pressure: write.stress(reference.peak_pressure),
@@ -79,7 +79,9 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
             yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
         }),
         validity: validity::notes(step, radius, &depths),
-        estimated_error: estimated_error(step),
+        yield_onset: onset::onset(job, step, write),
+        estimated_error: error_bars::estimate(step),
+        fields: job.output.fields.then(|| fields::fields(step, write)),
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
 }
@@ -90,74 +92,29 @@ impl<T> PerBody<T> {
     }
 }
 
-/// Force on both sides of the axis \[N/mm\].
-fn contact_force(step: &StepSolution) -> f64 {
-    let meshed: f64 = step.pairs.iter().map(|pair| pair.force).sum();
-    let on_axis = step.pairs.first().map_or(0.0, |pair| pair.force);
-    if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
-}
-
-/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
-fn contact_area(step: &StepSolution, half_width: f64) -> f64 {
-    match step.kinematics {
-        Kinematics::PlaneStrain | Kinematics::PlaneStress => 2.0 * half_width,
-        Kinematics::Axisymmetric => PI * half_width * half_width,
-    }
-}
-
-fn peak_abscissa(step: &StepSolution) -> f64 {
-    let highest = step.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
-    highest.map_or(0.0, |pair| pair.x)
-}
-
-fn contact_report(step: &StepSolution, write: Writer) -> ContactReport {
-    let force = contact_force(step);
-    let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    let mean = if half_width > 0.0 { force / contact_area(step, half_width) } else { 0.0 };
-    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
-    let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
-    let pairs =
-        || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
-    ContactReport {
-        force: write.force(force),
-        half_width: write.length(half_width),
-        peak_pressure: write.stress(step.peak_pressure),
-        peak_position: write.length(peak_abscissa(step)),
-        mean_pressure: write.stress(mean),
-        nodes: ContactNodes {
-            x: pairs().map(|(pair, sign)| write.length(sign * pair.x)).collect(),
-            pressure: pairs().map(|(pair, _)| write.stress(pair.pressure)).collect(),
-            force: pairs().map(|(pair, _)| write.force(pair.force)).collect(),
-            gap: pairs().map(|(pair, _)| write.length(pair.gap)).collect(),
-        },
-    }
-}
-
-fn plasticity_report(body: &BodySolution, symmetric: bool, write: Writer) -> PlasticityReport {
-    let points = || body.stress.points.iter().flatten();
+fn plasticity_report(
+    solution: &BodySolution,
+    body: &Body,
+    symmetric: bool,
+    write: Writer,
+) -> PlasticityReport {
+    let points = || solution.stress.points.iter().flatten();
     let copies = if symmetric { 2.0 } else { 1.0 };
     let area: f64 = points().filter(|point| point.yielded).map(|point| point.area).sum();
     let most = points().max_by(|a, b| a.equivalent_plastic_strain.total_cmp(&b.equivalent_plastic_strain));
     let strain = most.map_or(0.0, |point| point.equivalent_plastic_strain);
     let position = most.filter(|_| strain > 0.0).map_or([0.0; 2], |point| point.position);
+    let zone = plastic_zone::outline(solution, body, symmetric);
+    let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded: points().any(|point| point.yielded),
         max_equivalent_plastic_strain: strain,
         position: write.length(position[0]),
         depth: write.length(-position[1]),
         area: write.area(copies * area),
+        reached_surface: zone.reached_surface,
+        outline: zone.outline.iter().map(written).collect(),
     }
-}
-
-/// Differences to the mesh of half the density, which bound the error of a method that converges at all.
-fn estimated_error(step: &StepSolution) -> Option<ErrorEstimate> {
-    let coarse = step.coarse?;
-    let relative = |fine: f64, coarse: f64| if fine == 0.0 { 0.0 } else { ((fine - coarse) / fine).abs() };
-    Some(ErrorEstimate {
-        peak_pressure: relative(step.peak_pressure, coarse.peak_pressure),
-        half_width: relative(step.patch?.half_width(), coarse.half_width),
-        approach: relative(step.approach, coarse.approach),
-    })
 }
 
 fn approach_datum(job: &Job, write: Writer) -> String {

@@ -1,7 +1,13 @@
 //! What a solution means to its reader: the report, its validity and its error bars.
 
 mod build;
+mod contact;
+mod error_bars;
 pub mod export;
+mod fields;
+mod load_approach;
+mod onset;
+mod plastic_zone;
 mod recovery;
 mod report;
 mod run;
@@ -9,5 +15,11 @@ mod subsurface;
 mod units;
 mod validity;
 
+pub use contact::{ContactNodes, ContactReport, Patch};
+pub use error_bars::ErrorEstimate;
+pub use fields::FieldsReport;
+pub use load_approach::LoadApproach;
+pub use onset::{Side, YieldOnsetReport};
 pub use report::*;
 pub use run::{JobEstimate, RunError, preflight, run};
+pub use validity::ValidityNote;

@@ -9,8 +9,8 @@
 //! O. C. Zienkiewicz, J. Z. Zhu, *The superconvergent patch recovery and a posteriori error estimates*, Int. J.
 //! Numer. Meth. Engng 33 (1992) 1331–1364.
 
-use std::collections::BTreeMap;
-
+use crate::assembly::GaussPoint;
+use crate::element::QUADRATURE_POINTS;
 use crate::linalg::dense::DenseCholesky;
 use crate::solve::BodySolution;
 
@@ -22,7 +22,9 @@ pub(super) struct Recovery<'a> {
     body: &'a BodySolution,
     symmetric: bool,
     elements_of_node: Vec<Vec<u32>>,
-    at_node: BTreeMap<u32, Values>,
+    /// Centroid and mean values of each element.
+    means: Vec<([f64; 2], Values)>,
+    at_node: Vec<Option<Values>>,
 }
 
 impl<'a> Recovery<'a> {
@@ -33,7 +35,9 @@ impl<'a> Recovery<'a> {
                 elements_of_node[node as usize].push(element);
             }
         }
-        Self { body, symmetric, elements_of_node, at_node: BTreeMap::new() }
+        let means = body.stress.points.iter().map(element_mean).collect();
+        let at_node = vec![None; body.mesh.nodes.len()];
+        Self { body, symmetric, elements_of_node, means, at_node }
     }
 
     /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh.
@@ -54,12 +58,29 @@ impl<'a> Recovery<'a> {
 
     /// Values at a node.
     pub fn node(&mut self, node: u32) -> Values {
-        if let Some(values) = self.at_node.get(&node) {
-            return *values;
+        if let Some(values) = self.at_node[node as usize] {
+            return values;
         }
         let values = self.fit(node);
-        self.at_node.insert(node, values);
+        self.at_node[node as usize] = Some(values);
         values
+    }
+
+    /// Values at every node, in time proportional to their number.
+    pub fn nodes(&mut self) -> Vec<Values> {
+        (0u32..)
+            .take(self.body.mesh.nodes.len())
+            .map(|node| {
+                let mut values = self.node(node);
+                values[4] = values[4].max(0.0);
+                values
+            })
+            .collect()
+    }
+
+    /// The elements around a node.
+    pub fn elements_of(&self, node: u32) -> &[u32] {
+        &self.elements_of_node[node as usize]
     }
 
     fn fit(&self, node: u32) -> Values {
@@ -74,8 +95,7 @@ impl<'a> Recovery<'a> {
             patch.sort_unstable();
             patch.dedup();
         }
-        let mut samples: Vec<([f64; 2], Values)> =
-            patch.iter().map(|&e| self.element_mean(e as usize)).collect();
+        let mut samples: Vec<([f64; 2], Values)> = patch.iter().map(|&e| self.means[e as usize]).collect();
         if on_axis {
             let images = samples.clone();
             samples.extend(images.into_iter().map(|([x, y], mut values)| {
@@ -85,24 +105,23 @@ impl<'a> Recovery<'a> {
         }
         plane_fit(&samples, centre)
     }
+}
 
-    /// Centroid and mean values of an element.
-    fn element_mean(&self, element: usize) -> ([f64; 2], Values) {
-        let points = &self.body.stress.points[element];
-        let total: f64 = points.iter().map(|p| p.weight).sum();
-        let (mut centroid, mut values) = ([0.0; 2], [0.0; 5]);
-        for point in points {
-            let share = point.weight / total;
-            for (c, x) in centroid.iter_mut().zip(point.position) {
-                *c += share * x;
-            }
-            let [x, y, z, t] = point.stress;
-            for (value, v) in values.iter_mut().zip([x, y, z, t, point.equivalent_plastic_strain]) {
-                *value += share * v;
-            }
+/// Centroid and mean values of an element.
+pub(super) fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
+    let total: f64 = points.iter().map(|p| p.weight).sum();
+    let (mut centroid, mut values) = ([0.0; 2], [0.0; 5]);
+    for point in points {
+        let share = point.weight / total;
+        for (c, x) in centroid.iter_mut().zip(point.position) {
+            *c += share * x;
         }
-        (centroid, values)
+        let [x, y, z, t] = point.stress;
+        for (value, v) in values.iter_mut().zip([x, y, z, t, point.equivalent_plastic_strain]) {
+            *value += share * v;
+        }
     }
+    (centroid, values)
 }
 
 /// Least-squares plane through samples, read at `centre`; their mean where they determine no plane.

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::{ContactReport, ErrorEstimate, FieldsReport, LoadApproach, ValidityNote, YieldOnsetReport};
 use crate::solve::{IterationRecord, SolveStatus};
 
 /// The answer to a job.
@@ -20,6 +21,9 @@ pub struct Report {
     pub status: SolveStatus,
     /// One entry for each load.
     pub steps: Vec<StepReport>,
+    /// The load–approach curve of a sweep.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_approach: Option<LoadApproach>,
     /// The mesh of the last step.
     pub mesh: MeshReport,
     /// Where the time went.
@@ -44,6 +48,9 @@ pub struct StepReport {
     pub approach_datum: String,
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
+    /// Contact stiffness dP/dα of the elastic bodies with the present contact: the tangent of an elastic contact, the
+    /// unloading stiffness of a plastic one. 0 where nothing touches.
+    pub contact_stiffness: f64,
     /// Stresses over depth; absent when not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
@@ -51,10 +58,16 @@ pub struct StepReport {
     pub plasticity: PerBody<Option<PlasticityReport>>,
     /// The closed-form elastic contact of the same bodies, where there is one.
     pub hertz: Option<HertzReport>,
+    /// The onset of yield; only of a job with `"load": {"onset": true}`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_onset: Option<YieldOnsetReport>,
     /// What to keep in mind about this answer.
     pub validity: Vec<ValidityNote>,
     /// Estimated relative discretization errors, where two meshes allow them.
     pub estimated_error: Option<ErrorEstimate>,
+    /// Mesh and nodal fields; absent unless asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fields: Option<PerBody<Option<FieldsReport>>>,
     /// Every outer iteration.
     pub history: Vec<IterationRecord>,
 }
@@ -76,36 +89,6 @@ pub struct PerBody<T> {
     pub upper: T,
     /// Of the lower body.
     pub lower: T,
-}
-
-/// Contact pressure and its resultants, both sides of the axis.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ContactReport {
-    /// Sum of the nodal forces.
-    pub force: f64,
-    /// Half the contact width, interpolated to where the pressure vanishes.
-    pub half_width: f64,
-    /// Largest nodal pressure.
-    pub peak_pressure: f64,
-    /// x of the largest pressure.
-    pub peak_position: f64,
-    /// Force over contact width.
-    pub mean_pressure: f64,
-    /// The candidate node pairs.
-    pub nodes: ContactNodes,
-}
-
-/// Node pairs in order of x.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ContactNodes {
-    /// Tangential position.
-    pub x: Vec<f64>,
-    /// Contact pressure.
-    pub pressure: Vec<f64>,
-    /// Nodal force.
-    pub force: Vec<f64>,
-    /// Gap after loading.
-    pub gap: Vec<f64>,
 }
 
 /// Stresses along the normal under the peak pressure.
@@ -138,8 +121,14 @@ pub struct PlasticityReport {
     pub position: f64,
     /// Depth of that point.
     pub depth: f64,
-    /// Area of the plastic zone, both sides of the axis.
+    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points.
     pub area: f64,
+    /// Whether the plastic zone includes a part of the free surface.
+    pub reached_surface: bool,
+    /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not repeated, both sides of
+    /// the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either
+    /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise.
+    pub outline: Vec<Vec<[f64; 2]>>,
 }
 
 /// Hertz's elastic contact under the same force.
@@ -153,26 +142,6 @@ pub struct HertzReport {
     pub yield_onset_force: Option<f64>,
     /// Depth at which it does.
     pub yield_onset_depth: Option<f64>,
-}
-
-/// One remark on the validity of the answer.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ValidityNote {
-    /// Stable identifier.
-    pub code: String,
-    /// For a person.
-    pub message: String,
-}
-
-/// Estimated relative errors of discretization.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct ErrorEstimate {
-    /// Of the peak pressure.
-    pub peak_pressure: f64,
-    /// Of the half-width.
-    pub half_width: f64,
-    /// Of the approach.
-    pub approach: f64,
 }
 
 /// The mesh that was solved on.

@@ -32,6 +32,11 @@ impl Writer {
         self.figure(self.force, core)
     }
 
+    /// A stiffness, force over length.
+    pub fn stiffness(self, core: f64) -> f64 {
+        self.force(core) / self.length(1.0)
+    }
+
     /// An area \[mm²\].
     pub fn area(self, core: f64) -> f64 {
         self.length(self.length(core))

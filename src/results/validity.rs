@@ -1,14 +1,25 @@
 //! What to keep in mind about an answer.
 
-use super::ValidityNote;
+use serde::{Deserialize, Serialize};
+
 use crate::solve::{SolveStatus, StepSolution};
+
+/// One remark on the validity of the answer.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ValidityNote {
+    /// Stable identifier.
+    pub code: String,
+    /// For a person.
+    pub message: String,
+}
 
 /// Half-width over effective radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
-/// Elements over the half-width below which the mesh is called coarse.
-const COARSE_MESH: f64 = 10.0;
+/// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
+/// half-width, so one of 10 elements may turn out to have 9.5.
+const COARSE_MESH: f64 = 9.0;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -100,5 +111,27 @@ fn not_converged(step: &StepSolution) -> String {
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
              or load); do not use it."
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Job;
+    use crate::solve::{Unobserved, run};
+
+    /// Meshes grow with the contact, so no job is known that ends like this.
+    #[test]
+    fn a_contact_at_the_edge_is_told() {
+        let job =
+            br#"{"analysis": "plane_strain", "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
+            "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 20, "depth": 20},
+                      "material": {"young_modulus": 70000, "poisson_ratio": 0.3}}}"#;
+        let mut step = run(&Job::from_json(job).unwrap(), &mut Unobserved).unwrap().steps.remove(0);
+        assert!(notes(&step, 10.0, &[20.0]).is_empty());
+        step.reaches_edge = true;
+        let codes: Vec<_> = notes(&step, 10.0, &[20.0]).into_iter().map(|note| note.code).collect();
+        assert_eq!(codes, ["contact_at_edge"]);
     }
 }

@@ -7,6 +7,7 @@ mod approach;
 mod bodies;
 mod bodies_of_revolution;
 mod contact_solvers;
+mod error_bars;
 mod independent_program;
 mod invariants;
 mod line_contact;
