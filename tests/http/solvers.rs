@@ -90,6 +90,7 @@ fn report(status: SolveStatus) -> Report {
         analysis: "plane_strain".to_owned(),
         status,
         steps: Vec::new(),
+        load_approach: None,
         mesh: MeshReport {
             symmetric: true,
             spacing: 0.01,
