@@ -84,7 +84,7 @@ impl Service {
         };
         let desk = Arc::new(Desk::new(Arc::clone(&store) as _, hub, solver, store, config.desk()));
         let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
-        let state = HttpState { desk, settings, closing: CancellationToken::new() };
+        let state = HttpState::new(desk, settings);
         Ok(Self { listener, address, state, worker, sweeper, grace: config.work.grace })
     }
 

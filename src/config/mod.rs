@@ -12,7 +12,7 @@ use clap::Args;
 
 use crate::http::{Capacity, HttpSettings};
 use crate::jobs::DeskLimits;
-use parse::seconds;
+use parse::{rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
 
@@ -39,6 +39,10 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_MAX_JOB_MEMORY", value_name = "MIB", default_value = "4096")]
     pub max_job_memory: u32,
 
+    /// Jobs that one API key may hand in a second, ten seconds' worth at once [default: no limit]
+    #[arg(long, env = "BRINELL_RATE_LIMIT", value_name = "N", value_parser = rate)]
+    pub rate_limit: Option<f64>,
+
     /// Answer only to API keys (`brinell key create`), on loopback too
     #[arg(long, env = "BRINELL_REQUIRE_API_KEY")]
     pub require_api_key: bool,
@@ -64,6 +68,7 @@ impl Default for ServeConfig {
             solve_limit: Duration::from_secs(30),
             max_body: 1 << 20,
             max_job_memory: 4096,
+            rate_limit: None,
             require_api_key: false,
             allow_anonymous: false,
             storage: StorageConfig::default(),
@@ -90,6 +95,7 @@ impl ServeConfig {
         HttpSettings {
             max_body_bytes: self.max_body,
             solve_limit: self.solve_limit,
+            jobs_per_second: self.rate_limit,
             capacity: Capacity {
                 solvers: if self.no_workers { 0 } else { self.work.slots() },
                 memory_bytes: if self.no_workers { 0 } else { self.work.memory() },

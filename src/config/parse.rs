@@ -12,6 +12,13 @@ pub(super) fn hours(text: &str) -> Result<Duration, String> {
     time(text, 3600.0, "hours")
 }
 
+/// Reads a positive rate.
+pub(super) fn rate(text: &str) -> Result<f64, String> {
+    let value: Option<f64> = text.parse().ok();
+    let message = "must be a number greater than 0 and at most 1000000";
+    value.filter(|value| *value > 0.0 && *value <= 1e6).ok_or_else(|| message.to_owned())
+}
+
 fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
     let value: f64 = text.parse().map_err(|_| format!("must be a number of {name}"))?;
     if value > 0.0 && value * unit <= 1e8 {

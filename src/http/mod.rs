@@ -12,6 +12,7 @@ mod preference;
 mod problem;
 mod problem_type;
 mod query;
+mod rates;
 mod routes;
 pub mod wire;
 
@@ -34,6 +35,7 @@ use tracing::{Level, Span};
 
 use crate::jobs::Desk;
 use access::authenticate;
+use rates::Rates;
 use routes::cancel_job::cancel_job;
 use routes::delete_job::delete_job;
 use routes::get_capacity::get_capacity;
@@ -66,6 +68,8 @@ pub struct HttpSettings {
     pub wait_limit: Duration,
     /// Whether requests under `/v1` need an API key.
     pub require_api_key: bool,
+    /// Jobs an API key may hand in a second.
+    pub jobs_per_second: Option<f64>,
     /// What this node tells of itself.
     pub capacity: Capacity,
 }
@@ -91,6 +95,7 @@ impl Default for HttpSettings {
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
             require_api_key: false,
+            jobs_per_second: None,
             capacity: Capacity::default(),
         }
     }
@@ -105,6 +110,15 @@ pub struct HttpState {
     pub settings: HttpSettings,
     /// Cancelled when connections are about to be closed; streams without an end of their own end then.
     pub closing: CancellationToken,
+    rates: Arc<Rates>,
+}
+
+impl HttpState {
+    /// What handlers of a service with this desk share.
+    pub fn new(desk: Arc<Desk>, settings: HttpSettings) -> Self {
+        let rates = Arc::new(Rates::new(settings.jobs_per_second));
+        Self { desk, settings, closing: CancellationToken::new(), rates }
+    }
 }
 
 /// The whole HTTP surface.

@@ -10,7 +10,7 @@ use super::problem_type::ProblemType;
 use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Refusal, StoreError, SubmitError};
 
 /// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
-const RETRY_AFTER_SECONDS: &str = "2";
+const RETRY_AFTER_SECONDS: u16 = 2;
 
 /// An error as the client sees it.
 #[derive(Debug, Clone, Serialize)]
@@ -26,6 +26,8 @@ pub struct Problem {
     extensions: Map<String, Value>,
     #[serde(skip)]
     kind: ProblemType,
+    #[serde(skip)]
+    retry_after: u16,
 }
 
 impl Problem {
@@ -39,6 +41,7 @@ impl Problem {
             errors: Vec::new(),
             extensions: Map::new(),
             kind,
+            retry_after: RETRY_AFTER_SECONDS,
         }
     }
 
@@ -53,6 +56,13 @@ impl Problem {
     #[must_use]
     pub fn with(mut self, member: &str, value: impl Into<Value>) -> Self {
         self.extensions.insert(member.to_owned(), value.into());
+        self
+    }
+
+    /// The same, to be tried again after so many seconds.
+    #[must_use]
+    pub const fn retry_after(mut self, seconds: u16) -> Self {
+        self.retry_after = seconds;
         self
     }
 
@@ -73,7 +83,7 @@ impl IntoResponse for Problem {
             headers.insert(WWW_AUTHENTICATE, HeaderValue::from_static("Bearer"));
         }
         if matches!(status, StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE) {
-            headers.insert(RETRY_AFTER, HeaderValue::from_static(RETRY_AFTER_SECONDS));
+            headers.insert(RETRY_AFTER, HeaderValue::from(self.retry_after));
         }
         response
     }

@@ -90,6 +90,10 @@ problem_types! {
     /// The queue is full.
     QueueFull, "queue-full", TOO_MANY_REQUESTS, "The queue is full",
         "As many jobs are waiting as may wait. Try again after the seconds in the `Retry-After` header.";
+    /// One key hands in too many jobs.
+    TooManyJobs, "too-many-jobs", TOO_MANY_REQUESTS, "Too many jobs under one API key",
+        "This API key hands in jobs faster than its share. Try again after the seconds in the `Retry-After` \
+         header.";
     /// The solver gave up.
     SolveFailed, "solve-failed", INTERNAL_SERVER_ERROR, "The job could not be solved",
         "The job is valid, but the solver could not produce a result for it.";

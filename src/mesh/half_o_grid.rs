@@ -76,10 +76,13 @@ struct Polar {
     angle: f64,
 }
 
+/// Makes a mesh. The deviation of the free surface from its chord fades along the rings with the power `fade` of the
+/// distance from it.
 pub(super) fn generate(
     outline: &Outline,
     zone: ContactZone,
     refinement: Refinement,
+    fade: i32,
 ) -> Result<Mesh, MeshError> {
     let (left, right) = outline.span();
     let available = MAX_ZONE_SPAN * right.min(-left);
@@ -89,7 +92,7 @@ pub(super) fn generate(
     let rows = block_rows(outline, &zone);
     let mut grid = Builder::new(outline, zone, rows);
     grid.block();
-    grid.rings(refinement);
+    grid.rings(refinement, fade);
     Ok(grid.finish())
 }
 
@@ -234,7 +237,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The rings, from the block outward.
-    fn rings(&mut self, refinement: Refinement) {
+    fn rings(&mut self, refinement: Refinement, fade: i32) {
         let perimeter = self.perimeter();
         let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
         let polar = |p: [f64; 2]| Polar {
@@ -265,8 +268,8 @@ impl<'a> Builder<'a> {
                 let log_radius = (1.0 - eta) * inner[s].log_radius + eta * outer_polar[s].log_radius;
                 let angle = (1.0 - eta) * inner[s].angle
                     + eta * outer_polar[s].angle
-                    + (1.0 - xi) * sides[0]
-                    + xi * sides[1];
+                    + (1.0 - xi).powi(fade) * sides[0]
+                    + xi.powi(fade) * sides[1];
                 let on_axis = self.zone.symmetric && s == last;
                 let position = if is_outermost {
                     outer[s].0

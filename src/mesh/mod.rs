@@ -54,6 +54,9 @@ pub fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinem
     half_o_grid::estimated_nodes(outline, zone, refinement)
 }
 
+/// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
+const FADES: [i32; 4] = [1, 2, 4, 8];
+
 /// A mesh of 4-node quadrilaterals with the node sets that mechanics needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
@@ -82,9 +85,17 @@ impl Mesh {
     /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::Inverted`] if an
     /// element has a Jacobian that is not positive.
     pub fn generate(outline: &Outline, zone: ContactZone, refinement: Refinement) -> Result<Self, MeshError> {
-        let mesh = half_o_grid::generate(outline, zone, refinement)?;
-        quality::require_positive_jacobians(&mesh)?;
-        Ok(mesh)
+        // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
+        // folds the rings there; a steeper fade keeps it near the surface.
+        let mut outcome = Err(MeshError::Inverted { element: 0 });
+        for fade in FADES {
+            let mesh = half_o_grid::generate(outline, zone, refinement, fade)?;
+            outcome = quality::require_positive_jacobians(&mesh).map(|()| mesh);
+            if outcome.is_ok() {
+                break;
+            }
+        }
+        outcome
     }
 
     /// Coordinates of the four corners of an element \[mm\].

@@ -32,7 +32,7 @@ fn jobs_are_listed_newest_first_page_by_page() {
     assert_eq!(second, jobs[2..4]);
     let (third, cursor) = page(target, &format!("limit=2&cursor={}", cursor.as_str().unwrap()));
     assert_eq!((third.as_slice(), cursor), (&jobs[4..], Value::Null));
-    assert_eq!(page(target, "status=running").0, [slow.clone()]);
+    assert_eq!(page(target, "status=running").0, std::slice::from_ref(&slow));
     assert_eq!(page(target, "status=queued&tag=test:quick&limit=1").0, jobs[..1]);
     assert!(page(target, "tag=test:none").0.is_empty());
     for query in ["status=lost", "limit=0", "limit=101", "cursor=x", "tag=test", "stat=queued"] {

@@ -46,7 +46,7 @@ impl Client {
             let mut line = String::new();
             self.stream.read_line(&mut line).unwrap();
             match line.trim_end().split_once(": ") {
-                Some((name, value)) if name == "content-length" => length = value.parse().unwrap(),
+                Some(("content-length", value)) => length = value.parse().unwrap(),
                 Some(_) => {}
                 None if line.starts_with("HTTP/1.1 ") => status = line[9..12].parse().unwrap(),
                 None => break,

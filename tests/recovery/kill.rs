@@ -33,3 +33,20 @@ fn five_hundred_queued_jobs_survive_kill_9() {
     assert!((1..=4).contains(&again), "{again} jobs ran twice; {queued} at the kill");
     assert!(jobs.values().all(|job| job["attempts"].as_u64().is_some_and(|attempts| attempts <= 2)));
 }
+
+#[test]
+fn sigterm_gives_unfinished_jobs_back_to_the_queue() {
+    let data = Scratch::new();
+    let args = ["--data-dir", data.0.to_str().unwrap(), "--workers", "1", "--grace", "0.01"];
+    let mut server = Server::start_with(&args);
+    let mut client = Client::connect(&server.target.url);
+    let ids: Vec<String> = (0..100).map(|number| client.submit(&small_job(number))).collect();
+    server.signal("TERM");
+    assert_eq!(server.wait().code(), Some(0));
+    drop(server);
+
+    let server = Server::start_with(&args);
+    let mut client = Client::connect(&server.target.url);
+    client.wait_until_idle();
+    client.assert_all_succeeded(&ids);
+}

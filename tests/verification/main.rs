@@ -3,15 +3,24 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 #![expect(clippy::float_cmp, reason = "what is set to zero is exactly zero")]
 
+mod approach;
 mod bodies;
+mod bodies_of_revolution;
 mod contact_solvers;
 mod error_bars;
 mod independent_program;
 mod invariants;
 mod line_contact;
+mod onset_of_line_contact;
+mod outcomes;
 mod paper_problem;
+mod plane_stress;
+mod point_contact;
 mod problems;
+mod profiles;
+mod punch_ceiling;
 mod soundness;
 mod subsurface;
+mod sweeps;
 mod thick_cylinder;
 mod yield_onset;

@@ -130,6 +130,16 @@ fn the_limit_pressure_is_not_exceeded() {
     assert!(lost > 5.0 * held);
 }
 
+/// The other side of the 1 %: 0.99 of the limit settles, and on Hill's displacement; 1.01 does not, see above.
+#[test]
+fn the_limit_pressure_is_met_within_one_percent() {
+    let pressure = 0.99 * HILL.limit_pressure();
+    let (mesh, loaded) = pressurise(16, 10, &perfectly_plastic(0.4999), pressure);
+    assert!(loaded.iterations < 20_000, "settles below the limit");
+    let exact = HILL.under(pressure).unwrap();
+    assert_within(outer_displacement(&mesh, &loaded), exact.displacement(OUTER), 0.05);
+}
+
 /// A pure power law, incompressible: `q ~ r^(-2/m)`. The elastic part is made small by a large offset.
 #[test]
 fn a_power_law_ring_follows_its_closed_form() {

@@ -27,6 +27,7 @@ pub(in crate::http) async fn post_job(
     caller: Caller,
     JobBody(request): JobBody,
 ) -> Result<Response, Problem> {
+    state.rates.take(caller.key())?;
     let submission = Submission { request, priority, submitter: caller.key(), idempotency_key };
     let enqueued = state.desk.submit(submission).await?;
     let mut record = enqueued.job;

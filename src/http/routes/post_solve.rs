@@ -29,6 +29,7 @@ pub(in crate::http) async fn post_solve(
     caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
+    state.rates.take(caller.key())?;
     let submission =
         Submission { request: text, priority: URGENT, submitter: caller.key(), ..Submission::default() };
     let id = state.desk.submit(submission).await?.job.id;
