@@ -133,7 +133,7 @@ fn position((a, b, mirrored): Corner, solution: &BodySolution, values: &BTreeMap
     let value = |node: u32| values.get(&node).copied().unwrap_or(0.0);
     let ([xa, ya], [xb, yb]) = (node(a), node(b));
     let (fa, fb) = (value(a), value(b));
-    let t = if fa == fb { 0.0 } else { fa / (fa - fb) };
+    let t = if a == b { 0.0 } else { fa / (fa - fb) };
     let (x, y) = (xa + t * (xb - xa), ya + t * (yb - ya));
     [if mirrored { -x } else { x }, 0.0 - y]
 }
