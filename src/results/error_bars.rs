@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use crate::solve::StepSolution;
 
 /// Floor of the error of the peak pressure over (h/a)².
-const PEAK_FLOOR: f64 = 0.2;
+const PEAK_FLOOR: f64 = 0.3;
 /// Floor of the error of the half-width over h/a.
 const HALF_WIDTH_FLOOR: f64 = 0.5;
 /// Floor of the error of the approach over (h/a)².
