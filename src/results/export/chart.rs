@@ -32,6 +32,8 @@ pub(super) struct Chart {
     pub x_range: (f64, f64),
     pub y_range: (f64, f64),
     pub curves: Vec<Curve>,
+    /// Whether the legend stands at the bottom instead of the top.
+    pub legend_below: bool,
     /// Shaded stretch of the abscissa and what it is.
     pub band: Option<((f64, f64), String)>,
 }
@@ -99,7 +101,11 @@ impl Chart {
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(if self.legend_below {
+                SeriesLabelPosition::LowerRight
+            } else {
+                SeriesLabelPosition::UpperRight
+            })
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.15))
             .label_font((FONT, 13))

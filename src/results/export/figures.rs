@@ -57,6 +57,7 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, F
         x_range: (left, right),
         y_range: (0.0, if highest > 0.0 { 1.08 * highest } else { 1.0 }),
         curves,
+        legend_below: false,
         band: None,
     }
     .svg()
@@ -116,6 +117,7 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Figu
         x_range: (0.0, reach),
         y_range: (lowest - margin, highest + margin),
         curves,
+        legend_below: true,
         band: plastic_band(profile).map(|band| (band, "plastic".to_owned())),
     }
     .svg()
@@ -134,7 +136,7 @@ fn plastic_band(profile: &SubsurfaceReport) -> Option<(f64, f64)> {
         let pairs = profile.depth.iter().zip(&profile.equivalent_plastic_strain);
         pairs.filter(move |(_, strain)| **strain > 1e-3 * most && **strain > 0.0).map(|(depth, _)| *depth)
     };
-    Some((plastic().next()?, plastic().last()?))
+    Some((plastic().next()?, plastic().next_back()?))
 }
 
 fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<Curve> {
