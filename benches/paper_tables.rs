@@ -170,7 +170,7 @@ fn measure(tolerance: f64) -> [Row; 4] {
         assert!(rounds.iter().all(|round| round[k].0 == *counts), "a solve is repeatable");
         Row {
             counts: *counts,
-            iterating: median(|watch| watch.ended - watch.began),
+            iterating: median(|watch| watch.ended.saturating_sub(watch.began)),
             whole: median(|watch| watch.finished),
             step: step.clone(),
         }
