@@ -72,6 +72,28 @@ fn solve_reads_standard_input_and_writes_files() {
 }
 
 #[test]
+fn solve_writes_every_format() {
+    let mut sweep = example();
+    sweep["mesh"] = json!({"elements_per_half_width": 6});
+    sweep["load"] = json!({"forces": [300.0, 600.0]});
+    for (format, beginning) in [
+        ("csv", "step,x [mm],pressure [MPa]"),
+        ("subsurface-csv", "step,body,depth [mm]"),
+        ("vtu", "<?xml version=\"1.0\"?>"),
+        ("svg", "<svg "),
+        ("depth-svg", "<svg "),
+    ] {
+        let output = brinell(&["solve", "-", "--format", format], &sweep.to_string());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        assert!(stdout(&output).starts_with(beginning), "{format}");
+    }
+    let figure = |step: &str| brinell(&["solve", "-", "--format", "svg", "--step", step], &sweep.to_string());
+    assert_ne!(figure("1").stdout, figure("2").stdout);
+    let beyond = figure("3");
+    assert_eq!((beyond.status.code(), stderr(&beyond).as_str()), (Some(2), "error: there is no step 3\n"));
+}
+
+#[test]
 fn the_table_says_what_matters() {
     let output = brinell(&["solve", EXAMPLE, "--format", "table"], "");
     let table = stdout(&output);

@@ -11,6 +11,7 @@ use crate::app::AppError;
 use crate::jobs::{EncodeError, KeyId, StoreError};
 use crate::model::{FieldError, JobError};
 use crate::results::RunError;
+use crate::results::export::ExportError;
 
 /// Exit code for faults of the program or its surroundings.
 const FAILED: u8 = 1;
@@ -38,6 +39,9 @@ pub(super) enum Fault {
     /// The result has numbers that are none.
     #[error("the result is not usable: {0}")]
     Encode(#[from] EncodeError),
+    /// The result has no such form.
+    #[error(transparent)]
+    Export(#[from] ExportError),
     /// The service does not run.
     #[error(transparent)]
     App(#[from] AppError),
@@ -67,7 +71,10 @@ impl Fault {
 
     fn exit_code(&self) -> u8 {
         match self {
-            Self::Read { .. } | Self::Syntax { .. } | Self::Fields { .. } => BAD_INPUT,
+            Self::Read { .. }
+            | Self::Syntax { .. }
+            | Self::Fields { .. }
+            | Self::Export(ExportError::NoStep(_)) => BAD_INPUT,
             _ => FAILED,
         }
     }

@@ -1,19 +1,21 @@
 //! `brinell solve`
 
 use std::io::{self, IsTerminal};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
+use super::NOT_CONVERGED;
 use super::fault::Fault;
 use super::input::{read_job, write_answer};
 use super::progress::ProgressLine;
 use super::style::Style;
 use super::table::table;
-use super::{Format, NOT_CONVERGED};
 use crate::jobs::{check_finite, encode};
 use crate::model::JobError;
+use crate::results::export::Export;
 use crate::results::{self, RunError};
 use crate::solve::SolveStatus;
 
@@ -26,7 +28,11 @@ pub(super) struct SolveArgs {
 
     /// How to print the result [default: table on a terminal, json elsewhere]
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<ResultFormat>,
+
+    /// Which step of a sweep vtu, svg and depth-svg show, counted from 1 [default: the last]
+    #[arg(long, value_name = "N")]
+    step: Option<NonZeroUsize>,
 
     /// Where to write the result [default: standard output]
     #[arg(short, long, value_name = "FILE")]
@@ -34,9 +40,9 @@ pub(super) struct SolveArgs {
 }
 
 impl SolveArgs {
-    fn format(&self) -> Format {
+    fn format(&self) -> ResultFormat {
         let for_a_person = self.output.is_none() && io::stdout().is_terminal();
-        self.format.unwrap_or(if for_a_person { Format::Table } else { Format::Json })
+        self.format.unwrap_or(if for_a_person { ResultFormat::Table } else { ResultFormat::Json })
     }
 
     fn style(&self) -> Style {
@@ -44,20 +50,59 @@ impl SolveArgs {
     }
 }
 
+/// How to print a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ResultFormat {
+    /// JSON, for programs
+    Json,
+    /// A table, for people
+    Table,
+    /// Contact pressure of all steps
+    Csv,
+    /// Stresses over depth of all steps
+    SubsurfaceCsv,
+    /// Mesh, displacements and stresses, for ParaView
+    Vtu,
+    /// Contact pressure, drawn
+    Svg,
+    /// Stresses over depth, drawn
+    DepthSvg,
+}
+
+impl ResultFormat {
+    /// The form of the report that this is, if it is one for other programs.
+    fn export(self) -> Option<Export> {
+        match self {
+            Self::Json | Self::Table => None,
+            Self::Csv => Some(Export::PressureCsv),
+            Self::SubsurfaceCsv => Some(Export::SubsurfaceCsv),
+            Self::Vtu => Some(Export::FieldVtu),
+            Self::Svg => Some(Export::PressureSvg),
+            Self::DepthSvg => Some(Export::DepthSvg),
+        }
+    }
+}
+
 pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
-    let (name, job) = read_job(&args.job)?;
+    let (name, mut job) = read_job(&args.job)?;
+    let format = args.format();
+    if let Some(form) = format.export() {
+        form.require(&mut job);
+    }
     let mut progress = ProgressLine::start();
     let report = results::run(&job, &mut progress).map_err(|error| match error {
         RunError::Input(errors) => Fault::of_job(&name, JobError::Fields(errors)),
         other => Fault::Run(other),
     })?;
     drop(progress);
-    let text = match args.format() {
-        Format::Json => [encode(&report)?.as_ref(), b"\n"].concat(),
-        Format::Table => {
-            check_finite(&report)?;
-            table(&job, &report, args.style()).into_bytes()
-        }
+    let text = if let Some(form) = format.export() {
+        check_finite(&report)?;
+        form.write(&job, &report, args.step.map(|step| step.get() - 1))?.into_bytes()
+    } else if format == ResultFormat::Table {
+        check_finite(&report)?;
+        table(&job, &report, args.style()).into_bytes()
+    } else {
+        [encode(&report)?.as_ref(), b"\n"].concat()
     };
     write_answer(args.output.as_deref(), &text)?;
     Ok(match report.status {

@@ -33,7 +33,7 @@ use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetReques
 use tower_http::trace::{DefaultOnResponse, TraceLayer};
 use tracing::{Level, Span};
 
-use crate::jobs::Desk;
+use crate::jobs::{Desk, Export};
 use access::authenticate;
 use rates::Rates;
 use routes::cancel_job::cancel_job;
@@ -41,6 +41,7 @@ use routes::delete_job::delete_job;
 use routes::get_capacity::get_capacity;
 use routes::get_events::get_events;
 use routes::get_examples::get_examples;
+use routes::get_export::get_export;
 use routes::get_job::get_job;
 use routes::get_problem::get_problem;
 use routes::get_result::get_result;
@@ -123,7 +124,7 @@ impl HttpState {
 
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
-    let guarded = Router::new()
+    let mut guarded = Router::new()
         .route("/v1/jobs", get(list_jobs).post(post_job))
         .route("/v1/jobs/{id}", get(get_job).delete(delete_job))
         .route("/v1/jobs/{id}/events", get(get_events))
@@ -133,9 +134,13 @@ pub fn router(state: HttpState) -> Router {
         .route("/v1/validate", post(post_validate))
         .route("/v1/hertz", post(post_hertz))
         .route("/v1/examples", get(get_examples))
-        .route("/v1/capacity", get(get_capacity))
-        .route_layer(from_fn_with_state(state.clone(), authenticate));
+        .route("/v1/capacity", get(get_capacity));
+    for form in Export::ALL {
+        let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
+        guarded = guarded.route(&path, get(move |state, job, step| get_export(state, job, step, form)));
+    }
     guarded
+        .route_layer(from_fn_with_state(state.clone(), authenticate))
         .route("/problems/{name}", get(get_problem))
         .route("/livez", get(livez))
         .route("/readyz", get(readyz))

@@ -78,6 +78,10 @@ problem_types! {
     /// The job will never have a result.
     NoResult, "no-result", CONFLICT, "The job has no result",
         "The job failed, or was stopped before there was anything to report. /v1/jobs/{id} tells why.";
+    /// The result lacks what this form shows.
+    NotInResult, "not-in-result", CONFLICT, "The result does not have this",
+        "The job was solved without this part of the output. Submit it again with `output.fields` or \
+         `output.subsurface` set to true.";
     /// The body is too large.
     BodyTooLarge, "body-too-large", PAYLOAD_TOO_LARGE, "The body is too large",
         "The request's body is above the limit of this service and was not read.";

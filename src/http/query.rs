@@ -1,5 +1,7 @@
 //! Query strings, checked: an unknown parameter is a typing mistake, not an extension.
 
+use std::num::NonZeroUsize;
+
 use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
 use serde::Deserialize;
@@ -49,6 +51,25 @@ impl FromRequestParts<HttpState> for Priority {
             return Err(wrong(format!("priority must be between -{MAX_PRIORITY} and {MAX_PRIORITY}")));
         }
         Ok(Self(priority))
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StepQuery {
+    step: Option<NonZeroUsize>,
+}
+
+/// The `?step=` of a result's form: on the wire counted from 1, in here from 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step(pub(super) Option<usize>);
+
+impl FromRequestParts<HttpState> for Step {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let step = read::<StepQuery>(parts, state).await?.step;
+        Ok(Self(step.map(|step| step.get() - 1)))
     }
 }
 

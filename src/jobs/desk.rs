@@ -191,6 +191,14 @@ impl Desk {
         self.store.history(id, after).await
     }
 
+    /// The job as it was submitted (JSON).
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn request(&self, id: JobId) -> Result<Bytes, StoreError> {
+        self.store.request(id).await
+    }
+
     /// The report (JSON), if there is one.
     ///
     /// # Errors

@@ -17,6 +17,7 @@ mod clock;
 mod closed_form;
 mod desk;
 mod encode;
+mod export;
 mod failure;
 mod hub;
 mod id;
@@ -30,6 +31,7 @@ pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
 pub use desk::{Desk, DeskLimits, Refusal, Submission, SubmitError};
 pub use encode::{EncodeError, check_finite, encode};
+pub use export::ExportFailure;
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use hub::{Hub, Signal, Watch};
 pub use id::{JobId, KeyId, WorkerId};
@@ -44,4 +46,5 @@ pub use store::{
 
 pub use crate::model::{FieldError, JobError};
 pub use crate::results::JobEstimate;
+pub use crate::results::export::{Export, ExportError};
 pub use crate::solve::IterationRecord;

@@ -35,6 +35,12 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError>;
 
+    /// The job as it was submitted (JSON).
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn request(&self, id: JobId) -> Result<Bytes, StoreError>;
+
     /// The report (JSON), if the job has one.
     ///
     /// # Errors

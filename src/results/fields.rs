@@ -4,8 +4,10 @@
 //! one is its own picture mirrored in the contact plane:
 //!
 //! ```text
-//! y → -y,  u_y → -u_y,  τ_xy → -τ_xy,  element corners in reverse order (still counter-clockwise)
+//! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy,  element corners in reverse order (still counter-clockwise)
 //! ```
+//!
+//! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just touch.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +18,7 @@ use crate::analytical::Stress;
 use crate::solve::{BodySolution, StepSolution};
 
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
-/// those before loading, `y` points from the lower body to the upper one.
+/// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FieldsReport {
     /// Nodes `[x, y]`.
@@ -42,27 +44,27 @@ pub struct FieldsReport {
 /// The fields of both bodies; nothing for a rigid one.
 pub(super) fn fields(step: &StepSolution, write: Writer) -> PerBody<Option<FieldsReport>> {
     let [upper, lower] = &step.bodies;
-    let of = |body: &BodySolution, mirror| body_fields(body, step.symmetric, mirror, write);
+    let of = |body: &BodySolution, mirror| body_fields(body, step, mirror, write);
     PerBody {
         upper: upper.as_ref().map(|body| of(body, true)),
         lower: lower.as_ref().map(|body| of(body, false)),
     }
 }
 
-fn body_fields(body: &BodySolution, symmetric: bool, mirror: bool, write: Writer) -> FieldsReport {
+fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: Writer) -> FieldsReport {
     // Adding zero turns a mirrored -0 into 0.
-    let sign = if mirror { -1.0 } else { 1.0 };
-    let global = |[x, y]: &[f64; 2]| [write.length(*x), write.length(sign * y) + 0.0];
+    let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
+    let global = |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
     let mut report = FieldsReport {
-        nodes: body.mesh.nodes.iter().map(global).collect(),
+        nodes: body.mesh.nodes.iter().map(|node| global(node, gap)).collect(),
         elements: body.mesh.elements.clone(),
-        displacement: body.displacement.iter().map(global).collect(),
+        displacement: body.displacement.iter().map(|u| global(u, 0.0)).collect(),
         ..FieldsReport::default()
     };
     if mirror {
         report.elements.iter_mut().for_each(|corners| corners.reverse());
     }
-    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain] in Recovery::new(body, symmetric).nodes() {
+    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain] in Recovery::new(body, step.symmetric).nodes() {
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         report.sigma_x.push(write.stress(sigma_x));
         report.sigma_y.push(write.stress(sigma_y));

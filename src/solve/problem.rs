@@ -17,7 +17,7 @@ pub(super) struct Problem {
     /// Abscissa of the smallest gap \[mm\].
     pub touching: f64,
     /// The smallest gap as the outlines are given \[mm\]; gaps are counted from it.
-    smallest_gap: f64,
+    pub smallest_gap: f64,
 }
 
 pub(super) struct ProblemBody {

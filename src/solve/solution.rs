@@ -38,6 +38,8 @@ pub struct StepSolution {
     pub symmetric: bool,
     /// Third direction.
     pub kinematics: Kinematics,
+    /// The smallest gap of the outlines as they are given, in whose place the gaps and the approach begin \[mm\].
+    pub smallest_gap: f64,
     /// Tangential spacing of the candidate pairs \[mm\].
     pub spacing: f64,
     /// The candidate pairs in order of x.
@@ -201,6 +203,7 @@ pub(super) fn finish(
         approach: contact.approach,
         symmetric: system.zone.symmetric,
         kinematics: system.kinematics,
+        smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force),
         pairs,

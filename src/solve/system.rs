@@ -24,6 +24,8 @@ pub(super) struct System {
     pub model_of: [Option<usize>; 2],
     pub kinematics: Kinematics,
     pub zone: ContactZone,
+    /// The smallest gap as the outlines are given, which gaps are counted from \[mm\].
+    pub smallest_gap: f64,
     /// Initial gap δ0 of each candidate pair \[mm\].
     pub initial_gap: Vec<f64>,
     /// Flexibility of both bodies together \[mm/N\].
@@ -78,8 +80,16 @@ impl System {
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
         let flexibilities: Vec<&SymmetricMatrix> = bodies.iter().map(|body| &body.flexibility).collect();
         let flexibility = total_flexibility(zone.columns + 1, &flexibilities, &multiplicity);
-        let kinematics = problem.kinematics;
-        Ok(Self { bodies, multiplicity, model_of, kinematics, zone, initial_gap, flexibility })
+        Ok(Self {
+            bodies,
+            multiplicity,
+            model_of,
+            kinematics: problem.kinematics,
+            zone,
+            smallest_gap: problem.smallest_gap,
+            initial_gap,
+            flexibility,
+        })
     }
 
     /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with

@@ -90,6 +90,10 @@ impl JobStore for MemoryStore {
         Ok(shelf.entry(id)?.history.iter().skip(after).cloned().collect())
     }
 
+    async fn request(&self, id: JobId) -> Result<Bytes, StoreError> {
+        Ok(self.shelf().entry(id)?.request.clone())
+    }
+
     async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
         Ok(self.shelf().entry(id)?.report.clone())
     }

@@ -18,7 +18,7 @@ use crate::solve::Interrupt;
 /// One job.
 pub(super) struct Entry {
     state: JobState,
-    request: Bytes,
+    pub(super) request: Bytes,
     tags: BTreeMap<String, String>,
     priority: i16,
     memory: u64,

@@ -4,6 +4,7 @@
 mod bad_input;
 mod curl;
 mod events;
+mod exports;
 mod in_process;
 mod jobs;
 mod keys;

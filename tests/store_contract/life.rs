@@ -37,6 +37,7 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     assert_eq!((finished.iterations, store.history(id, 2).await.unwrap().len()), (4, 2));
     assert_eq!((finished.state, finished.has_report), (JobState::Succeeded, true));
     assert!(finished.finished_at.is_some());
+    assert_eq!(store.request(id).await.unwrap(), "{\"job\": \"one\"}");
     assert_eq!(store.report(id).await.unwrap().unwrap(), "{\"report\": 1}");
     assert_eq!(store.counts().await.unwrap().get(&JobState::Succeeded), Some(&1));
 }
@@ -44,6 +45,7 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
 pub async fn unknown_jobs_are_not_found(subject: &Subject) {
     let (store, id) = (&subject.store, JobId::generate());
     assert!(matches!(store.get(id).await, Err(StoreError::NotFound)));
+    assert!(matches!(store.request(id).await, Err(StoreError::NotFound)));
     assert!(matches!(store.report(id).await, Err(StoreError::NotFound)));
     assert!(matches!(store.history(id, 0).await, Err(StoreError::NotFound)));
     assert!(matches!(store.cancel(id).await, Err(StoreError::NotFound)));

@@ -27,7 +27,7 @@ pub(super) async fn finished(state: &HttpState, record: &JobRecord) -> Result<Re
 }
 
 /// Why this job has no report.
-fn no_result(record: &JobRecord) -> Problem {
+pub(super) fn no_result(record: &JobRecord) -> Problem {
     let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
     let problem = Problem::new(kind, format!("the job is {}", record.state));
     match &record.failure {

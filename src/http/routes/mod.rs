@@ -5,6 +5,7 @@ pub(super) mod delete_job;
 pub(super) mod get_capacity;
 pub(super) mod get_events;
 pub(super) mod get_examples;
+pub(super) mod get_export;
 pub(super) mod get_job;
 pub(super) mod get_problem;
 pub(super) mod get_result;

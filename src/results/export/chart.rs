@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::FigureError;
+use super::ExportError;
 
 /// Width and height of a figure \[px\].
 const SIZE: (u32, u32) = (760, 460);
@@ -40,11 +40,11 @@ pub(super) struct Chart {
 
 impl Chart {
     /// Draws the chart.
-    pub fn svg(&self) -> Result<String, FigureError> {
+    pub fn svg(&self) -> Result<String, ExportError> {
         let mut text = String::new();
         {
             let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-            self.draw(&root).map_err(|error| FigureError::Drawing(error.to_string()))?;
+            self.draw(&root).map_err(|error| ExportError::Drawing(error.to_string()))?;
         }
         Ok(text)
     }

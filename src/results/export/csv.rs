@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::ExportError;
 use crate::model::{Quantity, Units};
 use crate::results::{Report, SubsurfaceReport};
 
@@ -28,7 +29,13 @@ pub fn pressure_csv(report: &Report) -> String {
 }
 
 /// `step, body, depth, stresses, plastic strain` along the normal below the peak pressure.
-pub fn subsurface_csv(report: &Report) -> String {
+///
+/// # Errors
+/// [`ExportError::NoSubsurface`] where the job did not ask for it.
+pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
+    if report.steps.iter().all(|step| step.subsurface.is_none()) {
+        return Err(ExportError::NoSubsurface);
+    }
     let units = units(report);
     let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
     let mut text = format!(
@@ -42,7 +49,7 @@ pub fn subsurface_csv(report: &Report) -> String {
             write_profile(&mut text, k + 1, name, body);
         }
     }
-    text
+    Ok(text)
 }
 
 fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport) {

@@ -1,26 +1,12 @@
 //! Pressure over the contact and stresses over depth, each beside the elastic closed form, as SVG.
 
 use plotters::style::RGBColor;
-use thiserror::Error;
 
+use super::ExportError;
 use super::chart::{Chart, Curve, Stroke};
 use crate::analytical::HertzLine;
 use crate::model::{Analysis, Body, Job, Material, Quantity};
 use crate::results::{HertzReport, Report, StepReport, SubsurfaceReport};
-
-/// Why there is no figure.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum FigureError {
-    /// The report has no such step.
-    #[error("there is no step {0}")]
-    NoStep(usize),
-    /// Stresses over depth were not asked for, or both bodies are rigid.
-    #[error("the report has no stresses over depth")]
-    NoSubsurface,
-    /// The drawing library failed.
-    #[error("the figure could not be drawn: {0}")]
-    Drawing(String),
-}
 
 // Okabe and Ito's colours, told apart by everybody.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -34,9 +20,9 @@ const SAMPLES: u32 = 400;
 /// Contact pressure over x, with Hertz's beside it; steps are counted from 0.
 ///
 /// # Errors
-/// [`FigureError`].
-pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, FigureError> {
-    let step = report.steps.get(step).ok_or(FigureError::NoStep(step))?;
+/// [`ExportError`].
+pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
+    let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
     let nodes = &step.contact.nodes;
     let mut curves = vec![Curve {
@@ -82,14 +68,14 @@ fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
 /// them for line contacts; the plastic zone is shaded. Steps are counted from 0.
 ///
 /// # Errors
-/// [`FigureError`].
-pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, FigureError> {
-    let step = report.steps.get(step).ok_or(FigureError::NoStep(step))?;
-    let bodies = step.subsurface.as_ref().ok_or(FigureError::NoSubsurface)?;
+/// [`ExportError`].
+pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
+    let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    let bodies = step.subsurface.as_ref().ok_or(ExportError::NoSubsurface)?;
     let (body, profile) = [(&job.lower, &bodies.lower), (&job.upper, &bodies.upper)]
         .into_iter()
         .find_map(|(body, profile)| Some((body, profile.as_ref()?)))
-        .ok_or(FigureError::NoSubsurface)?;
+        .ok_or(ExportError::NoSubsurface)?;
     let reach = shown_depth(step, profile);
     let mut curves = Vec::new();
     for (name, values, colour) in [
@@ -186,6 +172,6 @@ mod tests {
         for text in ["depth [mm]", "σ_x", "σ_y", "σ_z", "plastic", "McEwen"] {
             assert!(depth.contains(text), "{text}");
         }
-        assert_eq!(pressure_svg(&job, &report, 1), Err(FigureError::NoStep(1)));
+        assert_eq!(pressure_svg(&job, &report, 1), Err(ExportError::NoStep(1)));
     }
 }

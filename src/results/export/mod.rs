@@ -3,6 +3,11 @@
 mod chart;
 mod csv;
 mod figures;
+mod format;
+mod section;
+mod vtu;
 
 pub use csv::{pressure_csv, subsurface_csv};
-pub use figures::{FigureError, depth_svg, pressure_svg};
+pub use figures::{depth_svg, pressure_svg};
+pub use format::{Export, ExportError};
+pub use vtu::field_vtu;

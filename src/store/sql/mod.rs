@@ -74,6 +74,10 @@ impl<B: Backend> JobStore for SqlStore<B> {
         Reading::history(&mut *self.backend.read().await?, id, after).await
     }
 
+    async fn request(&self, id: JobId) -> Result<Bytes, StoreError> {
+        Reading::request(&mut *self.backend.read().await?, id).await
+    }
+
     async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
         Reading::report(&mut *self.backend.read().await?, id).await
     }

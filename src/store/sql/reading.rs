@@ -21,6 +21,7 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
+const REQUEST: &str = "SELECT request FROM jobs WHERE id = $1";
 const REPORT: &str = "SELECT r.body FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
@@ -32,6 +33,7 @@ pub(in crate::store) trait Reading: Send {
         id: JobId,
         after: usize,
     ) -> impl Future<Output = Result<Vec<IterationRecord>, StoreError>> + Send;
+    fn request(&mut self, id: JobId) -> impl Future<Output = Result<Bytes, StoreError>> + Send;
     fn report(&mut self, id: JobId) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
     fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
@@ -59,6 +61,11 @@ macro_rules! reading {
                     records.extend(unpack_records(&packed)?.into_iter().skip(seen));
                 }
                 Ok(records)
+            }
+
+            async fn request(&mut self, id: JobId) -> Result<Bytes, StoreError> {
+                let row = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id.uuid());
+                unpack(&row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?)
             }
 
             async fn report(&mut self, id: JobId) -> Result<Option<Bytes>, StoreError> {

@@ -1,0 +1,87 @@
+//! The result in the forms that other programs read.
+
+use serde_json::json;
+
+use crate::in_process::{InProcess, job};
+use crate::server::{Server, Target, example};
+
+fn solved(service: &Target, load: &serde_json::Value, output: &serde_json::Value) -> String {
+    let mut job = example();
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    job["load"] = load.clone();
+    job["output"] = output.clone();
+    let job = service.submit(&job);
+    service.wait_for(&job, &["succeeded"]);
+    job
+}
+
+#[test]
+fn every_form_of_a_result_is_served_under_its_name() {
+    let server = Server::start();
+    let job = solved(&server.target, &json!({"force": 600.0}), &json!({"fields": true}));
+    for (file, media_type, disposition, beginning) in [
+        ("pressure.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,x [mm],"),
+        ("subsurface.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,body,depth [mm],"),
+        ("field.vtu", "application/xml", "attachment", "<?xml version"),
+        ("pressure.svg", "image/svg+xml", "inline", "<svg "),
+        ("depth.svg", "image/svg+xml", "inline", "<svg "),
+    ] {
+        let answer = server.target.get(&format!("{job}/{file}"));
+        let text = String::from_utf8(answer.body.clone()).unwrap();
+        assert_eq!((answer.status, answer.header("content-type")), (200, Some(media_type)), "{text}");
+        assert!(text.starts_with(beginning), "{file}: {}", &text[..80]);
+        let id = job.rsplit('/').next().unwrap();
+        let expected = format!("{disposition}; filename=\"{id}-{file}\"");
+        assert_eq!(answer.header("content-disposition"), Some(expected.as_str()));
+    }
+}
+
+#[test]
+fn a_step_of_a_sweep_is_chosen() {
+    let server = Server::start();
+    let job = solved(&server.target, &json!({"forces": [200.0, 600.0]}), &json!({}));
+    let figure = |query: &str| server.target.get(&format!("{job}/pressure.svg{query}"));
+    let (first, second, last) = (figure("?step=1"), figure("?step=2"), figure(""));
+    assert_eq!((first.status, second.status), (200, 200));
+    assert_eq!(last.body, second.body);
+    assert_ne!(first.body, second.body);
+    for query in ["?step=3", "?step=0", "?step=x", "?steps=1"] {
+        figure(query).problem(400, "invalid-query");
+    }
+    let table = server.target.get(&format!("{job}/pressure.csv?step=1"));
+    table.problem(400, "invalid-query");
+    let table = server.target.get(&format!("{job}/pressure.csv"));
+    let text = String::from_utf8(table.body).unwrap();
+    assert!(
+        text.lines().any(|line| line.starts_with("1,")) && text.lines().any(|line| line.starts_with("2,"))
+    );
+}
+
+#[test]
+fn what_is_not_there_is_a_problem() {
+    let server = Server::start();
+    let job = solved(&server.target, &json!({"force": 600.0}), &json!({"subsurface": false}));
+    let problem = server.target.get(&format!("{job}/field.vtu")).problem(409, "not-in-result");
+    assert!(problem["detail"].as_str().is_some_and(|detail| detail.contains("\"fields\": true")));
+    for file in ["subsurface.csv", "depth.svg"] {
+        server.target.get(&format!("{job}/{file}")).problem(409, "not-in-result");
+    }
+    for file in ["pressure.csv", "field.vtu"] {
+        server.target.get(&format!("/v1/jobs/{JOB}/{file}")).problem(404, "job-not-found");
+    }
+    server.target.get(&format!("{job}/field.vtk")).problem(404, "not-found");
+}
+
+/// An id that no job has.
+const JOB: &str = "01a1fc6a-2293-7211-9e1b-645589471433";
+
+#[test]
+fn an_unfinished_job_has_no_form() {
+    let service = InProcess::start(|_| ());
+    let slow = service.target.submit(&job("slow"));
+    service.target.get(&format!("{slow}/pressure.csv")).problem(409, "job-unfinished");
+    service.solver.open_gate();
+    let failed = service.target.submit(&job("impossible"));
+    service.target.wait_for(&failed, &["failed"]);
+    service.target.get(&format!("{failed}/pressure.csv")).problem(409, "no-result");
+}

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Has `brinell solve --format vtu` write fields and reads them back with meshio, the way ParaView would.
+
+usage: tests/vtu/read_back.py [path to brinell]
+Needs tests/vtu/requirements.txt. Ends with 1 at the first thing that is not as it must be.
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import meshio
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+BINARY = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "target/debug/brinell")
+
+
+def solve(job, folder, name):
+    """The report of a job and its fields as meshio reads them."""
+    text = json.dumps(job)
+    path = Path(folder) / name
+    for more in (["--format", "json", "-o", f"{path}.json"], ["--format", "vtu", "-o", str(path)]):
+        subprocess.run([BINARY, "solve", "-", *more], input=text, text=True, check=True)
+    return json.loads(Path(f"{path}.json").read_text()), meshio.read(path)
+
+
+def areas(grid):
+    corners = grid.points[grid.cells_dict["quad"]]
+    following = np.roll(corners, -1, axis=1)
+    cross = corners[..., 0] * following[..., 1] - following[..., 0] * corners[..., 1]
+    return 0.5 * cross.sum(axis=1)
+
+
+def check_shapes(grid):
+    n, m = len(grid.points), len(grid.cells_dict["quad"])
+    shapes = {name: values.shape for name, values in grid.point_data.items()}
+    assert shapes == {
+        "displacement": (n, 3), "stress": (n, 6), "von_mises": (n,), "equivalent_plastic_strain": (n,),
+    }, shapes
+    (body,) = grid.cell_data["body"]
+    assert body.shape == (m,) and set(body) <= {0, 1}
+    assert all(np.isfinite(values).all() for values in grid.point_data.values())
+    assert (areas(grid) > 0).all(), "a cell is turned inside out"
+    return body
+
+
+def check_cylinders(report, grid):
+    body = check_shapes(grid)
+    step = report["steps"][0]
+    total = [areas(grid)[body == k].sum() for k in (0, 1)]
+    assert np.allclose(total, 200 * np.pi, rtol=0.02), total
+    x, y, _ = grid.points.T
+    at_origin = np.flatnonzero((np.abs(x) < 1e-12) & (np.abs(y) < 1e-12))
+    assert len(at_origin) == 2, "one node of each body where they touch, the axis not doubled"
+    stress = grid.point_data["stress"]
+    xx, yy, zz, xy, yz, xz = stress.T
+    assert np.allclose(-yy[at_origin], step["contact"]["peak_pressure"], rtol=0.03)
+    assert not yz.any() and not xz.any()
+    deviator = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    assert np.allclose(grid.point_data["von_mises"], np.sqrt(0.5 * deviator + 3 * xy**2), rtol=1e-9)
+    _, u_y, _ = grid.point_data["displacement"].T
+    assert np.allclose(u_y[y > 20 - 1e-9], -step["approach"]) and np.allclose(u_y[y < -20 + 1e-9], 0)
+    strain = grid.point_data["equivalent_plastic_strain"]
+    largest = step["plasticity"]["lower"]["max_equivalent_plastic_strain"]
+    assert 0.8 * largest < strain.max() < 1.1 * largest, (strain.max(), largest)
+
+
+def check_revolution(report, grid):
+    check_shapes(grid)
+    assert grid.points[:, 0].min() == 0, "x is the radius"
+
+
+def main():
+    job = json.loads((ROOT / "api/examples/two_cylinders.json").read_text())
+    with tempfile.TemporaryDirectory() as folder:
+        check_cylinders(*solve(job, folder, "cylinders.vtu"))
+        job["analysis"], job["load"] = "axisymmetric", {"force": 500.0}
+        check_revolution(*solve(job, folder, "revolution.vtu"))
+    print("field.vtu is read by meshio", meshio.__version__)
+
+
+main()
