@@ -2,7 +2,8 @@
 """Hands 10 000 jobs to `brinell serve`, waits for all, checks each and reports rates and the server's memory.
 
 usage: scripts/many_jobs.py [--jobs N] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
-Needs nothing but Python. Prints one line each for submission, solving and memory (RSS, start / middle / end).
+Needs nothing but Python. Prints one line each for submission, solving and memory (RSS at the start, once all are queued, after each
+tenth of them, and after all results were fetched).
 """
 import argparse, http.client, json, re, subprocess, sys, tempfile, threading, time
 
@@ -52,13 +53,15 @@ with tempfile.TemporaryDirectory() as data:
             assert status == 202, receipt
             ids.append(receipt["id"])
         submitted = time.perf_counter() - begin
+        tenths = 0
         watcher = threading.Thread(target=poll, args=(ids[-1],))
         watcher.start()
         while True:
             queue = ask(connection, "GET", "/v1/capacity")[1]["queue"]
             left = queue["queued"] + queue["running"]
-            if len(memory) == 1 and left <= args.jobs / 2:
+            if left <= args.jobs * (1 - tenths / 10):
                 memory.append(rss(server.pid))
+                tenths += 1
             if left == 0:
                 break
             time.sleep(0.1)

@@ -170,7 +170,7 @@ pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppErro
 async fn sweep(store: Arc<dyn JobStore>, retention: Retention) {
     loop {
         match store.sweep(&retention).await {
-            Ok(SWEEP) => continue,
+            Ok(SWEEP..) => continue,
             Ok(0) => {}
             Ok(jobs) => tracing::info!(jobs, "removed old jobs"),
             Err(error) => {

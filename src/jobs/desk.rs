@@ -39,6 +39,8 @@ pub struct Submission {
     pub submitter: Option<KeyId>,
     /// The client's name for this submission, if it may come twice.
     pub idempotency_key: Option<String>,
+    /// The client waits for the answer and is told of the job only by [`Desk::keep`].
+    pub ephemeral: bool,
 }
 
 /// Why a job is not taken in.
@@ -148,6 +150,7 @@ impl Desk {
             memory: estimate.bytes,
             submitter: submission.submitter,
             idempotency,
+            ephemeral: submission.ephemeral,
         };
         let enqueued = self.store.enqueue(new).await?;
         tracing::info!(job = %enqueued.job.id, replayed = enqueued.replayed, "queued");
@@ -176,6 +179,14 @@ impl Desk {
             }
             let _ = timeout_at(deadline.min(Instant::now() + LOOK_AGAIN), watch.finished()).await;
         }
+    }
+
+    /// Makes an ephemeral job as durable as any other.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn keep(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        self.store.keep(id).await
     }
 
     /// Listens to a job.

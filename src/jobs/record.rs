@@ -24,6 +24,9 @@ pub struct NewJob {
     pub submitter: Option<KeyId>,
     /// What makes a repeated submission recognisable.
     pub idempotency: Option<Idempotency>,
+    /// Somebody waits for the answer on an open connection: the job may be lost with the process, as the connection
+    /// is. Until [`JobStore::keep`](super::JobStore::keep).
+    pub ephemeral: bool,
 }
 
 impl NewJob {
@@ -37,6 +40,7 @@ impl NewJob {
             memory: 0,
             submitter: None,
             idempotency: None,
+            ephemeral: false,
         }
     }
 }

@@ -23,6 +23,15 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::QueueFull`], [`StoreError::KeyReused`]; nothing is kept then.
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError>;
 
+    /// Makes an ephemeral job as durable as any other, because its client has been told of it. Returns the job as it
+    /// is then.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`].
+    async fn keep(&self, id: JobId) -> Result<JobRecord, StoreError> {
+        self.get(id).await
+    }
+
     /// What is known about a job.
     ///
     /// # Errors

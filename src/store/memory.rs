@@ -8,7 +8,7 @@ use std::time::Duration;
 use async_trait::async_trait;
 use bytes::Bytes;
 
-use super::shelf::Shelf;
+use super::shelf::{Departure, Shelf};
 use crate::jobs::{
     ApiKey, ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
     JobRecord, JobState, JobStore, KeyId, KeyStore, Lease, LeaseStatus, NewJob, Outcome, Retention,
@@ -46,6 +46,21 @@ impl MemoryStore {
     /// An empty store that announces on `hub`.
     pub fn new(limits: MemoryLimits, hub: Arc<Hub>, clock: Arc<dyn Clock>) -> Self {
         Self { shelf: Mutex::new(Shelf::new(limits)), keys: Mutex::default(), hub, clock }
+    }
+
+    /// Whether the job is here.
+    pub(super) fn has(&self, id: JobId) -> bool {
+        self.shelf().entry(id).is_ok()
+    }
+
+    /// A job on its way to another store; `None` if it has finished or is not here.
+    pub(super) fn departure(&self, id: JobId) -> Option<Departure> {
+        self.shelf().departure(id)
+    }
+
+    /// Forgets a job that another store has taken over.
+    pub(super) fn depart(&self, id: JobId) {
+        self.shelf().depart(id);
     }
 
     fn shelf(&self) -> MutexGuard<'_, Shelf> {

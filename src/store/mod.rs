@@ -3,9 +3,10 @@
 //! | store | for |
 //! |---|---|
 //! | [`MemoryStore`] | demonstrations and tests |
-//! | [`open_sqlite`] | one process; its jobs survive whatever happens to it |
+//! | [`open_sqlite`] | one process; its jobs survive whatever happens to it, save those somebody waits for |
 //! | [`open_postgres`] | any number of processes on any number of machines |
 
+mod express;
 pub mod memory;
 mod migration;
 mod postgres;

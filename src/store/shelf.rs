@@ -53,6 +53,17 @@ impl Entry {
     }
 }
 
+/// An unfinished job as another store takes it over.
+pub(super) struct Departure {
+    pub(super) job: NewJob,
+    pub(super) created_at: Timestamp,
+    pub(super) started_at: Option<Timestamp>,
+    pub(super) cancel_requested: bool,
+    /// Of a running job: whose it is, and until when.
+    pub(super) lease: Option<(Lease, Timestamp)>,
+    pub(super) history: Vec<IterationRecord>,
+}
+
 /// A job's place in the queue: the highest priority first, then the oldest.
 type Place = (Reverse<i16>, JobId);
 
@@ -123,6 +134,38 @@ impl Shelf {
             self.known.insert(key, (digest, job.id));
         }
         Ok(Enqueued { job: self.record(job.id)?, replayed: false })
+    }
+
+    /// What another store needs to take over an unfinished job.
+    pub(super) fn departure(&self, id: JobId) -> Option<Departure> {
+        let entry = self.jobs.get(&id).filter(|entry| !entry.state.is_finished())?;
+        let lease = entry.owner.map(|owner| Lease { job: id, owner, attempt: entry.attempts });
+        Some(Departure {
+            job: NewJob {
+                id,
+                request: entry.request.clone(),
+                tags: entry.tags.clone(),
+                priority: entry.priority,
+                memory: entry.memory,
+                submitter: entry.submitter,
+                idempotency: None,
+                ephemeral: false,
+            },
+            created_at: entry.created_at,
+            started_at: entry.started_at,
+            cancel_requested: entry.cancel_requested,
+            lease: lease.map(|lease| (lease, entry.leased_until)),
+            history: entry.history.clone(),
+        })
+    }
+
+    /// Forgets an unfinished job.
+    pub(super) fn depart(&mut self, id: JobId) {
+        let Some(entry) = self.jobs.remove(&id) else { return };
+        if self.queued.remove(&entry.place(id)) {
+            self.queued_bytes -= entry.bytes();
+        }
+        self.running.retain(|other| *other != id);
     }
 
     pub(super) fn entry(&self, id: JobId) -> Result<&Entry, StoreError> {

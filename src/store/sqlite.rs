@@ -18,6 +18,7 @@ use sqlx::{Sqlite, SqliteConnection, SqlitePool, Transaction};
 use thiserror::Error;
 
 use super::Store;
+use super::express::ExpressStore;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore};
 use crate::jobs::{Clock, Hub, StoreError};
@@ -101,9 +102,9 @@ async fn open(
     lock: Option<File>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let path = directory.join("brinell.db");
-    let file = SqliteFile::open(&path, clock, lock).await;
+    let file = SqliteFile::open(&path, Arc::clone(&clock), lock).await;
     let backend = file.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(SqlStore { backend, hub, queue_capacity }))
+    Ok(Arc::new(ExpressStore::new(SqlStore { backend, hub, queue_capacity }, clock)))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.
@@ -127,14 +128,15 @@ impl SqliteFile {
             .synchronous(SqliteSynchronous::Full)
             .foreign_keys(true)
             .busy_timeout(BUSY);
-        let writer = SqlitePoolOptions::new().min_connections(1).max_connections(1).idle_timeout(None);
-        let writer = writer.max_lifetime(None).connect_with(options.clone()).await?;
+        let pool =
+            || SqlitePoolOptions::new().idle_timeout(None).max_lifetime(None).test_before_acquire(false);
+        let writer = pool().min_connections(1).max_connections(1).connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
         if lock.is_some() {
             sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'").execute(&writer).await?;
         }
-        let readers = SqlitePoolOptions::new().max_connections(READERS);
-        let readers = readers.connect_with(options.pragma("query_only", "on")).await?;
+        let readers =
+            pool().max_connections(READERS).connect_with(options.pragma("query_only", "on")).await?;
         Ok(Self { writer, readers, clock, _lock: lock })
     }
 }

@@ -9,6 +9,7 @@ mod in_process;
 mod jobs;
 mod keys;
 mod listing;
+mod memory;
 mod protocol;
 mod readme;
 mod server;

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use crate::curl::{parse, pointers, spawn_curl};
 use crate::in_process::{InProcess, job};
-use crate::server::{DEADLINE, Target};
+use crate::server::{DEADLINE, Scratch, Target};
 
 #[track_caller]
 fn assert_well(target: &Target) {
@@ -71,6 +71,38 @@ fn solve_past_its_limit_becomes_a_job() {
     service.target.get(&format!("{id}/result")).problem(409, "job-unfinished");
     service.solver.open_gate();
     service.target.wait_for(&id, &["succeeded"]);
+}
+
+#[test]
+fn solve_past_its_limit_survives_the_process() {
+    let directory = Scratch::new();
+    let start = || {
+        InProcess::start(|config| {
+            config.solve_limit = Duration::from_millis(50);
+            config.work.grace = Duration::from_millis(50);
+            config.storage.database_url = None;
+            config.storage.data_dir.clone_from(&directory.0);
+        })
+    };
+    let service = start();
+    service.solver.open_gate();
+    let answered = service.target.post("/v1/solve", job("quick").to_string());
+    let address = answered.header("content-location").unwrap().to_owned();
+    assert_eq!(service.target.get(&address).body, answered.body);
+    service.stop.cancel();
+    service.wait();
+
+    let service = start();
+    service.target.get(&address).problem(404, "job-not-found");
+    let accepted = service.target.post("/v1/solve", job("slow").to_string());
+    let id = accepted.header("location").unwrap().to_owned();
+    assert_eq!((accepted.status, service.target.get(&id).json()["status"].as_str()), (202, Some("running")));
+    service.stop.cancel();
+    service.wait();
+
+    let service = start();
+    service.solver.open_gate();
+    assert_eq!(service.target.wait_for(&id, &["succeeded"])["attempts"], 2);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod durable;
+mod express;
 mod keys;
 mod leases;
 mod life;
@@ -63,4 +64,5 @@ contract!(
     })
 );
 contract!(sqlite, crate::subject::Subject::sqlite().await);
+contract!(ephemeral, crate::subject::Subject::express().await);
 contract!(postgres, crate::subject::Subject::postgres().await);

@@ -49,6 +49,8 @@ pub struct Subject {
     pub clock: Arc<TestClock>,
     /// Where a second process would find the same jobs.
     pub place: Place,
+    /// Whether jobs are submitted as ephemeral.
+    pub ephemeral: bool,
 }
 
 /// Where a store keeps its jobs.
@@ -72,13 +74,18 @@ impl Subject {
     pub fn memory(limits: MemoryLimits) -> Self {
         let (hub, clock) = (Hub::new(), clock());
         let store = Arc::new(MemoryStore::new(limits, Arc::clone(&hub), Arc::clone(&clock) as _));
-        Self { store, hub, clock, place: Place::Memory }
+        Self { store, hub, clock, place: Place::Memory, ephemeral: false }
     }
 
     pub async fn sqlite() -> Self {
         let name = format!("brinell-test-{}", JobId::generate());
         let directory = Scratch(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name));
         Self::at(Place::Directory(Arc::new(directory)), clock()).await
+    }
+
+    /// SQLite's, with jobs that somebody waits for.
+    pub async fn express() -> Self {
+        Self { ephemeral: true, ..Self::sqlite().await }
     }
 
     pub async fn postgres() -> Self {
@@ -99,7 +106,7 @@ impl Subject {
             Place::Directory(path) => open_sqlite(&path.0, capacity, hub_of_store, time).await.unwrap(),
             Place::Database(url) => open_postgres(url, capacity, hub_of_store, Some(time)).await.unwrap(),
         };
-        Self { store, hub, clock, place }
+        Self { store, hub, clock, place, ephemeral: false }
     }
 
     pub async fn enqueue(&self, tag: &str) -> JobId {
@@ -107,7 +114,7 @@ impl Subject {
     }
 
     pub async fn submit(&self, job: NewJob) -> Result<Enqueued, StoreError> {
-        self.store.enqueue(job).await
+        self.store.enqueue(NewJob { ephemeral: self.ephemeral, ..job }).await
     }
 
     /// What a worker that does nothing else is handed.

@@ -28,7 +28,8 @@ pub(in crate::http) async fn post_job(
     JobBody(request): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
-    let submission = Submission { request, priority, submitter: caller.key(), idempotency_key };
+    let submission =
+        Submission { request, priority, submitter: caller.key(), idempotency_key, ephemeral: false };
     let enqueued = state.desk.submit(submission).await?;
     let mut record = enqueued.job;
     if let Some(patience) = patience {

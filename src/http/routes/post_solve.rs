@@ -30,11 +30,19 @@ pub(in crate::http) async fn post_solve(
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
-    let submission =
-        Submission { request: text, priority: URGENT, submitter: caller.key(), ..Submission::default() };
+    let submission = Submission {
+        request: text,
+        priority: URGENT,
+        submitter: caller.key(),
+        ephemeral: true,
+        idempotency_key: None,
+    };
     let id = state.desk.submit(submission).await?.job.id;
     let mut hang_up = HangUp { desk: Arc::clone(&state.desk), job: Some(id) };
-    let record = state.desk.wait(id, state.settings.solve_limit).await?;
+    let mut record = state.desk.wait(id, state.settings.solve_limit).await?;
+    if !record.state.is_finished() {
+        record = state.desk.keep(id).await?;
+    }
     hang_up.job = None;
     if !record.state.is_finished() {
         return Ok(wire::accepted(&record));

@@ -1,11 +1,14 @@
 //! Statements that take jobs in, stop them and remove them.
 
+use std::collections::BTreeMap;
+
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{count, pack, to_json};
 use super::reading::Reading;
 use crate::jobs::{Enqueued, Idempotency, JobId, JobRecord, JobState, NewJob, Retention, SWEEP, StoreError};
+use crate::store::shelf::Departure;
 
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
@@ -13,6 +16,10 @@ const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = 
 const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, request, submitter, created_at)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7)";
+const ADOPT: &str =
+    "INSERT INTO jobs (id, state, priority, memory, tags, request, submitter, created_at, started_at,
+         cancel_requested, attempts, owner, leased_until)
+     VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
          finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
@@ -31,6 +38,13 @@ pub(in crate::store) trait Intake: Reading {
         capacity: usize,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
+    /// Takes over a job from a store that would forget it.
+    fn adopt(&mut self, departure: Departure) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn label(
+        &mut self,
+        job: JobId,
+        tags: BTreeMap<String, String>,
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// The job that came with this name before, if there is one; else the name is taken for `job`.
     fn replay(
         &mut self,
@@ -82,11 +96,40 @@ macro_rules! intake {
                     .bind(now)
                     .execute(&mut *self)
                     .await?;
-                for (name, value) in job.tags {
-                    let tag = sqlx::query::<$database>(TAG).bind(job.id.uuid()).bind(name).bind(value);
+                self.label(job.id, job.tags).await?;
+                Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
+            }
+
+            async fn adopt(&mut self, departure: Departure) -> Result<(), StoreError> {
+                let job = departure.job;
+                let lease = departure.lease.as_ref();
+                let state = if lease.is_some() { JobState::Running } else { JobState::Queued };
+                let attempts = lease.map_or(0, |(lease, _)| lease.attempt);
+                sqlx::query::<$database>(ADOPT)
+                    .bind(job.id.uuid())
+                    .bind(state.name())
+                    .bind(i32::from(job.priority))
+                    .bind(i64::try_from(job.memory).unwrap_or(i64::MAX))
+                    .bind(to_json(&job.tags)?)
+                    .bind(pack(&job.request)?)
+                    .bind(job.submitter.map(|key| key.uuid()))
+                    .bind(departure.created_at.as_microsecond())
+                    .bind(departure.started_at.map(|time| time.as_microsecond()))
+                    .bind(departure.cancel_requested)
+                    .bind(i32::try_from(attempts).unwrap_or(i32::MAX))
+                    .bind(lease.map(|(lease, _)| lease.owner.uuid()))
+                    .bind(lease.map(|(_, until)| until.as_microsecond()))
+                    .execute(&mut *self)
+                    .await?;
+                self.label(job.id, job.tags).await
+            }
+
+            async fn label(&mut self, job: JobId, tags: BTreeMap<String, String>) -> Result<(), StoreError> {
+                for (name, value) in tags {
+                    let tag = sqlx::query::<$database>(TAG).bind(job.uuid()).bind(name).bind(value);
                     tag.execute(&mut *self).await?;
                 }
-                Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
+                Ok(())
             }
 
             async fn replay(

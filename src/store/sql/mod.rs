@@ -18,6 +18,7 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use sqlx::Transaction;
 
+use super::shelf::Departure;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
     JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
@@ -42,6 +43,17 @@ pub(super) struct SqlStore<B> {
 }
 
 impl<B: Backend> SqlStore<B> {
+    /// Takes over an unfinished job from a store that would forget it, its lease and its history included.
+    pub(super) async fn adopt(&self, departure: Departure) -> Result<(), StoreError> {
+        let (mut transaction, _) = self.backend.write().await?;
+        let (lease, history) = (departure.lease, departure.history.clone());
+        Intake::adopt(&mut *transaction, departure).await?;
+        if let Some((lease, _)) = lease {
+            Leasing::record_progress(&mut *transaction, &lease, &history).await?;
+        }
+        self.commit(transaction, &[Change::Work]).await
+    }
+
     /// Commits a transaction and announces what it changed.
     async fn commit(
         &self,

@@ -1,0 +1,42 @@
+//! How many jobs a second these cores solve without a service around them: `brinell solve` in a loop, on one thread
+//! a core. `scripts/throughput.py` holds the service against it.
+//!
+//! usage: `cargo run --release --example in_process -- JOB.json SECONDS`
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread::{available_parallelism, scope};
+use std::time::{Duration, Instant};
+
+use brinell::jobs::encode;
+use brinell::model::Job;
+use brinell::results;
+use brinell::solve::Unobserved;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut args = std::env::args().skip(1);
+    let path = args.next().ok_or("which job?")?;
+    let seconds: f64 = args.next().ok_or("for how many seconds?")?.parse()?;
+    let text = std::fs::read(path)?;
+    results::run(&Job::from_json(&text)?, &mut Unobserved)?;
+
+    let (solved, threads) = (AtomicU64::new(0), available_parallelism()?.get());
+    let clock = Instant::now();
+    let end = clock + Duration::from_secs_f64(seconds);
+    scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while Instant::now() < end && answer(&text) {
+                    solved.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+    });
+    println!("{:.1}", solved.into_inner() as f64 / clock.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// From the text of a job to that of its result.
+fn answer(text: &[u8]) -> bool {
+    let report = Job::from_json(text).ok().and_then(|job| results::run(&job, &mut Unobserved).ok());
+    report.is_some_and(|report| encode(&report).is_ok())
+}
