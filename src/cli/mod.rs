@@ -8,6 +8,7 @@ mod demo;
 mod fault;
 mod input;
 mod key;
+mod openapi;
 mod progress;
 mod serve;
 mod solve;
@@ -25,6 +26,7 @@ use crate::telemetry::{self, LogConfig};
 use demo::DemoArgs;
 use fault::{Fault, report_fault};
 use key::KeyArgs;
+use openapi::OpenapiArgs;
 use solve::SolveArgs;
 use validate::ValidateArgs;
 
@@ -52,6 +54,8 @@ enum Command {
     Solve(SolveArgs),
     /// Check a job and estimate its cost without solving it
     Validate(ValidateArgs),
+    /// Print the HTTP interface as an OpenAPI document
+    Openapi(OpenapiArgs),
     /// Make, list and revoke API keys
     Key(KeyArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
@@ -78,6 +82,7 @@ pub fn main() -> ExitCode {
         Command::Worker(config) => worker::worker(&config),
         Command::Solve(args) => solve::solve(&args),
         Command::Validate(args) => validate::validate(&args),
+        Command::Openapi(args) => openapi::openapi(&args),
         Command::Key(args) => key::key(&args),
         Command::Demo(args) => demo::demo(&args),
     };

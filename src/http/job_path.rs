@@ -5,6 +5,7 @@ use std::time::Duration;
 use axum::extract::{FromRequestParts, Path};
 use axum::http::request::Parts;
 use serde::Deserialize;
+use utoipa::IntoParams;
 
 use super::HttpState;
 use super::access::Caller;
@@ -30,9 +31,12 @@ impl FromRequestParts<HttpState> for JobPath {
     }
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
-struct WaitQuery {
+pub(super) struct WaitQuery {
+    /// Wait so many seconds for the job to finish, fractions allowed, cut at the service's limit.
+    #[param(minimum = 0, default = 0, example = 30)]
     wait: Option<f64>,
 }
 

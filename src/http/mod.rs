@@ -1,4 +1,5 @@
-//! The service over HTTP. [`router`] lists the routes; each is one file in `routes`.
+//! The service over HTTP. The routes are listed here; each is one file in `routes`, which also declares it for
+//! [`openapi`].
 //!
 //! Every error, including those of the framework and panics, leaves as `application/problem+json`
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
@@ -8,6 +9,7 @@ mod body;
 mod follower;
 mod job_path;
 mod listen;
+pub mod openapi;
 mod preference;
 mod problem;
 mod problem_type;
@@ -25,32 +27,23 @@ use axum::extract::Request;
 use axum::http::Uri;
 use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post};
 use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
 use tower_http::trace::{DefaultOnResponse, TraceLayer};
 use tracing::{Level, Span};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+use utoipa_swagger_ui::{Config, SwaggerUi};
 
-use crate::jobs::{Desk, Export};
+use crate::jobs::Desk;
 use access::authenticate;
 use rates::Rates;
-use routes::cancel_job::cancel_job;
-use routes::delete_job::delete_job;
-use routes::get_capacity::get_capacity;
-use routes::get_events::get_events;
-use routes::get_examples::get_examples;
-use routes::get_export::get_export;
-use routes::get_job::get_job;
-use routes::get_problem::get_problem;
-use routes::get_result::get_result;
-use routes::health::{livez, readyz};
-use routes::list_jobs::list_jobs;
-use routes::post_hertz::post_hertz;
-use routes::post_job::post_job;
-use routes::post_solve::post_solve;
-use routes::post_validate::post_validate;
+use routes::{
+    cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_job, get_openapi,
+    get_problem, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
+};
 
 pub use listen::serve;
 pub use problem::Problem;
@@ -124,26 +117,10 @@ impl HttpState {
 
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
-    let mut guarded = Router::new()
-        .route("/v1/jobs", get(list_jobs).post(post_job))
-        .route("/v1/jobs/{id}", get(get_job).delete(delete_job))
-        .route("/v1/jobs/{id}/events", get(get_events))
-        .route("/v1/jobs/{id}/result", get(get_result))
-        .route("/v1/jobs/{id}/cancel", post(cancel_job))
-        .route("/v1/solve", post(post_solve))
-        .route("/v1/validate", post(post_validate))
-        .route("/v1/hertz", post(post_hertz))
-        .route("/v1/examples", get(get_examples))
-        .route("/v1/capacity", get(get_capacity));
-    for form in Export::ALL {
-        let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
-        guarded = guarded.route(&path, get(move |state, job, step| get_export(state, job, step, form)));
-    }
-    guarded
-        .route_layer(from_fn_with_state(state.clone(), authenticate))
-        .route("/problems/{name}", get(get_problem))
-        .route("/livez", get(livez))
-        .route("/readyz", get(readyz))
+    let keys = from_fn_with_state(state.clone(), authenticate);
+    let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
+    documented
+        .merge(docs_page())
         .fallback(no_route)
         .method_not_allowed_fallback(no_method)
         .with_state(state)
@@ -156,6 +133,41 @@ pub fn router(state: HttpState) -> Router {
                 .on_response(DefaultOnResponse::new().level(Level::INFO)),
         )
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
+}
+
+/// Everything that is documented.
+fn documented_routes() -> OpenApiRouter<HttpState> {
+    guarded_routes().merge(open_routes())
+}
+
+/// What needs an API key, where keys are needed.
+fn guarded_routes() -> OpenApiRouter<HttpState> {
+    let guarded = OpenApiRouter::default()
+        .routes(routes!(list_jobs::list_jobs, post_job::post_job))
+        .routes(routes!(get_job::get_job, delete_job::delete_job))
+        .routes(routes!(get_events::get_events))
+        .routes(routes!(get_result::get_result))
+        .routes(routes!(cancel_job::cancel_job))
+        .routes(routes!(post_solve::post_solve))
+        .routes(routes!(post_validate::post_validate))
+        .routes(routes!(post_hertz::post_hertz))
+        .routes(routes!(get_examples::get_examples))
+        .routes(routes!(get_capacity::get_capacity));
+    get_export::exports().fold(guarded, OpenApiRouter::routes)
+}
+
+/// What anybody may ask.
+fn open_routes() -> OpenApiRouter<HttpState> {
+    OpenApiRouter::default()
+        .routes(routes!(get_problem::get_problem))
+        .routes(routes!(get_openapi::get_openapi))
+        .routes(routes!(health::livez))
+        .routes(routes!(health::readyz))
+}
+
+/// `GET /docs`: the document, browsable.
+fn docs_page() -> Router<HttpState> {
+    SwaggerUi::new("/docs").config(Config::from("/openapi.json")).into()
 }
 
 async fn no_route(uri: Uri) -> Problem {

@@ -6,6 +6,7 @@ use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use utoipa::IntoParams;
 
 use super::HttpState;
 use super::problem::Problem;
@@ -32,9 +33,12 @@ pub(super) async fn read<T: DeserializeOwned + Send + 'static>(
     query.map(|Query(query)| query).map_err(|rejection| wrong(rejection.body_text()))
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
-struct PriorityQuery {
+pub(super) struct PriorityQuery {
+    /// Larger goes first.
+    #[param(minimum = -100, maximum = 100, default = 0)]
     priority: Option<i16>,
 }
 
@@ -54,9 +58,12 @@ impl FromRequestParts<HttpState> for Priority {
     }
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
-struct StepQuery {
+pub(super) struct StepQuery {
+    /// Which step of a sweep, counted from 1 [default: the last].
+    #[param(value_type = Option<u32>, minimum = 1)]
     step: Option<NonZeroUsize>,
 }
 
@@ -73,12 +80,20 @@ impl FromRequestParts<HttpState> for Step {
     }
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
-struct ListQuery {
+pub(super) struct ListQuery {
+    /// Only jobs in this state.
     status: Option<JobState>,
+    /// Only jobs with this label, `name:value`.
+    #[param(pattern = "^[^:]*:", example = "bearing:NU-210")]
     tag: Option<String>,
+    /// Most jobs on the page.
+    #[param(minimum = 1, maximum = 100, default = 20)]
     limit: Option<usize>,
+    /// The `next_cursor` of the page before.
+    #[param(format = Uuid)]
     cursor: Option<String>,
 }
 

@@ -1,31 +1,38 @@
 //! What theory answers without a mesh.
 
 use serde::Serialize;
+use utoipa::ToSchema;
 
 use crate::model::{FieldError, Job, Load, Quantity, Units};
 use crate::solve::ElasticReference;
 
 /// Hertz's contact of the bodies of a job, in the units of the job.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ClosedForm {
-    /// Units of all figures.
+    /// Units of all figures: `mm_N_MPa` or `SI`.
+    #[schema(example = "mm_N_MPa")]
     pub units: &'static str,
-    /// Effective radius of the two surfaces.
+    /// Effective radius of the two surfaces. Unit: mm (SI: m).
+    #[schema(exclusive_minimum = 0, example = 10.0)]
     pub effective_radius: f64,
-    /// Force at which the first body begins to yield; `null` if none can.
+    /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in axisymmetry.
+    #[schema(required, minimum = 0, example = 218.99)]
     pub yield_onset_force: Option<f64>,
     /// One for each force of the load.
     pub steps: Vec<ClosedFormStep>,
 }
 
 /// Hertz's contact under one force.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ClosedFormStep {
-    /// The force.
+    /// The force. Unit: N/mm (SI: N/m); N in axisymmetry.
+    #[schema(minimum = 0, example = 612.6106)]
     pub force: f64,
-    /// Half-width of the strip, or radius of the circle.
+    /// Half-width of the strip, or radius of the circle. Unit: mm (SI: m).
+    #[schema(minimum = 0, example = 0.26)]
     pub half_width: f64,
-    /// Peak pressure.
+    /// Peak pressure. Unit: MPa (SI: Pa).
+    #[schema(minimum = 0, example = 1500.0)]
     pub peak_pressure: f64,
     /// Whether a body yields under this force: then Hertz's figures no longer hold.
     pub yields: bool,

@@ -62,17 +62,17 @@ pub enum Hardening {
 }
 
 /// Range of the Ramberg–Osgood exponent m: from linear to, for every purpose, perfectly plastic.
-const STRESS_EXPONENT: RangeInclusive<f64> = 1.0..=200.0;
+pub const STRESS_EXPONENT: RangeInclusive<f64> = 1.0..=200.0;
 /// Range of the exponent n of the Swift and Ludwik laws.
-const STRAIN_EXPONENT: RangeInclusive<f64> = 1e-3..=1.0;
+pub const STRAIN_EXPONENT: RangeInclusive<f64> = 1e-3..=1.0;
 /// Range of the Ramberg–Osgood offset a.
-const OFFSET: RangeInclusive<f64> = 1e-9..=1e6;
+pub const OFFSET: RangeInclusive<f64> = 1e-9..=1e6;
 /// Range of the Swift strain `ε_0`.
-const STRAIN_OFFSET: RangeInclusive<f64> = 1e-9..=1e3;
+pub const STRAIN_OFFSET: RangeInclusive<f64> = 1e-9..=1e3;
 /// Range of the Voce rate b.
-const RATE: RangeInclusive<f64> = 1e-6..=1e6;
+pub const RATE: RangeInclusive<f64> = 1e-6..=1e6;
 /// Range of plastic strains in a table.
-const PLASTIC_STRAIN: RangeInclusive<f64> = 0.0..=100.0;
+pub const PLASTIC_STRAIN: RangeInclusive<f64> = 0.0..=100.0;
 
 impl Hardening {
     /// The words of the wire format's `law`.

@@ -22,11 +22,11 @@ pub mod quantity;
 mod reader;
 mod revolution;
 #[cfg(test)]
-mod roundtrip;
+pub(crate) mod roundtrip;
 pub mod settings;
 pub mod shape;
 pub mod table;
-mod tags;
+pub mod tags;
 pub mod units;
 mod wire;
 

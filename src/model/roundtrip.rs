@@ -119,7 +119,8 @@ fn tags() -> impl Strategy<Value = BTreeMap<String, String>> {
     btree_map("[a-zé/~ ]{1,64}", "[^\\p{Cc}]{0,256}", 0..5)
 }
 
-fn job() -> impl Strategy<Value = Job> {
+/// Any job that the format can say, solvable or not.
+pub(crate) fn job() -> impl Strategy<Value = Job> {
     let lower = prop_oneof![4 => deformable(), 1 => Just(Material::Rigid)];
     let bodies = (body(deformable()), body(lower), any::<bool>());
     let kinds = (any_of(Analysis::ALL), any_of(Units::ALL));

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use super::reader::Cursor;
 
 /// Most tags of a job.
-const MAX_TAGS: usize = 32;
+pub const MAX_TAGS: usize = 32;
 /// Longest key in characters.
-const MAX_KEY: usize = 64;
+pub const MAX_KEY: usize = 64;
 /// Longest value in characters.
-const MAX_VALUE: usize = 256;
+pub const MAX_VALUE: usize = 256;
 
 pub(super) fn read(cursor: Cursor<'_>) -> Option<BTreeMap<String, String>> {
     let object = cursor.object()?;

@@ -10,6 +10,7 @@ mod jobs;
 mod keys;
 mod listing;
 mod memory;
+mod openapi;
 mod protocol;
 mod readme;
 mod server;

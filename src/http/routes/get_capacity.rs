@@ -2,29 +2,37 @@
 
 use axum::Json;
 use axum::extract::State;
-use serde_json::{Value, json};
 
+use crate::http::wire::{CapacityDocument, Limits, Queue};
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobState;
 
-pub(in crate::http) async fn get_capacity(State(state): State<HttpState>) -> Result<Json<Value>, Problem> {
+/// What this node can do and how busy the queue is
+#[utoipa::path(
+    get, path = "/v1/capacity", tag = "service",
+    responses((status = OK, description = "Capacity and load.", body = CapacityDocument)),
+    extensions(("x-problems" = json!(["store-unavailable"]))),
+)]
+pub(in crate::http) async fn get_capacity(
+    State(state): State<HttpState>,
+) -> Result<Json<CapacityDocument>, Problem> {
     let counts = state.desk.counts().await?;
     let jobs = |wanted: JobState| counts.get(&wanted).copied().unwrap_or(0);
     let (settings, capacity) = (&state.settings, &state.settings.capacity);
-    Ok(Json(json!({
-        "solvers": capacity.solvers,
-        "memory_bytes": capacity.memory_bytes,
-        "queue": {
-            "queued": jobs(JobState::Queued),
-            "running": jobs(JobState::Running),
-            "capacity": capacity.queued_jobs,
+    Ok(Json(CapacityDocument {
+        solvers: capacity.solvers,
+        memory_bytes: capacity.memory_bytes,
+        queue: Queue {
+            queued: jobs(JobState::Queued),
+            running: jobs(JobState::Running),
+            capacity: capacity.queued_jobs,
         },
-        "limits": {
-            "body_bytes": settings.max_body_bytes,
-            "job_memory_bytes": state.desk.limits().job_bytes,
-            "solve_seconds": settings.solve_limit.as_secs_f64(),
-            "wait_seconds": settings.wait_limit.as_secs_f64(),
-            "job_seconds": capacity.job_seconds,
+        limits: Limits {
+            body_bytes: settings.max_body_bytes,
+            job_memory_bytes: state.desk.limits().job_bytes,
+            solve_seconds: settings.solve_limit.as_secs_f64(),
+            wait_seconds: settings.wait_limit.as_secs_f64(),
+            job_seconds: capacity.job_seconds,
         },
-    })))
+    }))
 }

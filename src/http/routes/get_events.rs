@@ -21,10 +21,29 @@ use futures_util::stream;
 use crate::http::follower::{Follower, Place};
 use crate::http::job_path::JobPath;
 use crate::http::{HttpState, Problem};
+use crate::jobs::JobId;
 
 /// Time between signs of life while nothing happens.
 const KEEP_ALIVE: Duration = Duration::from_secs(15);
 
+/// A job as server-sent events
+///
+/// From its beginning, or from where the client left off. `state` events carry the job as `GET /v1/jobs/{id}`
+/// answers it, `iteration` events an iteration each under the id `A-N`, the N-th of attempt A. The last event has
+/// the id `A-N-end`. When a job is taken up anew, its iterations begin again under the next attempt.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/events", tag = "jobs",
+    params(
+        ("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it."),
+        ("Last-Event-ID" = Option<String>, Header, description = "Id of the last event seen: what followed is \
+            sent. What is no such id is ignored.", example = "1-12"),
+    ),
+    responses(
+        (status = OK, description = "The stream, which ends with the job.", body = String,
+            content_type = "text/event-stream"),
+        (status = NO_CONTENT, description = "The client has seen the end; it need not come again."),
+    ),
+)]
 pub(in crate::http) async fn get_events(
     State(state): State<HttpState>,
     JobPath(id): JobPath,

@@ -3,29 +3,42 @@
 use axum::Json;
 use serde::Serialize;
 use serde_json::value::RawValue;
+use utoipa::ToSchema;
 
 use crate::http::Problem;
+use crate::http::openapi::job;
 use crate::http::problem_type::ProblemType;
 
 /// Every file in `api/examples`.
-const EXAMPLES: [(&str, &str); 3] = [
+pub(in crate::http) const EXAMPLES: [(&str, &str); 3] = [
     ("two_cylinders", include_str!("../../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../../api/examples/ramberg_osgood.json")),
 ];
 
-/// The examples, keys in the order of their files.
-#[derive(Debug, Serialize)]
+/// Jobs to begin with, each with its keys in the order of its file.
+#[derive(Debug, Serialize, ToSchema)]
 pub(in crate::http) struct Examples {
+    /// Each under its name.
     examples: Vec<Example>,
 }
 
-#[derive(Debug, Serialize)]
-struct Example {
+/// A job with its name.
+#[derive(Debug, Serialize, ToSchema)]
+pub(in crate::http) struct Example {
+    /// Its name, as that of its file in `api/examples`.
+    #[schema(example = "two_cylinders")]
     name: &'static str,
+    /// The job.
+    #[schema(schema_with = job)]
     job: &'static RawValue,
 }
 
+/// Jobs to begin with, ready to be posted
+#[utoipa::path(
+    get, path = "/v1/examples", tag = "service",
+    responses((status = OK, description = "The examples.", body = Examples)),
+)]
 pub(in crate::http) async fn get_examples() -> Result<Json<Examples>, Problem> {
     let example = |(name, text)| Ok(Example { name, job: serde_json::from_str(text)? });
     let examples = EXAMPLES.into_iter().map(example).collect::<Result<_, serde_json::Error>>();

@@ -7,14 +7,65 @@
 use axum::extract::State;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use utoipa::IntoParams;
+use utoipa::openapi::extensions::ExtensionsBuilder;
+use utoipa::openapi::header::HeaderBuilder;
+use utoipa::openapi::path::{Operation, OperationBuilder, ParameterBuilder, ParameterIn, Paths};
+use utoipa::openapi::schema::{ObjectBuilder, Type};
+use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
+use utoipa_axum::router::UtoipaMethodRouter;
 
 use super::get_result::no_result;
 use crate::http::job_path::JobPath;
-use crate::http::query::{Step, wrong};
+use crate::http::query::{Step, StepQuery, wrong};
 use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::{Export, ExportError, ExportFailure, JobId};
 
-pub(in crate::http) async fn get_export(
+/// One route for each form, declared as it is served.
+pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<HttpState>> {
+    Export::ALL.into_iter().map(|form| {
+        let mut paths = Paths::new();
+        let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
+        paths.add_path_operation(path, vec![HttpMethod::Get], operation(form));
+        (Vec::new(), paths, get(move |state, job, step| get_export(state, job, step, form)))
+    })
+}
+
+fn operation(form: Export) -> Operation {
+    let (summary, lacking) = match form {
+        Export::PressureCsv => ("Contact pressure of all steps, as a table", None),
+        Export::SubsurfaceCsv => ("Stresses over depth of all steps, as a table", Some("not-in-result")),
+        Export::FieldVtu => ("Mesh and fields of both bodies, for ParaView", Some("not-in-result")),
+        Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),
+        Export::DepthSvg => ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result")),
+    };
+    let problems = ["invalid-query", "job-unfinished", "no-result"].into_iter().chain(lacking);
+    let id = ParameterBuilder::new()
+        .name("id")
+        .parameter_in(ParameterIn::Path)
+        .required(Required::True)
+        .description(Some("The job's id, as its receipt and its `Location` have it."))
+        .schema(Some(Ref::from_schema_name("JobId")));
+    let step = StepQuery::into_params(|| Some(ParameterIn::Query));
+    let media_type = form.media_type().split(';').next().unwrap_or_default();
+    let text = ObjectBuilder::new().schema_type(Type::String);
+    let answer = ResponseBuilder::new()
+        .description("The file.")
+        .header("Content-Disposition", HeaderBuilder::new().description(Some("A name for the file.")).build())
+        .content(media_type, Content::new(Some(text)));
+    OperationBuilder::new()
+        .operation_id(Some(format!("get_{}", form.file_name().replace('.', "_"))))
+        .tag("results")
+        .summary(Some(summary))
+        .parameter(id)
+        .parameters(form.shows_one_step().then_some(step))
+        .response("200", answer)
+        .extensions(Some(ExtensionsBuilder::new().add("x-problems", problems.collect::<Vec<_>>()).build()))
+        .build()
+}
+
+async fn get_export(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     Step(step): Step,

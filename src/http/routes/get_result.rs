@@ -5,8 +5,16 @@ use axum::response::Response;
 
 use crate::http::job_path::JobPath;
 use crate::http::{HttpState, Problem, ProblemType, wire};
-use crate::jobs::JobRecord;
+use crate::jobs::{JobId, JobRecord};
 
+/// The result of a job
+///
+/// Complete, or as far as a stopped job came; its `status` says which.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/result", tag = "results", params(("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it.")),
+    responses((status = OK, description = "The result.", body = ref("#/components/schemas/Report"), content_type = "application/json", headers(("Content-Location" = String, description = "Address of the result.")))),
+    extensions(("x-problems" = json!(["job-unfinished", "no-result"]))),
+)]
 pub(in crate::http) async fn get_result(
     State(state): State<HttpState>,
     JobPath(id): JobPath,

@@ -2,21 +2,31 @@
 
 use axum::Json;
 use axum::extract::State;
-use serde_json::{Value, json};
 
+use crate::http::wire::Health;
 use crate::http::{HttpState, Problem, ProblemType};
 
-/// The process answers.
-pub(in crate::http) async fn livez() -> Json<Value> {
-    Json(json!({"status": "alive"}))
+/// The process answers
+#[utoipa::path(
+    get, path = "/livez", tag = "service",
+    responses((status = OK, description = "`alive`.", body = Health)),
+)]
+pub(in crate::http) async fn livez() -> Json<Health> {
+    Json(Health { status: "alive" })
 }
 
-/// The service takes jobs: it is not shutting down and its store answers. A full queue is no reason to be
-/// taken out of service.
-pub(in crate::http) async fn readyz(State(state): State<HttpState>) -> Result<Json<Value>, Problem> {
+/// The service takes jobs
+///
+/// It is not shutting down and its store answers. A full queue is no reason to be taken out of service.
+#[utoipa::path(
+    get, path = "/readyz", tag = "service",
+    responses((status = OK, description = "`ready`.", body = Health)),
+    extensions(("x-problems" = json!(["shutting-down", "store-unavailable"]))),
+)]
+pub(in crate::http) async fn readyz(State(state): State<HttpState>) -> Result<Json<Health>, Problem> {
     if state.desk.is_closed() {
         return Err(Problem::new(ProblemType::ShuttingDown, "the service is shutting down"));
     }
     state.desk.ping().await?;
-    Ok(Json(json!({"status": "ready"})))
+    Ok(Json(Health { status: "ready" }))
 }

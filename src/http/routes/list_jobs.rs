@@ -4,10 +4,18 @@ use axum::Json;
 use axum::extract::State;
 
 use crate::http::access::Caller;
-use crate::http::query::ListFilter;
+use crate::http::query::{ListFilter, ListQuery};
 use crate::http::wire::{JobDocument, JobList};
 use crate::http::{HttpState, Problem};
 
+/// Jobs, newest first, page by page
+///
+/// With API keys, the jobs of the asking key; of an administrator's, all. Places in the queue are told job by job
+/// only.
+#[utoipa::path(
+    get, path = "/v1/jobs", tag = "jobs", params(ListQuery),
+    responses((status = OK, description = "A page of jobs.", body = JobList)),
+)]
 pub(in crate::http) async fn list_jobs(
     State(state): State<HttpState>,
     caller: Caller,

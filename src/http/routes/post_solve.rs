@@ -18,12 +18,31 @@ use tokio::runtime::Handle;
 use super::get_result::finished;
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
+use crate::http::wire::Receipt;
 use crate::http::{HttpState, Problem, wire};
 use crate::jobs::{Desk, JobId, Submission};
 
 /// Somebody waits: these jobs go before queued ones of ordinary priority.
 const URGENT: i16 = 1;
 
+/// Solve a job and wait for the result
+///
+/// Past the service's limit the answer is 202, as that of `POST /v1/jobs`, and the job goes on. A client that hangs
+/// up cancels its job.
+#[utoipa::path(
+    post, path = "/v1/solve", tag = "jobs",
+    request_body(content = ref("#/components/schemas/Job"), content_type = "application/json", description = "The job."),
+    responses(
+        (status = OK, description = "The result, converged or not; its `status` says which.", body = ref("#/components/schemas/Report"), content_type = "application/json",
+            headers(("Content-Location" = String, description = "Address of the result."))),
+        (status = ACCEPTED, description = "The time is over; the job goes on.", body = Receipt, headers(
+            ("Location" = String, description = "Address of the job."),
+        )),
+    ),
+    extensions(("x-problems" = json!([
+        "invalid-job", "job-too-large", "queue-full", "too-many-jobs", "shutting-down", "no-result", "solve-failed"
+    ]))),
+)]
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     caller: Caller,

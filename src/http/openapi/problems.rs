@@ -1,0 +1,213 @@
+//! The errors of every operation: those that follow from what it takes in, and those that its handler names under
+//! `x-problems`.
+
+use serde_json::{Map, Value, json};
+
+use super::schema::{count, field, list_of, named, object, optional, text, words};
+use crate::http::access::HARMLESS;
+use crate::http::problem_type::ProblemType;
+
+const METHODS: [&str; 3] = ["get", "post", "delete"];
+
+/// The schemas by name.
+pub(super) fn schemas() -> Vec<(&'static str, Value)> {
+    let kinds: Vec<_> = ProblemType::ALL.iter().map(|kind| kind.uri()).collect();
+    let kinds: Vec<_> = kinds.iter().map(String::as_str).collect();
+    let problem = object(
+        "An error (RFC 9457).",
+        [
+            field(
+                "type",
+                words(
+                    "The kind of error: a relative address that this service answers with an explanation.",
+                    &kinds,
+                ),
+            ),
+            field("title", text("The kind in words, the same for every occurrence.", "The job is not valid")),
+            field(
+                "status",
+                json!({"type": "integer", "minimum": 400, "maximum": 599, "description": "The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered with.", "examples": [422]}),
+            ),
+            field("detail", text("About this occurrence.", "3 fields at fault")),
+            optional(
+                "errors",
+                list_of("Fields at fault, in the order of the document.", named("FieldError")),
+            ),
+            optional("line", count("Line of the body at which the JSON ends, from 1 (`invalid-json`).", 3)),
+            optional("column", count("Column in that line (`invalid-json`).", 17)),
+            optional("estimate", named("Estimate")),
+            optional(
+                "limit_bytes",
+                count("The limit (`body-too-large`, `job-too-large`). Unit: byte.", 1 << 20),
+            ),
+        ],
+    );
+    let field_error = object(
+        "A fault in a job.",
+        [
+            field(
+                "pointer",
+                json!({"type": "string", "description": "JSON pointer (RFC 6901) of the field; empty for the whole job.", "pattern": "^(/.*)?$", "examples": ["/upper/material/poisson_ratio"]}),
+            ),
+            field(
+                "detail",
+                text(
+                    "What is wrong and what would be right.",
+                    "must be at least 0 and less than 0.5, got 0.5",
+                ),
+            ),
+        ],
+    );
+    let estimate = object(
+        "What a job costs.",
+        [
+            field("equations", count("Equations of both bodies.", 17_226)),
+            field("bytes", count("Peak memory. Unit: byte.", 43_459_337)),
+        ],
+    );
+    vec![("Problem", problem), ("FieldError", field_error), ("Estimate", estimate)]
+}
+
+/// Adds to every operation the errors it can answer with, its security, and the id that every answer carries.
+pub(super) fn declare(document: &mut Value) {
+    let Some(paths) = document["paths"].as_object_mut() else { return };
+    for (path, item) in paths {
+        for method in METHODS {
+            let Some(operation) = item.get_mut(method).and_then(Value::as_object_mut) else { continue };
+            let mut kinds = implied(path, method, operation);
+            kinds.extend(own(operation));
+            if path.starts_with("/v1/") {
+                operation.insert("security".to_owned(), json!([{}, {"api_key": []}]));
+            }
+            for parameter in
+                operation.get_mut("parameters").and_then(Value::as_array_mut).into_iter().flatten()
+            {
+                never_null(&mut parameter["schema"]);
+            }
+            let Some(responses) = operation.get_mut("responses").and_then(Value::as_object_mut) else {
+                continue;
+            };
+            for kind in kinds {
+                add(responses, kind);
+            }
+            for response in responses.values_mut() {
+                response["headers"]["X-Request-Id"] = header("X-Request-Id");
+            }
+        }
+    }
+}
+
+/// A parameter that may be left out is still never `null`: there is no way to write it.
+fn never_null(schema: &mut Value) {
+    if let Some([first, _]) = schema["type"].as_array().map(Vec::as_slice) {
+        schema["type"] = first.clone();
+    }
+}
+
+/// The errors that a handler names.
+fn own(operation: &mut Map<String, Value>) -> Vec<ProblemType> {
+    let names = operation.remove("x-problems").unwrap_or_default();
+    let names = names.as_array().into_iter().flatten().filter_map(Value::as_str);
+    names.filter_map(ProblemType::by_name).collect()
+}
+
+/// The errors of whatever is under this path and takes in what this operation does.
+fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<ProblemType> {
+    let mut kinds = vec![ProblemType::Internal];
+    if path.starts_with("/v1/") {
+        kinds.extend([ProblemType::Unauthorized, ProblemType::StoreUnavailable]);
+        if method != "get" && !HARMLESS.contains(&path) {
+            kinds.push(ProblemType::Forbidden);
+        }
+    }
+    if path.contains("{id}") {
+        kinds.push(ProblemType::JobNotFound);
+    }
+    if operation.contains_key("requestBody") {
+        kinds.extend([
+            ProblemType::InvalidJson,
+            ProblemType::BodyTimeout,
+            ProblemType::BodyTooLarge,
+            ProblemType::UnsupportedMediaType,
+        ]);
+    }
+    let parameters = operation.get("parameters").and_then(Value::as_array);
+    if parameters.is_some_and(|all| all.iter().any(|parameter| parameter["in"] == "query")) {
+        kinds.push(ProblemType::InvalidQuery);
+    }
+    kinds
+}
+
+/// Adds one kind of error to the answers of an operation; kinds with the same status share an answer.
+fn add(responses: &mut Map<String, Value>, kind: ProblemType) {
+    let response = responses
+        .entry(kind.status().as_str())
+        .or_insert_with(|| json!({"content": {"application/problem+json": {"schema": named("Problem")}}}));
+    let titles = match response["description"].as_str() {
+        Some(titles) => format!("{titles}; {}", kind.title()),
+        None => kind.title().to_owned(),
+    };
+    response["description"] = json!(titles);
+    response["content"]["application/problem+json"]["examples"][kind.name()] =
+        json!({"$ref": format!("#/components/examples/{}", kind.name())});
+    match kind.status().as_u16() {
+        401 => response["headers"]["WWW-Authenticate"] = header("WWW-Authenticate"),
+        429 | 503 => response["headers"]["Retry-After"] = header("Retry-After"),
+        _ => {}
+    }
+}
+
+fn header(name: &str) -> Value {
+    json!({"$ref": format!("#/components/headers/{name}")})
+}
+
+/// The headers that answers of several operations carry.
+pub(super) fn headers() -> Value {
+    json!({
+        "X-Request-Id": {
+            "description": "The request's name: its own, if it had one.",
+            "schema": {"type": "string"},
+        },
+        "WWW-Authenticate": {
+            "description": "How to say who asks.",
+            "schema": {"type": "string", "const": "Bearer"},
+        },
+        "Retry-After": {
+            "description": "Seconds after which to try again.",
+            "schema": {"type": "integer", "minimum": 1},
+        },
+    })
+}
+
+/// One example of each kind of error.
+pub(super) fn examples() -> impl Iterator<Item = (String, Value)> {
+    ProblemType::ALL.iter().map(|kind| {
+        let problem = json!({
+            "type": kind.uri(),
+            "title": kind.title(),
+            "status": kind.status().as_u16(),
+            "detail": kind.explanation(),
+        });
+        (kind.name().to_owned(), json!({"value": problem}))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn handlers_name_problems_that_exist() {
+        let document = serde_json::to_value(crate::http::documented_routes().into_openapi()).unwrap();
+        let mut named = 0;
+        for item in document["paths"].as_object().unwrap().values() {
+            for operation in METHODS.iter().filter_map(|method| item.get(method)) {
+                for name in operation["x-problems"].as_array().into_iter().flatten() {
+                    assert!(ProblemType::by_name(name.as_str().unwrap()).is_some(), "{name}");
+                    named += 1;
+                }
+            }
+        }
+        assert!(named > 10, "the handlers' own problems have not been found");
+    }
+}

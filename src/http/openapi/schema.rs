@@ -1,0 +1,215 @@
+//! A small vocabulary for JSON Schema, so that a field is one line: name, unit, meaning, example.
+
+use std::ops::RangeInclusive;
+
+use serde_json::{Map, Value, json};
+
+use crate::model::{Named, Quantity, Units};
+
+/// A member of an object.
+pub(super) struct Field {
+    name: &'static str,
+    schema: Value,
+    required: bool,
+}
+
+/// A member that is always there.
+pub(super) fn field(name: &'static str, schema: Value) -> Field {
+    Field { name, schema, required: true }
+}
+
+/// A member that may be missing.
+pub(super) fn optional(name: &'static str, schema: Value) -> Field {
+    Field { name, schema, required: false }
+}
+
+/// An object with these members.
+pub(super) fn object(description: &str, fields: impl IntoIterator<Item = Field>) -> Value {
+    let (mut properties, mut required) = (Map::new(), Vec::new());
+    for Field { name, schema, required: is_required } in fields {
+        properties.insert(name.to_owned(), schema);
+        if is_required {
+            required.push(name);
+        }
+    }
+    let mut object = json!({"type": "object", "description": description, "properties": properties});
+    if !required.is_empty() {
+        object["required"] = json!(required);
+    }
+    object
+}
+
+/// The same, and any further member is an error.
+pub(super) fn closed(mut object: Value) -> Value {
+    object["additionalProperties"] = json!(false);
+    object
+}
+
+/// A schema of the document by its name.
+pub(super) fn named(name: &str) -> Value {
+    json!({"$ref": format!("#/components/schemas/{name}")})
+}
+
+/// The same in a role of its own.
+pub(super) fn named_as(name: &str, description: &str) -> Value {
+    json!({"$ref": format!("#/components/schemas/{name}"), "description": description})
+}
+
+/// Exactly one of these, told apart by the word under `key`.
+pub(super) fn tagged(description: &str, key: &str, variants: &[(&str, &str)]) -> Value {
+    let references: Vec<_> = variants.iter().map(|(_, name)| named(name)).collect();
+    let mapping: Map<String, Value> = variants
+        .iter()
+        .map(|(word, name)| ((*word).to_owned(), json!(format!("#/components/schemas/{name}"))))
+        .collect();
+    json!({
+        "description": description,
+        "oneOf": references,
+        "discriminator": {"propertyName": key, "mapping": mapping},
+    })
+}
+
+/// Exactly one of these.
+pub(super) fn one_of(description: &str, variants: &[&str]) -> Value {
+    let references: Vec<_> = variants.iter().map(|name| named(name)).collect();
+    json!({"description": description, "oneOf": references})
+}
+
+/// This, or `null`.
+pub(super) fn nullable(name: &str, description: &str) -> Value {
+    json!({"description": description, "oneOf": [named(name), {"type": "null"}]})
+}
+
+/// One of these words.
+pub(super) fn words(description: &str, words: &[&str]) -> Value {
+    json!({"type": "string", "description": description, "enum": words})
+}
+
+/// The words of an enumeration.
+pub(super) fn names<T: Named>(description: &str) -> Value {
+    let all: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
+    words(description, &all)
+}
+
+/// This one word.
+pub(super) fn word(description: &str, word: &str) -> Value {
+    json!({"type": "string", "description": description, "const": word})
+}
+
+/// Some text.
+pub(super) fn text(description: &str, example: &str) -> Value {
+    json!({"type": "string", "description": description, "examples": [example]})
+}
+
+/// True or false.
+pub(super) fn truth(description: &str) -> Value {
+    json!({"type": "boolean", "description": description})
+}
+
+/// A count.
+pub(super) fn count(description: &str, example: u64) -> Value {
+    json!({"type": "integer", "minimum": 0, "description": description, "examples": [example]})
+}
+
+/// A whole number in a range, with its default.
+pub(super) fn whole(description: &str, range: RangeInclusive<u32>, default: u32) -> Value {
+    let (low, high) = range.into_inner();
+    json!({"type": "integer", "description": description, "minimum": low, "maximum": high, "default": default})
+}
+
+/// A pure number in a range.
+pub(super) fn pure(description: &str, range: &RangeInclusive<f64>, example: f64) -> Value {
+    let (low, high) = (range.start(), range.end());
+    json!({"type": "number", "description": format!("{description} Without unit."),
+        "minimum": low, "maximum": high, "examples": [example]})
+}
+
+/// A figure of a job: its units, and in either of them its range.
+///
+/// The bounds of the schema take in both systems of units; the description has those of each.
+pub(super) fn quantity(quantity: Quantity, description: &str, example: f64) -> Value {
+    quantities(&[quantity], description, example)
+}
+
+/// A figure that is one or another quantity, whatever `analysis` says.
+pub(super) fn quantities(quantities: &[Quantity], description: &str, example: f64) -> Value {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut ranges: Vec<String> = Vec::new();
+    for units in Units::ALL {
+        for quantity in quantities {
+            let (least, most) = quantity.range();
+            let (least, most) = (quantity.to_wire(*units, least), quantity.to_wire(*units, most));
+            let range = format!("{least:e} to {most:e} {}", quantity.symbol(*units));
+            if !ranges.contains(&range) {
+                ranges.push(range);
+            }
+            (low, high) = (low.min(least), high.max(most));
+        }
+    }
+    let description = format!("{description} Range: {}.", ranges.join(" or "));
+    json!({"type": "number", "description": description, "minimum": low, "maximum": high, "examples": [example]})
+}
+
+/// What a figure of a result is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unit {
+    Length,
+    Area,
+    Stress,
+    Force,
+    Stiffness,
+    Milliseconds,
+    Pure,
+}
+
+impl Unit {
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Length => "Unit: mm (SI: m).",
+            Self::Area => "Unit: mm² (SI: m²).",
+            Self::Stress => "Unit: MPa (SI: Pa).",
+            Self::Force => "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.",
+            Self::Stiffness => "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).",
+            Self::Milliseconds => "Unit: ms.",
+            Self::Pure => "Without unit.",
+        }
+    }
+}
+
+/// A figure of a result that may have either sign.
+pub(super) fn signed(unit: Unit, description: &str, example: f64) -> Value {
+    json!({"type": "number", "description": format!("{description} {}", unit.words()), "examples": [example]})
+}
+
+/// A figure of a result that is never negative.
+pub(super) fn figure(unit: Unit, description: &str, example: f64) -> Value {
+    let mut figure = signed(unit, description, example);
+    figure["minimum"] = json!(0);
+    figure
+}
+
+/// A figure of a result, or `null` where there is none.
+pub(super) fn figure_or_null(unit: Unit, description: &str, example: f64) -> Value {
+    let mut figure = figure(unit, description, example);
+    figure["type"] = json!(["number", "null"]);
+    figure
+}
+
+/// A list of figures of a result.
+pub(super) fn list(unit: Unit, description: &str, example: &[f64]) -> Value {
+    json!({"type": "array", "items": {"type": "number"},
+        "description": format!("{description} {}", unit.words()), "examples": [example]})
+}
+
+/// A list of these.
+pub(super) fn list_of(description: &str, items: Value) -> Value {
+    let mut list = json!({"type": "array", "description": description});
+    list["items"] = items;
+    list
+}
+
+/// A pair of numbers.
+pub(super) fn pair(description: &str, first: &Value, second: &Value) -> Value {
+    json!({"type": "array", "description": description, "prefixItems": [first, second],
+        "minItems": 2, "maxItems": 2})
+}

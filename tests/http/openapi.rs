@@ -1,0 +1,153 @@
+//! The document is served, and every answer is as it says.
+
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use crate::curl::{Answer, curl};
+use crate::in_process::{InProcess, job};
+use crate::server::{DEADLINE, Server, Target, example};
+
+/// A service and what it says of itself.
+struct Documented<'a> {
+    target: &'a Target,
+    document: Value,
+}
+
+impl<'a> Documented<'a> {
+    fn new(target: &'a Target) -> Self {
+        Self { target, document: target.get("/openapi.json").json() }
+    }
+
+    /// Holds an answer to what the document says of this operation.
+    #[track_caller]
+    fn check(&self, method: &str, template: &str, answer: &Answer) {
+        let operation = &self.document["paths"][template][method];
+        let status = answer.status.to_string();
+        let response = &operation["responses"][&status];
+        assert!(response.is_object(), "{method} {template} must not answer {status}");
+        for name in response["headers"].as_object().into_iter().flatten().map(|(name, _)| name) {
+            let may_be_missing = name.starts_with("Idempotency") || name.starts_with("Preference");
+            assert!(
+                may_be_missing || answer.header(&name.to_lowercase()).is_some(),
+                "{template} {status} {name}"
+            );
+        }
+        let Some(content) = response["content"].as_object() else {
+            return assert!(answer.body.is_empty(), "{method} {template} {status} has a body");
+        };
+        let declared = answer.header("content-type").unwrap_or_default();
+        let essence = declared.split(';').next().unwrap_or_default();
+        assert!(content.contains_key(essence), "{method} {template} {status} is {declared}");
+        if essence.ends_with("json") {
+            let mut schema = self.document.clone();
+            schema["allOf"] = json!([content[essence]["schema"]]);
+            let validator = jsonschema::draft202012::new(&schema).unwrap();
+            let faults: Vec<_> =
+                validator.iter_errors(&answer.json()).map(|fault| fault.to_string()).collect();
+            assert!(faults.is_empty(), "{method} {template} {status}: {faults:?}");
+        }
+    }
+
+    fn get(&self, template: &str, path: &str) -> Answer {
+        let answer = self.target.get(path);
+        self.check("get", template, &answer);
+        answer
+    }
+
+    fn post(&self, template: &str, path: &str, body: &str, headers: &[&str]) -> Answer {
+        let headers: Vec<_> = headers.iter().flat_map(|header| ["-H", header]).collect();
+        let answer = self.target.post_with(path, body, &headers);
+        self.check("post", template, &answer);
+        answer
+    }
+}
+
+const JSON: &str = "Content-Type: application/json";
+const NOBODY: &str = "/v1/jobs/0197e1f0-0000-7000-8000-000000000000";
+
+#[test]
+fn answers_are_as_documented() {
+    let server = Server::start();
+    let service = Documented::new(&server.target);
+    for path in ["/livez", "/readyz", "/openapi.json", "/v1/examples", "/v1/capacity", "/v1/jobs"] {
+        assert_eq!(service.get(path, path).status, 200);
+    }
+    assert_eq!(service.get("/problems/{name}", "/problems/invalid-job").status, 200);
+    assert_eq!(service.get("/problems/{name}", "/problems/none").status, 404);
+    assert_eq!(service.get("/v1/jobs", "/v1/jobs?limit=0").status, 400);
+    let text = example().to_string();
+    for path in ["/v1/validate", "/v1/hertz", "/v1/solve"] {
+        assert_eq!(service.post(path, path, &text, &[JSON]).status, 200);
+    }
+    for path in ["/v1/validate", "/v1/hertz", "/v1/solve", "/v1/jobs"] {
+        assert_eq!(service.post(path, path, "{", &[JSON]).status, 400);
+        assert_eq!(service.post(path, path, "{}", &[JSON]).status, 422);
+        assert_eq!(service.post(path, path, &text, &["Content-Type: text/plain"]).status, 415);
+        assert_eq!(service.post(path, path, &"[".repeat(2 << 20), &[JSON]).status, 413);
+    }
+    let id = "/v1/jobs/{id}";
+    let accepted = service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7"]);
+    let path = accepted.header("location").unwrap().to_owned();
+    let replayed =
+        service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: press-7", "Prefer: wait=60"]);
+    assert_eq!((replayed.status, replayed.header("preference-applied")), (200, Some("wait=60")));
+    assert_eq!(service.post("/v1/jobs", "/v1/jobs", &text, &[JSON, "Idempotency-Key: é"]).status, 400);
+    assert_eq!(service.get(id, &path).json()["status"], "succeeded");
+    assert_eq!(service.get(id, &format!("{path}?wait=soon")).status, 400);
+    assert_eq!(service.get(&format!("{id}/result"), &format!("{path}/result")).status, 200);
+    for form in ["pressure.csv", "subsurface.csv", "pressure.svg", "depth.svg"] {
+        assert_eq!(service.get(&format!("{id}/{form}"), &format!("{path}/{form}")).status, 200);
+    }
+    assert_eq!(service.get(&format!("{id}/field.vtu"), &format!("{path}/field.vtu")).status, 409);
+    assert_eq!(service.get(&format!("{id}/depth.svg"), &format!("{path}/depth.svg?step=2")).status, 400);
+    assert_eq!(service.get(&format!("{id}/events"), &format!("{path}/events")).status, 200);
+    assert_eq!(service.post(&format!("{id}/cancel"), &format!("{path}/cancel"), "", &[]).status, 200);
+    assert_eq!(service.get(&format!("{id}/result"), &format!("{NOBODY}/result")).status, 404);
+    for status in [204, 404] {
+        let answer = curl(&["-X", "DELETE", &format!("{}{path}", server.target.url)]);
+        assert_eq!(answer.status, status);
+        service.check("delete", id, &answer);
+    }
+}
+
+#[test]
+fn answers_about_troubled_jobs_are_as_documented() {
+    let instance = InProcess::start(|_| ());
+    let service = Documented::new(&instance.target);
+    for (behaviour, status) in [("impossible", 422), ("give_up", 500), ("panic", 500), ("quick", 200)] {
+        let text = job(behaviour).to_string();
+        assert_eq!(service.post("/v1/solve", "/v1/solve", &text, &[JSON]).status, status, "{behaviour}");
+    }
+    let (running, queued) = (instance.target.submit(&job("slow")), instance.target.submit(&job("quick")));
+    instance.target.wait_for(&running, &["running"]);
+    let id = "/v1/jobs/{id}";
+    let started = Instant::now();
+    while service.get(id, &running).json()["progress"]["latest"].is_null() {
+        assert!(started.elapsed() < DEADLINE);
+    }
+    assert_eq!(service.get(id, &queued).json()["queue_position"], 0);
+    assert_eq!(service.get(&format!("{id}/result"), &format!("{queued}/result")).status, 409);
+    service.post(&format!("{id}/cancel"), &format!("{running}/cancel"), "", &[]);
+    instance.target.wait_for(&running, &["cancelled"]);
+    service.get("/v1/jobs", "/v1/jobs");
+}
+
+#[test]
+fn the_page_about_the_interface_needs_no_other_server() {
+    let server = Server::start();
+    let url = format!("{}/docs/", server.target.url);
+    let page = curl(&["--location", &url]);
+    let text = String::from_utf8(page.body).unwrap();
+    assert_eq!(page.status, 200);
+    assert!(text.contains("swagger-ui"));
+    let sources = text
+        .split(&['"', '\''][..])
+        .filter(|part| [".js", ".css"].iter().any(|ending| part.ends_with(ending)));
+    let sources: Vec<_> = sources.collect();
+    assert!(sources.len() >= 3, "{text}");
+    for source in sources {
+        assert!(!source.contains("//"), "{source} is elsewhere");
+        assert_eq!(curl(&[&format!("{url}{}", source.trim_start_matches("./"))]).status, 200, "{source}");
+    }
+}

@@ -1,0 +1,164 @@
+//! `api/openapi.json`: locked, whole, and true to what the solver answers.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
+
+use std::fs;
+use std::path::Path;
+
+use brinell::http::openapi;
+use brinell::model::Job;
+use brinell::results;
+use brinell::solve::Unobserved;
+use serde_json::{Value, json};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn the_file_is_the_document() {
+    let file = fs::read_to_string(root().join("api/openapi.json")).unwrap();
+    let is_same = file == openapi::pretty(&openapi::document());
+    assert!(is_same, "write it anew: cargo run -- openapi -o api/openapi.json");
+}
+
+/// Visits every value of a document with its pointer.
+fn visit(value: &Value, pointer: &str, see: &mut impl FnMut(&str, &Value)) {
+    see(pointer, value);
+    match value {
+        Value::Object(members) => {
+            for (key, member) in members {
+                let key = key.replace('~', "~0").replace('/', "~1");
+                visit(member, &format!("{pointer}/{key}"), see);
+            }
+        }
+        Value::Array(items) => {
+            items.iter().enumerate().for_each(|(k, item)| visit(item, &format!("{pointer}/{k}"), see));
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn references_lead_somewhere_and_schemas_are_schemas() {
+    let document = openapi::document();
+    assert_eq!(document["openapi"], "3.1.0");
+    let mut references = 0;
+    visit(&document, "", &mut |pointer, value| {
+        if let Some(target) = value["$ref"].as_str() {
+            let target = target.strip_prefix('#').unwrap();
+            assert!(document.pointer(target).is_some(), "{pointer} leads to {target}");
+            references += 1;
+        }
+    });
+    assert!(references > 100);
+    for (name, schema) in document["components"]["schemas"].as_object().unwrap() {
+        assert!(jsonschema::meta::validate(schema).is_ok(), "{name}");
+    }
+}
+
+#[test]
+fn everything_says_what_it_is() {
+    let document = openapi::document();
+    let is_told = |value: &Value| value["description"].as_str().is_some_and(|text| !text.is_empty());
+    for (name, schema) in document["components"]["schemas"].as_object().unwrap() {
+        assert!(is_told(schema), "{name} has no description");
+        for (key, property) in schema["properties"].as_object().into_iter().flatten() {
+            let reference = property["$ref"].as_str().and_then(|target| target.strip_prefix('#'));
+            let target = reference.and_then(|target| document.pointer(target)).unwrap_or(property);
+            let is_alternative = property["oneOf"].is_array();
+            assert!(
+                is_told(property) || is_told(target) || is_alternative,
+                "{name}.{key} has no description"
+            );
+            if property["type"] == "number" && !key.ends_with("_seconds") {
+                let text = property["description"].as_str().unwrap();
+                let has_unit = ["Unit: ", "Range: ", "Without unit."].iter().any(|word| text.contains(word));
+                assert!(has_unit, "{name}.{key} has no unit: {text}");
+                assert!(
+                    property.get("example").or_else(|| property.get("examples")).is_some(),
+                    "{name}.{key}"
+                );
+            }
+        }
+    }
+    for (path, item) in document["paths"].as_object().unwrap() {
+        for (method, operation) in item.as_object().unwrap() {
+            assert!(operation["summary"].is_string(), "{method} {path} has no summary");
+            assert!(operation["tags"].is_array(), "{method} {path} has no tag");
+            assert!(operation["responses"]["500"].is_object(), "{method} {path} cannot fail");
+        }
+    }
+}
+
+/// The document with objects closed, so that a member that nobody declared is a fault.
+fn strict(name: &str) -> jsonschema::Validator {
+    let mut document = openapi::document();
+    for schema in document["components"]["schemas"].as_object_mut().unwrap().values_mut() {
+        if schema["properties"].is_object() {
+            schema["additionalProperties"] = json!(false);
+        }
+    }
+    document["$ref"] = json!(format!("#/components/schemas/{name}"));
+    jsonschema::draft202012::new(&document).unwrap()
+}
+
+#[track_caller]
+fn assert_valid(validator: &jsonschema::Validator, what: &str, value: &Value) {
+    let faults: Vec<_> = validator
+        .iter_errors(value)
+        .map(|fault| {
+            format!("{}: {}", fault.instance_path(), fault.to_string().chars().take(300).collect::<String>())
+        })
+        .collect();
+    assert!(faults.is_empty(), "{what}: {faults:#?}");
+}
+
+/// The report of a job, as it is written.
+fn solve(job: &Value) -> Value {
+    let job = Job::from_value(job).unwrap();
+    serde_json::to_value(results::run(&job, &mut Unobserved).unwrap()).unwrap()
+}
+
+#[test]
+fn examples_and_their_results_are_as_documented() {
+    let (job_schema, report_schema) = (strict("Job"), strict("Report"));
+    for entry in fs::read_dir(root().join("api/examples")).unwrap() {
+        let path = entry.unwrap().path();
+        let job: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+        assert_valid(&job_schema, &path.display().to_string(), &job);
+        let mut report = solve(&job);
+        assert_valid(&report_schema, &path.display().to_string(), &report);
+        report["steps"][0]["contact"]["undeclared"] = json!(1);
+        assert!(!report_schema.is_valid(&report), "the schema takes anything");
+    }
+}
+
+#[test]
+fn every_kind_of_result_is_as_documented() {
+    let (job_schema, report_schema) = (strict("Job"), strict("Report"));
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": {"law": "table",
+        "points": [[0.0, 500.0], [0.01, 600.0]]}});
+    let ball = json!({"shape": {"type": "cylinder", "radius": 20.0}, "material": steel});
+    let block = |material: Value| json!({"shape": {"type": "block", "width": 100.0, "depth": 100.0}, "material": material});
+    let crown = json!({"shape": {"type": "profile", "points": [[-4.0, -0.4], [-0.5, 0.0], [4.0, -0.3]], "depth": 20.0},
+        "material": {"young_modulus": 110_000.0, "poisson_ratio": 0.34}});
+    let coarse = |analysis: &str, upper: &Value, lower: &Value, load: Value| {
+        json!({"analysis": analysis, "upper": upper, "lower": lower, "load": load,
+            "mesh": {"elements_per_half_width": 6}, "output": {"fields": true}, "tags": {"kind": "test"}})
+    };
+    let rigid = block(json!({"rigid": true}));
+    let mut stopped = coarse("plane_strain", &ball, &ball, json!({"force": 600.0}));
+    stopped["solver"] = json!({"max_iterations": 1});
+    let mut plain = coarse("plane_stress", &ball, &ball, json!({"approach": 0.01}));
+    plain["output"] = json!({"subsurface": false});
+    for (name, job) in [
+        ("sweep", coarse("plane_strain", &ball, &rigid, json!({"forces": [100.0, 300.0, 600.0]}))),
+        ("onset", coarse("axisymmetric", &ball, &rigid, json!({"onset": true}))),
+        ("profile", coarse("plane_strain", &crown, &block(steel.clone()), json!({"force": 50.0}))),
+        ("stopped", stopped),
+        ("plain", plain),
+    ] {
+        assert_valid(&job_schema, name, &job);
+        assert_valid(&report_schema, name, &solve(&job));
+    }
+}
