@@ -35,3 +35,21 @@ demo:
 # The service on 127.0.0.1:8080
 serve:
     cargo run --release -- serve
+
+# api/openapi.json anew
+openapi:
+    cargo run -- openapi -o api/openapi.json
+
+# Generated requests against the OpenAPI document
+schemathesis:
+    cargo build
+    scripts/schemathesis.sh
+
+# A Python client generated from the OpenAPI document solves a job
+python-client:
+    cargo build
+    scripts/python_client/run.sh
+
+# Five minutes of nonsense for the job parser (nightly Rust and cargo-fuzz)
+fuzz:
+    cargo +nightly fuzz run parse_job fuzz/corpus/parse_job api/examples -- -dict=fuzz/job.dict -max_total_time=300

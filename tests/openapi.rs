@@ -85,6 +85,9 @@ fn everything_says_what_it_is() {
         for (method, operation) in item.as_object().unwrap() {
             assert!(operation["summary"].is_string(), "{method} {path} has no summary");
             assert!(operation["tags"].is_array(), "{method} {path} has no tag");
+            let declared = operation["parameters"].as_array().map_or(&[][..], Vec::as_slice);
+            let in_path = declared.iter().filter(|parameter| parameter["in"] == "path").count();
+            assert_eq!(in_path, path.matches('{').count(), "{method} {path} does not declare its parameters");
             assert!(operation["responses"]["500"].is_object(), "{method} {path} cannot fail");
         }
     }

@@ -353,12 +353,13 @@ fn output() -> Value {
 }
 
 fn labels() -> Value {
+    let printable = r"^[^\u0000-\u001f\u007f-\u009f]*$";
     json!({
         "type": "object",
         "description": "Labels: key to text, without control characters.",
         "maxProperties": tags::MAX_TAGS,
-        "propertyNames": {"minLength": 1, "maxLength": tags::MAX_KEY, "pattern": r"^[^\p{Cc}]*$"},
-        "additionalProperties": {"type": "string", "maxLength": tags::MAX_VALUE, "pattern": r"^[^\p{Cc}]*$"},
+        "propertyNames": {"minLength": 1, "maxLength": tags::MAX_KEY, "pattern": printable},
+        "additionalProperties": {"type": "string", "maxLength": tags::MAX_VALUE, "pattern": printable},
         "examples": [{"bearing": "NU-210"}],
     })
 }

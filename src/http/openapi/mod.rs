@@ -49,6 +49,7 @@ pub fn document() -> Value {
         document["components"]["schemas"][name] = schema;
     }
     problems::declare(&mut document);
+    link_jobs(&mut document);
     show_examples(&mut document);
     document["components"]["headers"] = problems::headers();
     document
@@ -89,6 +90,22 @@ fn show_examples(document: &mut Value) {
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate", "/v1/hertz"] {
         document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["examples"] =
             jobs.clone();
+    }
+}
+
+/// Says, beside the receipts of jobs, where to go from there.
+fn link_jobs(document: &mut Value) {
+    let Some(paths) = document["paths"].as_object() else { return };
+    let of_job = paths.iter().filter(|(path, _)| path.contains("{id}"));
+    let operations = of_job.flat_map(|(_, item)| item.as_object().into_iter().flat_map(Map::values));
+    let names: Vec<String> =
+        operations.filter_map(|operation| Some(operation["operationId"].as_str()?.to_owned())).collect();
+    let link = |name: &String| {
+        (name.clone(), json!({"operationId": name, "parameters": {"id": "$response.body#/id"}}))
+    };
+    let links = Value::Object(names.iter().map(link).collect());
+    for path in ["/v1/jobs", "/v1/solve"] {
+        document["paths"][path]["post"]["responses"]["202"]["links"] = links.clone();
     }
 }
 

@@ -84,6 +84,9 @@ pub(super) fn declare(document: &mut Value) {
             {
                 never_null(&mut parameter["schema"]);
             }
+            if let Some(body) = operation.get_mut("requestBody") {
+                body["required"] = json!(true);
+            }
             let Some(responses) = operation.get_mut("responses").and_then(Value::as_object_mut) else {
                 continue;
             };

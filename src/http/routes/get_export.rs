@@ -11,7 +11,7 @@ use axum::routing::get;
 use utoipa::IntoParams;
 use utoipa::openapi::extensions::ExtensionsBuilder;
 use utoipa::openapi::header::HeaderBuilder;
-use utoipa::openapi::path::{Operation, OperationBuilder, ParameterBuilder, ParameterIn, Paths};
+use utoipa::openapi::path::{Operation, OperationBuilder, Parameter, ParameterBuilder, ParameterIn, Paths};
 use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
 use utoipa_axum::router::UtoipaMethodRouter;
@@ -48,6 +48,8 @@ fn operation(form: Export) -> Operation {
         .description(Some("The job's id, as its receipt and its `Location` have it."))
         .schema(Some(Ref::from_schema_name("JobId")));
     let step = StepQuery::into_params(|| Some(ParameterIn::Query));
+    let step = step.into_iter().filter(|_| form.shows_one_step());
+    let parameters: Vec<Parameter> = [id.build()].into_iter().chain(step).collect();
     let media_type = form.media_type().split(';').next().unwrap_or_default();
     let text = ObjectBuilder::new().schema_type(Type::String);
     let answer = ResponseBuilder::new()
@@ -58,8 +60,7 @@ fn operation(form: Export) -> Operation {
         .operation_id(Some(format!("get_{}", form.file_name().replace('.', "_"))))
         .tag("results")
         .summary(Some(summary))
-        .parameter(id)
-        .parameters(form.shows_one_step().then_some(step))
+        .parameters(Some(parameters))
         .response("200", answer)
         .extensions(Some(ExtensionsBuilder::new().add("x-problems", problems.collect::<Vec<_>>()).build()))
         .build()
