@@ -7,14 +7,14 @@
 //! displacements u:
 //!
 //! ```text
-//! K u = R + P_e(u)                      equilibrium of each body, K its elastic stiffness
+//! K u = R + P_e(u)                      equilibrium of each body, K a stiffness factorized once
 //! P_e(u) = ∫ Bᵀ (D_e - D_s(u)) B dV u   what plastic flow adds to the load (deformation theory)
 //! u_p                                   what P_e alone does to the gap of each pair
 //! -F R + α e + δ = δ0 + u_p             continuity, F the flexibility of both bodies at the pairs
 //! eᵀR = P,  R >= 0,  δ >= 0,  R_k δ_k = 0
 //! ```
 //!
-//! K is factorized once for each body; everything after that is forward and back substitution over the small
+//! Everything after that one factorization of each body is forward and back substitution over the small
 //! part of the factor that the contact and the plastic zone can reach. Contact and plasticity alternate until
 //! the state is in equilibrium, and a judge that shares no code with the solvers has the last word.
 //! `docs/theory.md` in the repository has every equation.

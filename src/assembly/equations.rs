@@ -98,6 +98,11 @@ impl Equations {
         self.number[node as usize]
     }
 
+    /// Node of an equation, and its component: 0 along x, 1 along y.
+    pub fn origin(&self, equation: u32) -> (u32, u8) {
+        self.origin[equation as usize]
+    }
+
     /// Equations of the nodes for which `wanted` says so, in ascending order.
     pub fn of_nodes(&self, wanted: &[bool]) -> Vec<u32> {
         (0u32..)

@@ -6,12 +6,21 @@
 //!
 //! The paper prints its eq. (2.1) with a minus sign; with its own (2.3) only the plus satisfies equilibrium.
 //!
+//! The stiffness need not be the elastic one. With any moduli `D = D_e - C` in its place the same holds for the load
+//!
+//! ```text
+//! P = Σ ∫ Bᵀ (D ε - σ) dV = P_e - Σ ∫ Bᵀ C ε dV,   K u = R + P
+//! ```
+//!
+//! and the closer D is to the tangent of the law at the answer, the less P changes on the way there.
+//!
 //! # Reference
 //! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact problems*,
 //! eqs. (2.1)–(2.5).
 
+use super::softening::Softening;
 use super::{Equations, out_of_plane};
-use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::element::{ElementStiffness, Kinematics, QUADRATURE_POINTS, Quad};
 use crate::linalg::wide;
 use crate::mesh::Mesh;
 use crate::model::Deformable;
@@ -22,12 +31,18 @@ use crate::plasticity::{OutOfPlane, PointLaw};
 pub struct InitialStressRegion {
     elements: Vec<RegionElement>,
     law: PointLaw,
+    /// What [`RegionElement::softening`] points to.
+    softening: Vec<Softening>,
 }
 
 #[derive(Debug, Clone)]
 struct RegionElement {
     quad: Quad,
     equations: [[u32; 2]; 4],
+    /// Index in the mesh.
+    index: usize,
+    /// Where the moduli are by which its reference stiffness is softened, if it is.
+    softening: Option<usize>,
     /// Whether the element lies at the rim of the region.
     at_rim: bool,
 }
@@ -61,10 +76,56 @@ impl InitialStressRegion {
             .map(|element| RegionElement {
                 quad: Quad::new(&mesh.corners(element), kinematics),
                 equations: mesh.elements[element].map(|node| equations.of_node(node)),
+                index: element,
+                softening: None,
                 at_rim: mesh.shells[element] == rim,
             })
             .collect();
-        Some(Self { elements, law })
+        Some(Self { elements, law, softening: Vec::new() })
+    }
+
+    /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz, γ_xy]` that `strain`
+    /// gives for the points of each element of the region, from its index in the mesh and its quadrilateral; to the
+    /// elastic stiffness where none of these strains is beyond yield.
+    pub fn linearize(&mut self, mut strain: impl FnMut(usize, &Quad) -> [PerPoint; 4]) {
+        self.softening.clear();
+        let mut is_beyond_yield = false;
+        for element in &mut self.elements {
+            let strain = strain(element.index, &element.quad);
+            let softened = std::array::from_fn(|g| self.law.softening(strain.map(|component| component[g])));
+            is_beyond_yield |= softened.iter().flatten().any(|point| point.is_beyond_yield);
+            element.softening = Softening::new(softened.map(|point| Some(point?.moduli))).map(|softening| {
+                self.softening.push(softening);
+                self.softening.len() - 1
+            });
+        }
+        if !is_beyond_yield {
+            self.refer_to_elastic();
+        }
+    }
+
+    /// Refers the load to the elastic stiffness again.
+    pub fn refer_to_elastic(&mut self) {
+        self.softening.clear();
+        for element in &mut self.elements {
+            element.softening = None;
+        }
+    }
+
+    /// Whether the load refers to the elastic stiffness.
+    pub fn refers_to_elastic(&self) -> bool {
+        self.softening.is_empty()
+    }
+
+    /// Softens elastic element stiffnesses as the load presumes; to be asked for elements in ascending order.
+    pub fn softener(&self) -> impl FnMut(usize, &Quad, &mut ElementStiffness) {
+        let mut softened = self.elements.iter().filter(|element| element.softening.is_some()).peekable();
+        move |index, quad, stiffness| {
+            while softened.next_if(|element| element.index < index).is_some() {}
+            if let Some(k) = softened.next_if(|element| element.index == index).and_then(|e| e.softening) {
+                self.softening[k].apply(quad, stiffness);
+            }
+        }
     }
 
     /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed
@@ -88,13 +149,21 @@ impl InitialStressRegion {
     fn add_element(&self, element: &RegionElement, u: &[f64], load: &mut [f64], update: &mut PlasticUpdate) {
         let displacement = element.equations.map(|e| e.map(|k| u[k as usize]));
         let mut stress = element.quad.strain(&displacement);
+        let softened = element.softening.map(|k| self.softening[k].stress(&stress));
         let yielded = match self.law.out_of_plane() {
             OutOfPlane::Strained => self.initial_stress(&mut stress),
             OutOfPlane::Free => self.initial_stress_of_a_sheet(&mut stress),
         };
-        let Some(yielded) = yielded else { return };
-        update.plastic_points += yielded;
-        update.reached_rim |= element.at_rim;
+        match (yielded, softened) {
+            (None, None) => return,
+            (Some(_), None) => {}
+            (None, Some(softened)) => stress = softened.map(|component| component.map(|s| -s)),
+            (Some(_), Some(softened)) => subtract(&mut stress, &softened),
+        }
+        if let Some(yielded) = yielded {
+            update.plastic_points += yielded;
+            update.reached_rim |= element.at_rim;
+        }
         let forces = element.quad.nodal_forces(&stress);
         for (equations, force) in element.equations.iter().zip(forces) {
             for (&k, f) in equations.iter().zip(force) {
@@ -141,6 +210,15 @@ impl InitialStressRegion {
 
 /// One value for each Gauss point.
 type PerPoint = [f64; QUADRATURE_POINTS];
+
+#[inline(always)]
+fn subtract(a: &mut [PerPoint; 4], b: &[PerPoint; 4]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        for g in 0..QUADRATURE_POINTS {
+            a[g] -= b[g];
+        }
+    }
+}
 
 /// Takes the mean off the normal strains and returns `ε_q²` at each point.
 #[inline(always)]

@@ -2,6 +2,7 @@
 
 mod equations;
 mod initial_stress;
+mod softening;
 mod stiffness;
 mod stress;
 

@@ -6,7 +6,7 @@
 )]
 
 use super::Equations;
-use crate::element::{Kinematics, QUADRATURE_POINTS, Quad, element_stiffness};
+use crate::element::{ElementStiffness, Kinematics, Quad};
 use crate::linalg::SymmetricPattern;
 use crate::mesh::Mesh;
 
@@ -25,13 +25,12 @@ pub struct StiffnessAssembler<'a> {
 }
 
 impl StiffnessAssembler<'_> {
-    /// Lower-triangle values of the stiffness matrix \[N/mm per mm\] for a bulk modulus and shear moduli
-    /// `shear(element)[g]` \[MPa\].
-    pub fn assemble(&self, bulk_modulus: f64, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+    /// Lower-triangle values of the stiffness matrix \[N/mm per mm\], from the stiffness of each element.
+    pub fn assemble(&self, mut stiffness_of: impl FnMut(usize, &Quad) -> ElementStiffness) -> Vec<f64> {
         let mut values = vec![0.0; self.pattern.entry_count()];
         for (element, nodes) in self.mesh.elements.iter().enumerate() {
             let quad = Quad::new(&self.mesh.corners(element), self.kinematics);
-            let stiffness = element_stiffness(&quad, bulk_modulus, &shear(element));
+            let stiffness = stiffness_of(element, &quad);
             let equations = nodes.map(|node| self.equations.of_node(node));
             for (j, columns) in equations.iter().enumerate() {
                 for (b, &column) in columns.iter().enumerate() {

@@ -17,10 +17,12 @@
 
 mod half_o_grid;
 mod interpolation;
+mod locator;
 mod outline;
 mod quality;
 
 pub use half_o_grid::{ContactZone, Refinement};
+pub use locator::Locator;
 pub use outline::Outline;
 pub use quality::Quality;
 

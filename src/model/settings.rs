@@ -40,7 +40,7 @@ impl Default for MeshSettings {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Coupling {
-    /// Strong coupling with Anderson acceleration.
+    /// Strong coupling on the tangent stiffness of a coarser mesh's answer, with Anderson acceleration.
     #[default]
     Accelerated,
     /// One initial-stress update for each contact solve (the paper's choice).

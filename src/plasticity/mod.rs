@@ -19,9 +19,11 @@
 mod hardening;
 pub mod laws;
 mod point;
+mod tangent;
 
 pub use hardening::{HardeningLaw, UniaxialCurve};
 pub use point::{OutOfPlane, PointLaw, PointState};
+pub use tangent::{Moduli, Softened};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {

@@ -36,7 +36,7 @@ pub struct PointState {
 
 /// How far from elastic a point is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Secant {
+pub(super) struct Secant {
     shear: f64,
     plastic_strain: f64,
     yielded: bool,
@@ -56,6 +56,18 @@ impl PointLaw {
     /// What is known of the out-of-plane direction.
     pub fn out_of_plane(&self) -> OutOfPlane {
         self.out_of_plane
+    }
+
+    pub(super) fn curve(&self) -> Option<&UniaxialCurve> {
+        self.curve.as_ref()
+    }
+
+    pub(super) fn shear_modulus(&self) -> f64 {
+        self.shear_modulus
+    }
+
+    pub(super) fn bulk_modulus(&self) -> f64 {
+        self.bulk_modulus
     }
 
     /// Whether plastic strain is possible at all.
@@ -149,7 +161,7 @@ impl PointLaw {
     /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`; the G_s that this strain
     /// implies falls short of or exceeds the assumed one, and the two are made equal by the false-position method
     /// of Illinois between 0 and G.
-    fn with_free_thickness(&self, strain: [f64; 4]) -> ([f64; 4], Secant) {
+    pub(super) fn with_free_thickness(&self, strain: [f64; 4]) -> ([f64; 4], Secant) {
         let in_plane = strain[0] + strain[1];
         let completed = |shear: f64| {
             let zz =
@@ -187,7 +199,7 @@ impl PointLaw {
     }
 }
 
-fn deviator(strain: [f64; 4]) -> [f64; 4] {
+pub(super) fn deviator(strain: [f64; 4]) -> [f64; 4] {
     let [x, y, z, g] = strain;
     let mean = (x + y + z) / 3.0;
     [x - mean, y - mean, z - mean, g]

@@ -69,7 +69,7 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         approach: write.length(step.approach),
         approach_datum: approach_datum(job, write),
         contact: contact::report(step, write),
-        contact_stiffness: write.stiffness(step.elastic_stiffness),
+        contact_stiffness: write.stiffness(step.contact_stiffness),
         subsurface,
         plasticity: PerBody { upper: zone(&job.upper, 0), lower: zone(&job.lower, 1) },
         hertz: reference.map(|reference| HertzReport {

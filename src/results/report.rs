@@ -48,8 +48,8 @@ pub struct StepReport {
     pub approach_datum: String,
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
-    /// Contact stiffness dP/dα of the elastic bodies with the present contact: the tangent of an elastic contact, the
-    /// unloading stiffness of a plastic one. 0 where nothing touches.
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
+    /// 0 where nothing touches.
     pub contact_stiffness: f64,
     /// Stresses over depth; absent when not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,9 +1,12 @@
 //! A deformable body: meshed, factorized once, condensed to its contact.
 
+use std::sync::Arc;
+
+use super::former::{Carrier, FormerField};
 use super::phases::{Phase, PhaseTimes};
 use super::{Observer, SolveError};
 use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField};
-use crate::element::{Kinematics, QUADRATURE_POINTS};
+use crate::element::{ElementStiffness, Kinematics, QUADRATURE_POINTS, Quad, element_stiffness};
 use crate::linalg::dense::SymmetricMatrix;
 use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 use crate::mesh::Mesh;
@@ -21,10 +24,11 @@ pub(super) enum PlasticReach {
 
 /// Everything about one body that outlives an iteration.
 pub(super) struct BodyModel {
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     pub kinematics: Kinematics,
     pub material: Deformable,
     pub equations: Equations,
+    /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`Self::region`] refers to.
     pub factor: Cholesky,
     /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
     pub flexibility: SymmetricMatrix,
@@ -40,55 +44,62 @@ pub(super) struct BodyModel {
     pub contact_reach: Reach,
 }
 
+/// What a body model is made of.
+#[derive(Clone, Copy)]
+pub(super) struct BodyParts<'a> {
+    pub kinematics: Kinematics,
+    pub material: &'a Deformable,
+    pub support: Support,
+    pub plastic_reach: PlasticReach,
+    /// Where to linearize the plastic law; elastic otherwise.
+    pub former: Option<FormerField<'a>>,
+}
+
 impl BodyModel {
-    /// Orders, assembles and factorizes the elastic stiffness and reads the contact flexibility off the factor.
+    /// Orders, assembles and factorizes the stiffness and reads the contact flexibility off the factor. Also returns the
+    /// former displacements, carried to the window of this mesh.
     pub fn build(
         mesh: Mesh,
-        kinematics: Kinematics,
-        material: &Deformable,
-        support: Support,
-        plastic_reach: PlasticReach,
+        parts: BodyParts<'_>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
-    ) -> Result<Self, SolveError> {
-        let curve = UniaxialCurve::of(material);
-        let last_shell = last_plastic_shell(&mesh, curve.as_ref(), plastic_reach);
-        let in_window = window_nodes(&mesh, curve.is_some().then_some(last_shell));
-
-        let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+    ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
+        let BodyParts { kinematics, material, support, plastic_reach, former } = parts;
+        let (in_window, last_shell, equations, graph) = phases.time(Phase::Ordering, observer, || {
+            let curve = UniaxialCurve::of(material);
+            let last_shell = last_plastic_shell(&mesh, curve.as_ref(), plastic_reach);
+            let in_window = window_nodes(&mesh, curve.is_some().then_some(last_shell));
             let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
             let order = EliminationOrder::new(&graph, &mesh.lattice, &in_window, &mesh.contact_nodes);
             let restraint = Restraint::new(&mesh, support);
-            (Equations::new(&order, &restraint, mesh.contact_nodes.len()), graph)
+            (in_window, last_shell, Equations::new(&order, &restraint, mesh.contact_nodes.len()), graph)
         });
         super::checkpoint(observer)?;
         let symbolic =
             phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
         super::checkpoint(observer)?;
-        let elastic = material.elastic();
-        let (bulk, shear) = (elastic.bulk_modulus(), elastic.shear_modulus());
-        let values = phases.time(Phase::Assembly, observer, || {
-            let assembler = StiffnessAssembler {
-                mesh: &mesh,
-                kinematics,
-                equations: &equations,
-                pattern: symbolic.pattern(),
-            };
-            assembler.assemble(bulk, |_| [shear; QUADRATURE_POINTS])
+        let (window, reach, contact_reach) = phases.time(Phase::Symbolic, observer, || {
+            let window = equations.of_nodes(&in_window);
+            let reach = symbolic.reach(&window);
+            (window, reach, symbolic.trailing_reach(mesh.contact_nodes.len()))
         });
-        super::checkpoint(observer)?;
-        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(&symbolic, &values))?;
-        super::checkpoint(observer)?;
-        let contacts = mesh.contact_nodes.len();
-        let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
-        let region = phases.time(Phase::Plasticity, observer, || {
-            InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, material)
+        let (region, carried) = phases.time(Phase::Plasticity, observer, || {
+            let mut region = InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, material);
+            let carried = region.as_mut().zip(former).map(|(region, field)| {
+                let mut carrier = Carrier::new(field, kinematics);
+                region.linearize(|element, _| carrier.strain(&mesh.corners(element)));
+                if region.refers_to_elastic() {
+                    return vec![0.0; equations.len() + 1];
+                }
+                carry(&mut carrier, &mesh, &equations, &window)
+            });
+            (region, carried)
         });
-        let window = equations.of_nodes(&in_window);
-        let reach = symbolic.reach(&window);
-        let contact_reach = symbolic.trailing_reach(contacts);
-        Ok(Self {
-            mesh,
+        let stiffness =
+            Stiffness { mesh: &mesh, kinematics, material, equations: &equations, region: region.as_ref() };
+        let (factor, flexibility) = stiffness.factorize(&symbolic, phases, observer)?;
+        let model = Self {
+            mesh: Arc::new(mesh),
             kinematics,
             material: material.clone(),
             equations,
@@ -99,18 +110,71 @@ impl BodyModel {
             window,
             reach,
             contact_reach,
-        })
+        };
+        Ok((model, carried))
     }
 
-    /// The stiffness of this body with other shear moduli, numbered and structured as the elastic one.
+    /// Factorizes anew, with the tangent moduli at displacements on the window or, without any, the elastic ones.
+    pub fn linearize(
+        &mut self,
+        u: Option<&[f64]>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        let Self { mesh, equations, region, .. } = self;
+        let Some(region) = region else { return Ok(()) };
+        phases.time(Phase::Plasticity, observer, || match u {
+            Some(u) => region.linearize(|element, quad| {
+                let nodes = mesh.elements[element];
+                quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
+            }),
+            None => region.refer_to_elastic(),
+        });
+        self.factorize(phases, observer)
+    }
+
+    /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its displacements, carried to the
+    /// window.
+    pub fn linearize_by(
+        &mut self,
+        former: FormerField<'_>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<f64>, SolveError> {
+        let Self { mesh, kinematics, equations, region, window, .. } = self;
+        let Some(region) = region else { return Ok(self.zeros()) };
+        let carried = phases.time(Phase::Plasticity, observer, || {
+            let mut carrier = Carrier::new(former, *kinematics);
+            region.linearize(|element, _| carrier.strain(&mesh.corners(element)));
+            carry(&mut carrier, mesh, equations, window)
+        });
+        self.factorize(phases, observer)?;
+        Ok(carried)
+    }
+
+    fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
+        let symbolic = Arc::clone(self.factor.symbolic());
+        let stiffness = Stiffness {
+            mesh: &self.mesh,
+            kinematics: self.kinematics,
+            material: &self.material,
+            equations: &self.equations,
+            region: self.region.as_ref(),
+        };
+        (self.factor, self.flexibility) = stiffness.factorize(&symbolic, phases, observer)?;
+        Ok(())
+    }
+
+    /// The stiffness of this body with other shear moduli, numbered and structured as the one in force.
     pub fn stiffness(&self, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+        let bulk = self.material.elastic().bulk_modulus();
         let assembler = StiffnessAssembler {
             mesh: &self.mesh,
             kinematics: self.kinematics,
             equations: &self.equations,
             pattern: self.factor.symbolic().pattern(),
         };
-        assembler.assemble(self.material.elastic().bulk_modulus(), shear)
+        assembler.assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
     }
 
     /// A vector over the equations, zero, with the extra entry that stands for held components.
@@ -177,6 +241,62 @@ impl BodyModel {
         let start = self.equations.contact_start();
         x[start..start + self.mesh.contact_nodes.len()].iter().map(|u| -u)
     }
+}
+
+/// The stiffness matrix of a body.
+struct Stiffness<'a> {
+    mesh: &'a Mesh,
+    kinematics: Kinematics,
+    material: &'a Deformable,
+    equations: &'a Equations,
+    region: Option<&'a InitialStressRegion>,
+}
+
+impl Stiffness<'_> {
+    /// The factor, and the contact flexibility.
+    fn factorize(
+        &self,
+        symbolic: &Arc<SymbolicCholesky>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(Cholesky, SymmetricMatrix), SolveError> {
+        let Self { mesh, kinematics, material, equations, region } = *self;
+        let values = phases.time(Phase::Assembly, observer, || {
+            let assembler = StiffnessAssembler { mesh, kinematics, equations, pattern: symbolic.pattern() };
+            let elastic = material.elastic();
+            let (bulk, shear) = (elastic.bulk_modulus(), [elastic.shear_modulus(); QUADRATURE_POINTS]);
+            let mut soften = region.map(InitialStressRegion::softener);
+            assembler.assemble(|element, quad: &Quad| -> ElementStiffness {
+                let mut stiffness = element_stiffness(quad, bulk, &shear);
+                if let Some(soften) = &mut soften {
+                    soften(element, quad, &mut stiffness);
+                }
+                stiffness
+            })
+        });
+        super::checkpoint(observer)?;
+        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(symbolic, &values))?;
+        super::checkpoint(observer)?;
+        let contacts = mesh.contact_nodes.len();
+        let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
+        Ok((factor, flexibility))
+    }
+}
+
+/// Former displacements on the window, by equation.
+fn carry(carrier: &mut Carrier<'_>, mesh: &Mesh, equations: &Equations, window: &[u32]) -> Vec<f64> {
+    let mut carried = vec![0.0; equations.len() + 1];
+    let mut last: Option<(u32, [f64; 2])> = None;
+    for &equation in window {
+        let (node, component) = equations.origin(equation);
+        let displacement = match last {
+            Some((known, displacement)) if known == node => displacement,
+            _ => carrier.displacement(mesh.nodes[node as usize]),
+        };
+        last = Some((node, displacement));
+        carried[equation as usize] = displacement[usize::from(component)];
+    }
+    carried
 }
 
 /// Shells around the expected plastic zone that are kept ready for it to grow into.

@@ -27,9 +27,10 @@ pub(super) fn run(iteration: Iteration<'_>, coupling: Coupling) -> Result<Outcom
 
 /// Strong coupling: one contact solve, one initial-stress update, repeat.
 ///
-/// Each iteration maps displacements `u` to `g(u)`. The paper goes on from `g(u)` itself; with acceleration the
-/// next start is the combination of past images that Anderson's method chooses. The contact is solved inside the
-/// map, so that it is exact in every iteration.
+/// Each iteration maps loads `P_e` to those that the plastic law answers with. The paper goes on from the answer
+/// itself; with acceleration the next loads are the combination of past answers that Anderson's method chooses. The
+/// contact is solved inside the map, so that it is exact in every iteration. What is combined is what is judged: the
+/// residual of the map is the true out-of-balance force.
 fn strong(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();
@@ -39,18 +40,16 @@ fn strong(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Resul
         let mut image = system.zeros();
         let plastic_points = iteration.initial_stress(&response.displacement, &mut image);
         let imbalance = system.distance(&image, &loads);
-        if let Some(status) = iteration.record(&start, &response, plastic_points, imbalance) {
+        let status = iteration.record(&start, &response, plastic_points, imbalance);
+        if status.is_some() || iteration.has_stalled() {
             return Ok(iteration.finish(State { response, loads, factors: None }, status));
         }
+        start = response.displacement;
         match &mut anderson {
-            None => {
-                start = response.displacement;
-                loads = image;
-            }
+            None => loads = image,
             Some(anderson) => {
-                let next = anderson.next(&system.pack(&start), system.pack(&response.displacement));
-                system.unpack(&next, &mut start);
-                iteration.initial_stress(&start, &mut loads);
+                let next = anderson.next(&system.pack(&loads), system.pack(&image));
+                system.unpack(&next, &mut loads);
             }
         }
     }

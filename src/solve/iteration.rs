@@ -16,6 +16,8 @@ pub(super) struct Controls<'a> {
     pub load: ContactLoad,
     pub tolerance: f64,
     pub max_iterations: usize,
+    /// Iterations after which a linearization is worth renewing; `None` to go on with it.
+    pub patience: Option<usize>,
 }
 
 /// The state an iteration ended in.
@@ -35,6 +37,19 @@ pub(super) struct Outcome {
     pub history: Vec<IterationRecord>,
     /// Whether plastic flow reached the rim of its region, beyond which nobody looks.
     pub left_region: bool,
+    /// Whether it ended because patience did.
+    pub stalled: bool,
+}
+
+/// Where an iteration begins.
+#[derive(Default)]
+pub(super) struct Beginning {
+    /// Displacements to start from.
+    pub displacement: Option<PerModel>,
+    /// Iterations made before, on other linearizations.
+    pub history: Vec<IterationRecord>,
+    /// Factorizations made for this one, to be told with its first iteration.
+    pub factorizations: usize,
 }
 
 /// Work done since the last record.
@@ -53,6 +68,8 @@ pub(super) struct Iteration<'a> {
     pub phases: &'a mut PhaseTimes,
     counts: Counts,
     history: Vec<IterationRecord>,
+    /// Length of the history at the beginning.
+    begun: usize,
     /// Displacements to start from.
     start: Option<PerModel>,
     /// Contact of the last iteration.
@@ -64,7 +81,7 @@ impl<'a> Iteration<'a> {
     pub fn new(
         system: &'a System,
         controls: Controls<'a>,
-        start: Option<PerModel>,
+        beginning: Beginning,
         observer: &'a mut dyn Observer,
         phases: &'a mut PhaseTimes,
     ) -> Self {
@@ -73,9 +90,10 @@ impl<'a> Iteration<'a> {
             controls,
             observer,
             phases,
-            counts: Counts::default(),
-            history: Vec::new(),
-            start,
+            counts: Counts { factorizations: beginning.factorizations, ..Counts::default() },
+            begun: beginning.history.len(),
+            history: beginning.history,
+            start: beginning.displacement,
             previous: None,
             left_region: false,
         }
@@ -207,9 +225,20 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Closes the iteration.
-    pub fn finish(self, state: State, status: SolveStatus) -> Outcome {
-        Outcome { state, status, history: self.history, left_region: self.left_region }
+    /// Whether patience with the present linearization has ended.
+    pub fn has_stalled(&self) -> bool {
+        self.controls.patience.is_some_and(|patience| self.history.len() - self.begun >= patience)
+    }
+
+    /// Closes the iteration; without a status it is one that has stalled.
+    pub fn finish(self, state: State, status: Option<SolveStatus>) -> Outcome {
+        Outcome {
+            state,
+            status: status.unwrap_or(SolveStatus::NotConverged),
+            history: self.history,
+            left_region: self.left_region,
+            stalled: status.is_none(),
+        }
     }
 }
 

@@ -12,9 +12,11 @@
 mod anderson;
 mod axis;
 mod body;
+mod contact_stiffness;
 mod coupling;
 mod estimate;
 mod extent;
+mod former;
 mod iteration;
 mod onset;
 mod pass;

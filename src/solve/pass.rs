@@ -3,17 +3,18 @@
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
 use super::body::{BodyModel, PlasticReach};
-use super::iteration::{Controls, Iteration, Outcome};
+use super::former::FormerField;
+use super::iteration::{Beginning, Controls, Iteration, Outcome};
 use super::patch::ContactPatch;
-use super::phases::PhaseTimes;
+use super::phases::{Phase, PhaseTimes};
 use super::problem::Problem;
 use super::solution::CoarseFigures;
-use super::system::{PerModel, System};
+use super::system::{Design, PerModel, System};
 use super::{Observer, SolveError, SolveStatus, coupling};
 use crate::assembly::StressField;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::mesh::{ContactZone, Refinement};
-use crate::model::SolverSettings;
+use crate::model::{Coupling, SolverSettings};
 
 /// What a pass is asked to do.
 #[derive(Clone, Copy)]
@@ -25,6 +26,8 @@ pub(super) struct PassRequest<'a> {
     /// Load of both sides of the axis together.
     pub load: ContactLoad,
     pub solver: SolverSettings,
+    /// An answer on another mesh to start from, one field for each model.
+    pub former: Option<&'a [FormerField<'a>]>,
 }
 
 /// A discretized problem, and the displacements that the last loads left on it.
@@ -32,9 +35,34 @@ pub(super) struct Prepared {
     pub system: System,
     /// Load and displacements, the latest last; at most two.
     pub states: Vec<(f64, PerModel)>,
+    /// Displacements of all nodes under the last load, for each model; empty where nobody needs them again.
+    nodal: Vec<Vec<[f64; 2]>>,
 }
 
 impl Prepared {
+    /// The last answer, to start from on another mesh.
+    pub fn fields(&self) -> Vec<FormerField<'_>> {
+        let fields = self.system.bodies.iter().zip(&self.nodal);
+        fields.map(|(body, displacement)| FormerField { mesh: &body.mesh, displacement }).collect()
+    }
+
+    /// The system, its former states, and where the load of a request starts; linearized there if the coupling wants it.
+    fn resume(
+        self,
+        request: &PassRequest<'_>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Resumed, SolveError> {
+        let mut start = self.start(request.load.magnitude());
+        let Self { mut system, states, .. } = self;
+        if let Some(former) = request.former {
+            start = Some(system.linearize_by(former, phases, observer)?);
+        } else if request.solver.coupling == Coupling::Accelerated {
+            system.linearize(start.as_ref(), phases, observer)?;
+        }
+        Ok((system, states, start))
+    }
+
     /// Displacements to start a load from: on the straight line through the last two states, or the last one.
     fn start(&self, load: f64) -> Option<PerModel> {
         match self.states.as_slice() {
@@ -51,10 +79,24 @@ impl Prepared {
     }
 }
 
+/// A system, its former states, and where to start.
+type Resumed = (System, Vec<(f64, PerModel)>, Option<PerModel>);
+
+/// The state of one whole model.
+pub(super) struct ModelField {
+    /// Displacements by equation \[mm\].
+    pub displacement: Vec<f64>,
+    /// Displacements `[u_x, u_y]` of every node \[mm\].
+    pub nodal: Vec<[f64; 2]>,
+    pub stress: StressField,
+}
+
 /// What came of a pass.
 pub(super) struct Pass {
     pub system: System,
     pub outcome: Outcome,
+    /// The state of each whole model.
+    pub fields: Vec<ModelField>,
     /// `None` where nothing touches.
     pub patch: Option<ContactPatch>,
     /// Whether the contact reaches the edge of the zone all the same.
@@ -71,16 +113,15 @@ impl Pass {
     /// Distance from the middle of the contact up to which material yields \[mm\]; 0 if none does.
     pub fn plastic_radius(&self) -> f64 {
         let centre = self.system.zone.centre();
-        let radii = self.system.bodies.iter().enumerate().map(|(k, body)| {
-            if body.region.is_none() {
-                return 0.0;
-            }
-            let nodal = body.nodal(&self.outcome.state.response.displacement[k]);
-            let field = StressField::evaluate(&body.mesh, body.kinematics, &body.material, &nodal);
-            let yielded = field.points.iter().flatten().filter(|point| point.yielded);
-            yielded.map(|point| (point.position[0] - centre).hypot(point.position[1])).fold(0.0, f64::max)
-        });
-        radii.fold(0.0, f64::max)
+        let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
+        let yielded = points.filter(|point| point.yielded);
+        yielded.map(|point| (point.position[0] - centre).hypot(point.position[1])).fold(0.0, f64::max)
+    }
+
+    /// The answer, to start from on another mesh.
+    pub fn former(&self) -> Vec<FormerField<'_>> {
+        let fields = self.system.bodies.iter().zip(&self.fields);
+        fields.map(|(body, field)| FormerField { mesh: &body.mesh, displacement: &field.nodal }).collect()
     }
 
     /// Headline figures.
@@ -105,7 +146,8 @@ impl Pass {
         states.push((load.magnitude(), self.outcome.state.response.displacement));
         let surplus = states.len().saturating_sub(2);
         states.drain(..surplus);
-        Prepared { system: self.system, states }
+        let nodal = self.fields.into_iter().map(|field| field.nodal).collect();
+        Prepared { system: self.system, states, nodal }
     }
 }
 
@@ -127,18 +169,18 @@ pub(super) fn run(
     let mut available = prepared;
     let (mut enlargements, mut meshes) = (0, 0);
     loop {
-        let prepared = if let Some(prepared) = available.take() {
-            prepared
-        } else {
-            meshes += 1;
-            let PassRequest { zone, refinement, plastic_reach, .. } = request;
-            let system = System::build(problem, zone, refinement, plastic_reach, phases, observer)?;
-            Prepared { system, states: Vec::new() }
+        let (mut system, states, start) = match available.take() {
+            Some(prepared) => prepared.resume(&request, phases, observer)?,
+            None => {
+                meshes += 1;
+                let PassRequest { zone, refinement, plastic_reach, former, .. } = request;
+                let design = Design { zone, refinement, plastic_reach };
+                let (system, start) = System::build(problem, design, former, phases, observer)?;
+                (system, Vec::new(), start)
+            }
         };
-        let start = prepared.start(request.load.magnitude());
-        let Prepared { system, states } = prepared;
         let zone = system.zone;
-        let outcome = iterate(&system, &request, start, phases, observer)?;
+        let outcome = iterate(&mut system, &request, start, phases, observer)?;
         let interrupted = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
         let whole = system.bodies.iter().all(BodyModel::covers_whole_body);
         if !interrupted && outcome.left_region && !whole {
@@ -146,8 +188,9 @@ pub(super) fn run(
             request.zone = zone;
             continue;
         }
+        let fields = phases.time(Phase::Output, observer, || fields(&system, &outcome));
         let reaches_edge = reaches_edge(&system, &outcome)
-            || (problem.may_touch_elsewhere() && meets_beyond_zone(problem, &system, &outcome));
+            || (problem.may_touch_elsewhere() && meets_beyond_zone(problem, &system, &outcome, &fields));
         if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
             let wider = enlarge(zone);
             if fits(problem, &wider) {
@@ -161,6 +204,7 @@ pub(super) fn run(
         return Ok(Pass {
             system,
             outcome,
+            fields,
             patch,
             reaches_edge,
             enlargements,
@@ -168,6 +212,21 @@ pub(super) fn run(
             former_states: states,
         });
     }
+}
+
+/// Forms the full displacement field of each model once and evaluates the material law everywhere.
+fn fields(system: &System, outcome: &Outcome) -> Vec<ModelField> {
+    let state = &outcome.state;
+    let field = |(k, body): (usize, &BodyModel)| {
+        let mut displacement = state.loads[k].clone();
+        body.press(&state.response.contact.force, &mut displacement);
+        let factor = state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
+        factor.solve(&mut displacement);
+        let nodal = body.nodal(&displacement);
+        let stress = StressField::evaluate(&body.mesh, body.kinematics, &body.material, &nodal);
+        ModelField { displacement, nodal, stress }
+    };
+    system.bodies.iter().enumerate().map(field).collect()
 }
 
 fn enlarge(zone: ContactZone) -> ContactZone {
@@ -182,21 +241,50 @@ fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
 }
 
+/// Iterations after which the elastic stiffness gives way to a tangent, and that to another.
+const ELASTIC_PATIENCE: usize = 8;
+const TANGENT_PATIENCE: usize = 15;
+/// Linearizations at most.
+const MAX_LINEARIZATIONS: usize = 8;
+/// Part of its first residual that a linearization must have come down to if another is to start from where it ended.
+const PROGRESS: f64 = 0.5;
+
+/// Iterates; the accelerated coupling on stiffnesses that are linearized anew where one does not get on.
 fn iterate(
-    system: &System,
+    system: &mut System,
     request: &PassRequest<'_>,
     start: Option<PerModel>,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
-    let controls = Controls {
-        contact: request.contact,
-        load: system.part_of(request.load),
-        tolerance: request.solver.tolerance.get(),
-        max_iterations: request.solver.max_iterations as usize,
-    };
-    let iteration = Iteration::new(system, controls, start, observer, phases);
-    coupling::run(iteration, request.solver.coupling)
+    let coupling = request.solver.coupling;
+    let mut beginning = Beginning { displacement: start, ..Beginning::default() };
+    let mut linearizations = 0;
+    loop {
+        let patience = if system.is_elastic() { ELASTIC_PATIENCE } else { TANGENT_PATIENCE };
+        let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
+        let controls = Controls {
+            contact: request.contact,
+            load: system.part_of(request.load),
+            tolerance: request.solver.tolerance.get(),
+            max_iterations: request.solver.max_iterations as usize,
+            patience: renewable.then_some(patience),
+        };
+        let begun = beginning.history.len();
+        let outcome = coupling::run(Iteration::new(system, controls, beginning, observer, phases), coupling)?;
+        if !outcome.stalled {
+            return Ok(outcome);
+        }
+        let residuals = outcome.history[begun..].iter().map(|record| record.equilibrium_residual);
+        let (first, last) = (outcome.history[begun].equilibrium_residual, residuals.fold(0.0, |_, r| r));
+        let Outcome { state, history, .. } = outcome;
+        let displacement = state.response.displacement;
+        let at = (system.is_elastic() || last < PROGRESS * first).then_some(&displacement);
+        system.linearize(at, phases, observer)?;
+        linearizations += 1;
+        let factorizations = system.bodies.len();
+        beginning = Beginning { displacement: Some(displacement), history, factorizations };
+    }
 }
 
 /// Whether one of the outermost two pairs of an open end of the zone carries force.
@@ -212,20 +300,11 @@ fn reaches_edge(system: &System, outcome: &Outcome) -> bool {
 ///
 /// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each interpolated
 /// between its own nodes.
-fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
+fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fields: &[ModelField]) -> bool {
     let contact = &outcome.state.response.contact;
-    let surfaces: Vec<Vec<[f64; 2]>> = system
-        .bodies
-        .iter()
-        .enumerate()
-        .map(|(k, body)| {
-            let mut x = outcome.state.loads[k].clone();
-            body.press(&contact.force, &mut x);
-            let factor = outcome.state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
-            factor.solve(&mut x);
-            body.free_surface(&x)
-        })
-        .collect();
+    let bodies = system.bodies.iter().zip(fields);
+    let surfaces: Vec<Vec<[f64; 2]>> =
+        bodies.map(|(body, field)| body.free_surface(&field.displacement)).collect();
     let (left, right) = problem.span();
     let inward = |x: f64| -> f64 {
         surfaces

@@ -152,30 +152,41 @@ impl<'a> Runner<'a> {
         let reserve = reserve(load, next);
         let last = self.last.take();
         let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
-        let (extent, coarse, fine) = match (last, predicted) {
-            (Some(last), Some(predicted)) if self.serves(&last, predicted) => {
-                (predicted, Some(last.coarse), Some(last.fine))
-            }
-            (_, Some(predicted)) => (predicted, None, None),
-            _ => (self.size(load, solution, observer)?, None, None),
+        let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, extent));
+        let (extent, sizing) = match predicted {
+            Some(extent) => (extent, None),
+            None => self.size(load, solution, observer)?,
+        };
+        let (coarse, fine, outgrown) = match last {
+            Some(last) if serves => (Some(last.coarse), Some(last.fine), None),
+            // Moduli of a larger load would be too soft.
+            Some(last) if load.magnitude() > last.load.magnitude() => (None, None, Some(last.coarse)),
+            _ => (None, None, None),
+        };
+        let former = match (&sizing, &outgrown) {
+            (Some(pass), _) => pass.former(),
+            (None, Some(prepared)) => prepared.fields(),
+            (None, None) => Vec::new(),
         };
         let elements = self.job.mesh.elements_per_half_width as usize;
-        let request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary(1e-5));
+        let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary(1e-5));
+        request.former = (!former.is_empty()).then_some(&former);
         let coarse = self.quietly(&request, coarse, solution, observer)?;
         let extent = extent.found_by(&coarse);
         let figures = coarse.figures();
-        let coarse = coarse.into_prepared(load);
 
+        let former = coarse.former();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
-        let (mut pass, mut finished) = self.fine(&request, fine, solution, observer)?;
+        request.former = (self.job.solver.coupling == Coupling::Accelerated).then_some(&former);
+        let (mut pass, mut found, mut finished) = self.fine(&request, extent, fine, solution, observer)?;
         if finished.left_region {
             request.plastic_reach = PlasticReach::WholeBody;
-            (pass, finished) = self.fine(&request, None, solution, observer)?;
+            (pass, found, finished) = self.fine(&request, extent, None, solution, observer)?;
         }
         finished.step.coarse = figures;
-        let extent = extent.found_by(&pass);
-        self.last = Some(LastStep { load, extent, coarse, fine: pass.into_prepared(load) });
+        let (coarse, fine) = (coarse.into_prepared(load), pass.into_prepared(load));
+        self.last = Some(LastStep { load, extent: found, coarse, fine });
         Ok(finished.step)
     }
 
@@ -210,8 +221,9 @@ impl<'a> Runner<'a> {
         load: ContactLoad,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<Extent, SolveError> {
+    ) -> Result<(Extent, Option<Pass>), SolveError> {
         let mut extent = Extent::expected(self.problem, load)?;
+        let mut last = None;
         for _ in 0..SIZING_PASSES {
             let mut request = self.request(
                 load,
@@ -225,6 +237,7 @@ impl<'a> Runner<'a> {
             let found = extent.found_by(&pass);
             let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
             extent = found;
+            last = Some(pass);
             if is_confirmed {
                 break;
             }
@@ -232,21 +245,24 @@ impl<'a> Runner<'a> {
             extent =
                 Extent { half_width: 1.5 * extent.half_width, smallest_part: extent.half_width, ..extent };
         }
-        Ok(extent)
+        Ok((extent, last))
     }
 
+    /// The pass that the job asked for, what it found of the extent that it was sized by, and the judgement on it.
     fn fine(
         &self,
         request: &PassRequest<'_>,
+        extent: Extent,
         prepared: Option<Prepared>,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<(Pass, Finished), SolveError> {
-        let pass = pass::run(self.problem, request, prepared, &mut solution.phases, observer)?;
+    ) -> Result<(Pass, Extent, Finished), SolveError> {
+        let mut pass = pass::run(self.problem, request, prepared, &mut solution.phases, observer)?;
         solution.passes += pass.meshes;
+        let found = extent.found_by(&pass);
         let tolerance = request.solver.tolerance.get();
-        let finished = solution::finish(&pass, request.load, tolerance, &mut solution.phases, observer);
-        Ok((pass, finished))
+        let finished = solution::finish(&mut pass, request.load, tolerance, &mut solution.phases, observer);
+        Ok((pass, found, finished))
     }
 
     fn quietly(
@@ -279,6 +295,7 @@ impl<'a> Runner<'a> {
             plastic_reach: PlasticReach::Within(reach),
             load,
             solver,
+            former: None,
         }
     }
 }

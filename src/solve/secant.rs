@@ -21,7 +21,7 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         let secant = secant_state(&mut iteration, &response);
         if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.imbalance) {
             let state = State { response, loads: system.zeros(), factors: Some(factors) };
-            return Ok(iteration.finish(state, status));
+            return Ok(iteration.finish(state, Some(status)));
         }
         start = response.displacement;
         for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::contact_stiffness::contact_stiffness;
 use super::iteration::relative;
-use super::pass::Pass;
+use super::pass::{ModelField, Pass};
 use super::patch::ContactPatch;
 use super::phases::{Phase, PhaseTimes};
 use super::{Interrupt, IterationRecord, Observer, SolveStatus};
@@ -48,9 +49,8 @@ pub struct StepSolution {
     pub patch: Option<ContactPatch>,
     /// Its connected parts, from outermost node to outermost node.
     pub parts: Vec<ContactPatch>,
-    /// Contact stiffness dP/dα of the elastic bodies with the present contact set: the tangent of an elastic
-    /// contact, the unloading stiffness of a plastic one \[N/mm per mm\].
-    pub elastic_stiffness: f64,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load \[N/mm per mm\].
+    pub contact_stiffness: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
     /// Upper and lower body; `None` for a rigid one.
@@ -88,7 +88,7 @@ pub struct PairState {
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodySolution {
     /// Mesh.
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     /// Mesh quality.
     pub quality: Quality,
     /// Displacements of the nodes \[mm\].
@@ -144,14 +144,27 @@ pub(super) struct Finished {
     pub left_region: bool,
 }
 
-/// Forms the full displacement fields once, evaluates the material law everywhere and judges the state by it:
-/// nothing that the iteration believed is taken over.
+/// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
+/// believed is taken over. Takes the fields out of the pass.
 pub(super) fn finish(
-    pass: &Pass,
+    pass: &mut Pass,
     load: ContactLoad,
     tolerance: f64,
     phases: &mut PhaseTimes,
     observer: &dyn Observer,
+) -> Finished {
+    let fields = std::mem::take(&mut pass.fields);
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact_stiffness = contact_stiffness(system, &outcome.state, pass.patch, phases, observer);
+    phases.time(Phase::Output, observer, || judge(pass, fields, contact_stiffness, load, tolerance))
+}
+
+fn judge(
+    pass: &Pass,
+    fields: Vec<ModelField>,
+    contact_stiffness: f64,
+    load: ContactLoad,
+    tolerance: f64,
 ) -> Finished {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
@@ -160,18 +173,11 @@ pub(super) fn finish(
     // Equivalent gap that makes the solver's own gap the one of the displacement fields.
     let mut gap = system.initial_gap.clone();
     let mut models = Vec::with_capacity(system.bodies.len());
-    for (k, body) in system.bodies.iter().enumerate() {
-        let mut x = outcome.state.loads[k].clone();
-        body.press(&contact.force, &mut x);
-        let factor = outcome.state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
-        phases.time(Phase::Output, observer, || factor.solve(&mut x));
-        let displacement = body.nodal(&x);
-        let stress = phases.time(Phase::Output, observer, || {
-            StressField::evaluate(&body.mesh, body.kinematics, &body.material, &displacement)
-        });
-        let copies = system.multiplicity[k] as f64;
+    for ((body, field), &copies) in system.bodies.iter().zip(fields).zip(&system.multiplicity) {
+        let ModelField { displacement, nodal, stress } = field;
+        let copies = copies as f64;
         squares += copies * body.imbalance(&stress, &contact.force).powi(2);
-        for (g, w) in gap.iter_mut().zip(body.contact_displacement(&x)) {
+        for (g, w) in gap.iter_mut().zip(body.contact_displacement(&displacement)) {
             *g += copies * w;
         }
         left_region |=
@@ -181,8 +187,8 @@ pub(super) fn finish(
                 });
         models.push(Arc::new(BodySolution {
             quality: Quality::of(&body.mesh),
-            mesh: body.mesh.clone(),
-            displacement,
+            mesh: Arc::clone(&body.mesh),
+            displacement: nodal,
             stress,
             equations: body.equations.len(),
         }));
@@ -209,7 +215,7 @@ pub(super) fn finish(
         pairs,
         patch: pass.patch,
         parts: pass.parts(),
-        elastic_stiffness: system.elastic_stiffness(&contact.active_set),
+        contact_stiffness,
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&models[k]))),
         history: outcome.history.clone(),
         contact_check,

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::axis;
-use super::body::{BodyModel, PlasticReach};
+use super::body::{BodyModel, BodyParts, PlasticReach};
+use super::former::FormerField;
 use super::phases::{Phase, PhaseTimes};
 use super::problem::Problem;
 use super::{Observer, SolveError};
@@ -11,7 +12,7 @@ use crate::assembly::PlasticUpdate;
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::element::Kinematics;
 use crate::linalg::Cholesky;
-use crate::linalg::dense::{DenseCholesky, SymmetricMatrix};
+use crate::linalg::dense::SymmetricMatrix;
 use crate::mesh::{ContactZone, Mesh, Refinement};
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
@@ -32,6 +33,14 @@ pub(super) struct System {
     pub flexibility: SymmetricMatrix,
 }
 
+/// What a mesh is to be like.
+#[derive(Clone, Copy)]
+pub(super) struct Design {
+    pub zone: ContactZone,
+    pub refinement: Refinement,
+    pub plastic_reach: PlasticReach,
+}
+
 /// One vector for each model.
 pub(super) type PerModel = Vec<Vec<f64>>;
 
@@ -44,16 +53,18 @@ pub(super) struct Response {
 }
 
 impl System {
-    /// Meshes and factorizes.
+    /// Meshes and factorizes: with elastic moduli or, given a former field for each model, with the tangent moduli
+    /// there. Also returns the former displacements, carried to the windows of the new meshes.
     pub fn build(
         problem: &Problem,
-        zone: ContactZone,
-        refinement: Refinement,
-        plastic_reach: PlasticReach,
+        design: Design,
+        former: Option<&[FormerField<'_>]>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
-    ) -> Result<Self, SolveError> {
+    ) -> Result<(Self, Option<PerModel>), SolveError> {
+        let Design { zone, refinement, plastic_reach } = design;
         let mut bodies: Vec<BodyModel> = Vec::new();
+        let mut carried: Vec<Option<Vec<f64>>> = Vec::new();
         let mut multiplicity: Vec<usize> = Vec::new();
         let mut model_of = [None; 2];
         for (side, body) in problem.bodies.iter().enumerate() {
@@ -66,21 +77,20 @@ impl System {
             let mesh =
                 phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
             model_of[side] = Some(bodies.len());
-            bodies.push(BodyModel::build(
-                mesh,
-                problem.kinematics,
+            let parts = BodyParts {
+                kinematics: problem.kinematics,
                 material,
-                body.support,
+                support: body.support,
                 plastic_reach,
-                phases,
-                observer,
-            )?);
+                former: former.and_then(|fields| fields.get(bodies.len()).copied()),
+            };
+            let (model, start) = BodyModel::build(mesh, parts, phases, observer)?;
+            carried.push(start.or_else(|| former.map(|_| model.zeros())));
+            bodies.push(model);
             multiplicity.push(1);
         }
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
-        let flexibilities: Vec<&SymmetricMatrix> = bodies.iter().map(|body| &body.flexibility).collect();
-        let flexibility = total_flexibility(zone.columns + 1, &flexibilities, &multiplicity);
-        Ok(Self {
+        let mut system = Self {
             bodies,
             multiplicity,
             model_of,
@@ -88,8 +98,50 @@ impl System {
             zone,
             smallest_gap: problem.smallest_gap,
             initial_gap,
-            flexibility,
-        })
+            flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
+        };
+        system.sum_flexibility();
+        Ok((system, carried.into_iter().collect()))
+    }
+
+    /// Factorizes anew, with the tangent moduli at displacements on the windows or, without any, the elastic ones.
+    pub fn linearize(
+        &mut self,
+        displacement: Option<&PerModel>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        for (k, body) in self.bodies.iter_mut().enumerate() {
+            body.linearize(displacement.map(|u| u[k].as_slice()), phases, observer)?;
+        }
+        self.sum_flexibility();
+        Ok(())
+    }
+
+    /// Factorizes anew, with the tangent moduli of an answer on another mesh, one field for each model. Returns that
+    /// answer's displacements, carried to the windows.
+    pub fn linearize_by(
+        &mut self,
+        former: &[FormerField<'_>],
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<PerModel, SolveError> {
+        let mut carried = Vec::with_capacity(self.bodies.len());
+        for (body, &field) in self.bodies.iter_mut().zip(former) {
+            carried.push(body.linearize_by(field, phases, observer)?);
+        }
+        self.sum_flexibility();
+        Ok(carried)
+    }
+
+    /// Whether the stiffness in force is the elastic one.
+    pub fn is_elastic(&self) -> bool {
+        self.bodies.iter().all(|body| body.region.as_ref().is_none_or(|region| region.refers_to_elastic()))
+    }
+
+    fn sum_flexibility(&mut self) {
+        let parts: Vec<&SymmetricMatrix> = self.bodies.iter().map(|body| &body.flexibility).collect();
+        self.flexibility = total_flexibility(self.zone.columns + 1, &parts, &self.multiplicity);
     }
 
     /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
@@ -117,9 +169,6 @@ impl System {
 
     /// Solves contact and equilibrium for given initial-stress loads:
     /// `u_p = K⁻¹ P_e`, contact forces R for the gap `δ0 + u_p`, then `u = K⁻¹ (P_e + R)`.
-    ///
-    /// The forward substitution is shared: of `K⁻¹ P_e` only the contact entries are needed before R is known,
-    /// and R enters at the end of the elimination.
     pub fn respond(
         &self,
         loads: &PerModel,
@@ -129,27 +178,37 @@ impl System {
         phases: &mut PhaseTimes,
         observer: &dyn Observer,
     ) -> Result<Response, SolveError> {
-        let mut gap = self.initial_gap.clone();
-        let mut displacement = phases.time(Phase::Solves, observer, || {
-            let mut forward = loads.clone();
-            for ((body, x), count) in self.bodies.iter().zip(&mut forward).zip(&self.multiplicity) {
-                body.factor.forward(&body.reach, x);
-                let mut plastic = x.clone();
-                body.factor.backward(&body.contact_reach, &mut plastic);
-                for (g, w) in gap.iter_mut().zip(body.contact_displacement(&plastic)) {
-                    *g += *count as f64 * w;
-                }
-            }
-            forward
-        });
+        let (forward, growth) = phases.time(Phase::Solves, observer, || self.eliminate(loads));
+        let gap: Vec<f64> = self.initial_gap.iter().zip(growth).map(|(gap, growth)| gap + growth).collect();
         let problem = ContactProblem { flexibility: &self.flexibility, initial_gap: &gap, load };
         let contact = phases.time(Phase::Contact, observer, || solver.solve(&problem, warm))?;
-        phases.time(Phase::Solves, observer, || {
-            for (body, x) in self.bodies.iter().zip(&mut displacement) {
-                body.add_contact_response(&body.factor, &contact.force, x);
-            }
-        });
+        let displacement = phases.time(Phase::Solves, observer, || self.substitute(forward, &contact.force));
         Ok(Response { displacement, contact })
+    }
+
+    /// The first half of a solve: `L⁻¹ P_e` on the windows, and by how much these loads widen the gap at each pair,
+    /// `u_p`. Of `K⁻¹ P_e` only the contact entries are needed before R is known, and R enters at the end of the
+    /// elimination, so that nothing is done twice.
+    pub fn eliminate(&self, loads: &PerModel) -> (PerModel, Vec<f64>) {
+        let mut forward = loads.clone();
+        let mut growth = vec![0.0; self.initial_gap.len()];
+        for ((body, x), count) in self.bodies.iter().zip(&mut forward).zip(&self.multiplicity) {
+            body.factor.forward(&body.reach, x);
+            let mut plastic = x.clone();
+            body.factor.backward(&body.contact_reach, &mut plastic);
+            for (g, w) in growth.iter_mut().zip(body.contact_displacement(&plastic)) {
+                *g += *count as f64 * w;
+            }
+        }
+        (forward, growth)
+    }
+
+    /// The second half: `K⁻¹ (P_e + R)` on the windows.
+    pub fn substitute(&self, mut forward: PerModel, force: &[f64]) -> PerModel {
+        for (body, x) in self.bodies.iter().zip(&mut forward) {
+            body.add_contact_response(&body.factor, force, x);
+        }
+        forward
     }
 
     /// `u = K⁻¹ (P_e + R)` on the windows.
@@ -186,16 +245,6 @@ impl System {
             total.reached_rim |= update.reached_rim;
         }
         total
-    }
-
-    /// `dP/dα = eᵀ F_aa⁻¹ e` of the pairs in contact, both sides of the axis \[N/mm per mm\]; 0 without contact.
-    pub fn elastic_stiffness(&self, active: &ActiveSet) -> f64 {
-        let pairs: Vec<usize> = active.iter().collect();
-        let block = self.flexibility.principal_block(&pairs);
-        let Ok(factor) = DenseCholesky::factor(pairs.len(), block) else { return 0.0 };
-        let mut force = vec![1.0; pairs.len()];
-        factor.solve_in_place(&mut force);
-        self.copies() as f64 * force.iter().sum::<f64>()
     }
 
     /// The entries on the windows, one model after the other.
@@ -262,6 +311,15 @@ impl System {
     /// `√Σ ‖v - w‖²` over both bodies on the windows.
     pub fn distance(&self, v: &PerModel, w: &PerModel) -> f64 {
         self.distance_or_norm(v, Some(w))
+    }
+
+    /// `Σ v·w` over both bodies on the windows.
+    pub fn inner(&self, v: &PerModel, w: &PerModel) -> f64 {
+        let sum = self.bodies.iter().enumerate().map(|(k, body)| {
+            let products = body.window.iter().map(|&e| v[k][e as usize] * w[k][e as usize]);
+            self.multiplicity[k] as f64 * products.sum::<f64>()
+        });
+        sum.sum()
     }
 
     fn distance_or_norm(&self, v: &PerModel, w: Option<&PerModel>) -> f64 {

@@ -41,7 +41,7 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             imbalance = system.distance(&image, &loads);
         }
         if let Some(status) = iteration.record(&start, &response, plastic_points, imbalance) {
-            return Ok(iteration.finish(State { response, loads, factors: None }, status));
+            return Ok(iteration.finish(State { response, loads, factors: None }, Some(status)));
         }
         start = response.displacement;
         relaxation.advance(&system.plastic_gap(&loads));

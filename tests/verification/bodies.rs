@@ -1,7 +1,7 @@
 //! Single bodies under nodal forces: the core without contact, put together by hand.
 
 use brinell::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField};
-use brinell::element::{Kinematics, QUADRATURE_POINTS};
+use brinell::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
 use brinell::linalg::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
 use brinell::mesh::{ContactZone, Mesh};
 use brinell::model::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
@@ -59,7 +59,9 @@ pub fn load(
     let assembler =
         StiffnessAssembler { mesh, kinematics, equations: &equations, pattern: symbolic.pattern() };
     let shear = material.elastic().shear_modulus();
-    let values = assembler.assemble(material.elastic().bulk_modulus(), |_| [shear; QUADRATURE_POINTS]);
+    let values = assembler.assemble(|_, quad| {
+        element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
+    });
     let factor = Cholesky::factor(&symbolic, &values).unwrap();
     let region = InitialStressRegion::new(mesh, kinematics, &equations, 0, material);
 

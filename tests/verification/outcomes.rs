@@ -1,4 +1,4 @@
-//! What has to converge to 1e-6: laws, couplings and analyses at p0 = 3 σ_y, the default coupling up to 5 σ_y.
+//! What has to converge to 1e-6: laws, couplings and analyses.
 //!
 //! `cargo run --release --example outcomes` prints all combinations, those that do not converge among them.
 
@@ -11,7 +11,7 @@ use crate::problems::{cylinder, solve};
 
 const YIELD: f64 = 500.0;
 
-fn laws() -> [(&'static str, Value); 4] {
+fn laws() -> [(&'static str, Value); 7] {
     [
         ("bilinear", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 10_500.0})),
         ("perfectly plastic", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 0.0})),
@@ -20,6 +20,9 @@ fn laws() -> [(&'static str, Value); 4] {
             json!({"law": "ramberg_osgood", "reference_stress": YIELD, "offset": 0.3, "exponent": 5.0}),
         ),
         ("table", json!({"law": "table", "points": [[0.0, YIELD], [0.005, 600.0], [0.05, 700.0]]})),
+        ("swift", json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005, "exponent": 0.2})),
+        ("ludwik", json!({"law": "ludwik", "yield_stress": YIELD, "coefficient": 800.0, "exponent": 0.5})),
+        ("voce", json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0, "rate": 30.0})),
     ]
 }
 
@@ -33,7 +36,7 @@ fn force(analysis: &str, ratio: f64) -> f64 {
 }
 
 #[track_caller]
-fn assert_converges(analysis: &str, name: &str, law: &Value, coupling: &str, ratio: f64) {
+fn iterations(analysis: &str, name: &str, law: &Value, coupling: &str, ratio: f64) -> usize {
     let body = cylinder("clamped", law.clone());
     let job = json!({"analysis": analysis, "upper": body, "lower": body,
         "load": {"force": force(analysis, ratio)}, "mesh": {"elements_per_half_width": 10},
@@ -41,36 +44,39 @@ fn assert_converges(analysis: &str, name: &str, law: &Value, coupling: &str, rat
     let step = &solve(&job).steps[0];
     let rest = step.equilibrium_residual;
     assert_eq!(step.status, SolveStatus::Converged, "{analysis} {name} {coupling} {ratio}: {rest:e}");
+    step.history.len()
 }
 
-/// Not here because they do not converge at the time of writing: swift, ludwik and voce in every analysis, and
-/// perfect plasticity in plane stress, and the table there by strong coupling within 500 iterations.
+/// The paper's couplings. In plane stress they are slow: strong coupling takes 165 iterations with straight hardening and
+/// does not get there in 500 with a table or Ludwik's curve.
 #[test]
 fn every_coupling_converges_at_three_yield_stresses() {
-    for (name, law) in laws() {
-        for coupling in ["accelerated", "strong", "weak", "secant_stiffness"] {
+    for (name, law) in &laws() {
+        for coupling in ["strong", "weak", "secant_stiffness"] {
             for analysis in ["plane_strain", "axisymmetric"] {
-                assert_converges(analysis, name, &law, coupling, 3.0);
+                iterations(analysis, name, law, coupling, 3.0);
             }
         }
     }
-    let (name, law) = &laws()[0];
-    for coupling in ["accelerated", "strong", "weak", "secant_stiffness"] {
-        assert_converges("plane_stress", name, law, coupling, 3.0);
+    for (name, law) in [&laws()[0], &laws()[2]] {
+        for coupling in ["strong", "weak", "secant_stiffness"] {
+            iterations("plane_stress", name, law, coupling, 3.0);
+        }
     }
 }
 
+/// Not in plane stress with perfect plasticity: there the equations lose ellipticity, the strain wants to gather in a
+/// line, and no coupling converges.
 #[test]
-fn the_accelerated_coupling_converges_up_to_five_yield_stresses() {
-    for (name, law) in laws() {
-        for ratio in [4.0, 5.0] {
-            for analysis in ["plane_strain", "axisymmetric"] {
-                assert_converges(analysis, name, &law, "accelerated", ratio);
+fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses() {
+    for (name, law) in &laws() {
+        for ratio in [3.0, 4.0, 5.0] {
+            for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
+                if (analysis, *name) != ("plane_stress", "perfectly plastic") {
+                    let taken = iterations(analysis, name, law, "accelerated", ratio);
+                    assert!(taken <= 25, "{analysis} {name} {ratio}: {taken} iterations");
+                }
             }
         }
-    }
-    for ratio in [4.0, 5.0] {
-        assert_converges("plane_stress", laws()[0].0, &laws()[0].1, "accelerated", ratio);
-        assert_converges("plane_stress", laws()[3].0, &laws()[3].1, "accelerated", ratio);
     }
 }

@@ -65,7 +65,8 @@ fn counts(history: &[IterationRecord], tolerance: f64) -> (usize, usize, usize) 
     (end, sum(|record| record.initial_stress_updates), sum(|record| record.factorizations))
 }
 
-/// At most 20 % more iterations than the prototype needed.
+/// At most 20 % more iterations than the prototype needed; the accelerated coupling, which starts from a coarser answer and
+/// its tangent moduli, at most that much more than half of the prototype's 5, 10, 6, 14 and 29.
 #[test]
 fn iteration_counts_stay_near_the_prototypes() {
     let with = |force: f64, coupling: &str, tolerance: f64| {
@@ -75,11 +76,11 @@ fn iteration_counts_stay_near_the_prototypes() {
     };
     // p0/σ_y, tolerance, strong, accelerated, secant factorizations, weak alternations and updates
     let table = [
-        (FORCE_3, 1e-2, 8, 5, 2, Some((8, 26))),
-        (FORCE_3, 1e-5, 24, 10, 18, Some((11, 94))),
-        (FORCE_4, 1e-2, 11, 6, 5, Some((12, 46))),
-        (FORCE_4, 1e-5, 42, 14, 26, Some((19, 209))),
-        (FORCE_4, 1e-8, 127, 29, 62, None),
+        (FORCE_3, 1e-2, 8, 1, 2, Some((8, 26))),
+        (FORCE_3, 1e-5, 24, 4, 18, Some((11, 94))),
+        (FORCE_4, 1e-2, 11, 1, 5, Some((12, 46))),
+        (FORCE_4, 1e-5, 42, 7, 26, Some((19, 209))),
+        (FORCE_4, 1e-8, 127, 15, 62, None),
     ];
     let most = |count: usize| count * 6 / 5;
     for (force, tolerance, strong, accelerated, secant, weak) in table {
