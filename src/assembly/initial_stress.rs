@@ -94,7 +94,7 @@ impl InitialStressRegion {
             let strain = strain(element.index, &element.quad);
             let softened = std::array::from_fn(|g| self.law.softening(strain.map(|component| component[g])));
             is_beyond_yield |= softened.iter().flatten().any(|point| point.is_beyond_yield);
-            element.softening = Softening::new(softened.map(|point| Some(point?.moduli))).map(|softening| {
+            element.softening = Softening::new(&softened.map(|point| Some(point?.moduli))).map(|softening| {
                 self.softening.push(softening);
                 self.softening.len() - 1
             });

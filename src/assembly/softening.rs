@@ -18,7 +18,7 @@ pub(super) struct Softening {
 
 impl Softening {
     /// Collects the moduli of all points; `None` where every point is elastic.
-    pub fn new(points: [Option<Moduli>; QUADRATURE_POINTS]) -> Option<Self> {
+    pub fn new(points: &[Option<Moduli>; QUADRATURE_POINTS]) -> Option<Self> {
         if points.iter().all(Option::is_none) {
             return None;
         }
@@ -79,7 +79,7 @@ mod tests {
         for kinematics in [Kinematics::PlaneStrain, Kinematics::Axisymmetric] {
             let quad = Quad::new(&corners, kinematics);
             let mut stiffness = element_stiffness(&quad, bulk, &[whole; 4]);
-            Softening::new([Some(moduli); 4]).unwrap().apply(&quad, &mut stiffness);
+            Softening::new(&[Some(moduli); 4]).unwrap().apply(&quad, &mut stiffness);
             let expected = element_stiffness(&quad, bulk, &[left; 4]);
             let difference = stiffness.iter().flatten().flatten().flatten();
             for (found, expected) in difference.zip(expected.iter().flatten().flatten().flatten()) {

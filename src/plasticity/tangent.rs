@@ -137,14 +137,13 @@ mod tests {
                 (0..4).flat_map(|i| (0..4).map(move |j| e[i] * moduli[i][j] * e[j])).sum()
             };
             for k in 0..200u32 {
-                let e: [f64; 4] =
-                    std::array::from_fn(|c| f64::from((k * 7919 + c as u32 * 104_729) % 101) - 50.0);
+                let e = [0, 1, 2, 3].map(|c| f64::from((k * 7919 + c * 104_729) % 101) - 50.0);
                 let (all, lost) = (work(&elastic, e), work(&softening, e));
                 assert!(lost >= -1e-9 * all && lost < all);
             }
-            for i in 0..4 {
-                for j in 0..4 {
-                    assert!((softening[i][j] - softening[j][i]).abs() < 1e-9);
+            for (i, row) in softening.iter().enumerate() {
+                for (entry, mirrored) in row.iter().zip(&softening) {
+                    assert!((entry - mirrored[i]).abs() < 1e-9);
                 }
             }
         }

@@ -29,7 +29,7 @@ pub(super) fn contact_stiffness(
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
     let block = system.flexibility.principal_block(&active);
     let Ok(factor) = DenseCholesky::factor(active.len(), block) else { return 0.0 };
-    let closing = Closing { system, factor, active };
+    let closing = Closing { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
     let (v, force) = closing.solve(&system.zeros(), 1.0, phases, observer);

@@ -169,15 +169,14 @@ pub(super) fn run(
     let mut available = prepared;
     let (mut enlargements, mut meshes) = (0, 0);
     loop {
-        let (mut system, states, start) = match available.take() {
-            Some(prepared) => prepared.resume(&request, phases, observer)?,
-            None => {
-                meshes += 1;
-                let PassRequest { zone, refinement, plastic_reach, former, .. } = request;
-                let design = Design { zone, refinement, plastic_reach };
-                let (system, start) = System::build(problem, design, former, phases, observer)?;
-                (system, Vec::new(), start)
-            }
+        let (mut system, states, start) = if let Some(prepared) = available.take() {
+            prepared.resume(&request, phases, observer)?
+        } else {
+            meshes += 1;
+            let PassRequest { zone, refinement, plastic_reach, former, .. } = request;
+            let design = Design { zone, refinement, plastic_reach };
+            let (system, start) = System::build(problem, design, former, phases, observer)?;
+            (system, Vec::new(), start)
         };
         let zone = system.zone;
         let outcome = iterate(&mut system, &request, start, phases, observer)?;

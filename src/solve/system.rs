@@ -8,7 +8,7 @@ use super::former::FormerField;
 use super::phases::{Phase, PhaseTimes};
 use super::problem::Problem;
 use super::{Observer, SolveError};
-use crate::assembly::PlasticUpdate;
+use crate::assembly::{InitialStressRegion, PlasticUpdate};
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::element::Kinematics;
 use crate::linalg::Cholesky;
@@ -136,7 +136,7 @@ impl System {
 
     /// Whether the stiffness in force is the elastic one.
     pub fn is_elastic(&self) -> bool {
-        self.bodies.iter().all(|body| body.region.as_ref().is_none_or(|region| region.refers_to_elastic()))
+        self.bodies.iter().all(|body| body.region.as_ref().is_none_or(InitialStressRegion::refers_to_elastic))
     }
 
     fn sum_flexibility(&mut self) {

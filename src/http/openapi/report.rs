@@ -79,7 +79,7 @@ fn step() -> Value {
                 "contact_stiffness",
                 signed(
                     Stiffness,
-                    "dP/dα of the elastic bodies with the present contact: tangent of an elastic contact, unloading stiffness of a plastic one. 0 where nothing touches.",
+                    "dP/dα, the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches.",
                     61_000.0,
                 ),
             ),
