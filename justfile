@@ -15,6 +15,18 @@ test:
 verify:
     cargo test --test verification
 
+# The page in a real Chromium; node and chromium have to be installed
+page:
+    cargo build
+    npm --prefix tests/page ci --no-audit --no-fund
+    npm --prefix tests/page run check
+    npm --prefix tests/page test
+
+# Pictures of the page for the documents
+shots:
+    cargo build
+    npm --prefix tests/page run shots
+
 # Formatting and lints
 lint:
     cargo fmt --check

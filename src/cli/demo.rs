@@ -17,7 +17,7 @@ use super::table::table;
 use super::{NOT_CONVERGED, block_on};
 use crate::app::Service;
 use crate::config::{DatabaseUrl, ServeConfig, StorageConfig};
-use crate::jobs::{CoreSolver, IterationRecord, JobState};
+use crate::jobs::{CoreSolver, IterationRecord, JobId, JobState};
 use crate::lifecycle::stop_on_signal;
 use crate::model::Job;
 use crate::results::Report;
@@ -40,6 +40,7 @@ pub(super) struct DemoArgs {
 
 #[derive(Debug, Deserialize)]
 struct Receipt {
+    id: JobId,
     links: Links,
 }
 
@@ -69,12 +70,12 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
         let service = Service::bind(&config, Arc::new(CoreSolver)).await?;
         let client = Client { address: service.address() };
         let server = tokio::spawn(service.run(stop.clone()));
-        let report = tokio::select! {
-            report = show_a_job(client) => report?,
+        let (job, report) = tokio::select! {
+            shown = show_a_job(client) => shown?,
             () = stop.cancelled() => return Ok(ExitCode::SUCCESS),
         };
         let serve_on = !args.once && io::stdin().is_terminal();
-        say(&farewell(client, serve_on))?;
+        say(&farewell(client, job, serve_on))?;
         if !serve_on {
             stop.cancel();
         }
@@ -85,7 +86,7 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
 }
 
 /// Hands the example in, follows it and prints its result.
-async fn show_a_job(client: Client) -> Result<Report, Fault> {
+async fn show_a_job(client: Client) -> Result<(JobId, Report), Fault> {
     let style = Style::of_stdout();
     let job = Job::from_json(EXAMPLE).map_err(|error| Fault::of_job("the example", error))?;
     say(&format!("POST http://{}/v1/jobs (api/examples/two_cylinders.json)\n", client.address))?;
@@ -105,14 +106,15 @@ async fn show_a_job(client: Client) -> Result<Report, Fault> {
     say(&format!("GET {}\n200 {state}\n\n", receipt.links.result))?;
     let report: Report = client.get(&receipt.links.result).await?;
     say(&table(&job, &report, style))?;
-    Ok(report)
+    Ok((receipt.id, report))
 }
 
-fn farewell(client: Client, serves_on: bool) -> String {
+fn farewell(client: Client, job: JobId, serves_on: bool) -> String {
     let url = format!("http://{}", client.address);
     if serves_on {
         format!(
-            "\nThe service listens on {url} until Ctrl-C. Ask it yourself:\n\n  \
+            "\nThe service listens until Ctrl-C. This contact in a browser, to look at and to change:\n\n  \
+             {url}/#job={job}\n\nor ask the service yourself:\n\n  \
              curl {url}/v1/solve -H 'Content-Type: application/json' -d @api/examples/two_cylinders.json\n"
         )
     } else {

@@ -10,6 +10,7 @@ mod follower;
 mod job_path;
 mod listen;
 pub mod openapi;
+mod page;
 mod preference;
 mod problem;
 mod problem_type;
@@ -27,6 +28,7 @@ use axum::extract::Request;
 use axum::http::Uri;
 use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
+use axum::routing::get;
 use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
@@ -42,7 +44,7 @@ use access::authenticate;
 use rates::Rates;
 use routes::{
     cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_job, get_openapi,
-    get_problem, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
+    get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
 };
 
 pub use listen::serve;
@@ -121,6 +123,8 @@ pub fn router(state: HttpState) -> Router {
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     documented
         .merge(docs_page())
+        .route("/", get(page::index))
+        .route("/web/{*path}", get(page::file))
         .fallback(no_route)
         .method_not_allowed_fallback(no_method)
         .with_state(state)
@@ -146,6 +150,7 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(list_jobs::list_jobs, post_job::post_job))
         .routes(routes!(get_job::get_job, delete_job::delete_job))
         .routes(routes!(get_events::get_events))
+        .routes(routes!(get_request::get_request))
         .routes(routes!(get_result::get_result))
         .routes(routes!(cancel_job::cancel_job))
         .routes(routes!(post_solve::post_solve))

@@ -22,6 +22,8 @@ pub struct Links {
     #[serde(rename = "self")]
     #[schema(example = "/v1/jobs/0197e1f0-0000-7000-8000-000000000000")]
     pub job: String,
+    /// What was submitted.
+    pub request: String,
     /// Its result.
     pub result: String,
     /// Its events as they happen.
@@ -34,6 +36,7 @@ impl Links {
     fn of(id: JobId) -> Self {
         let job = format!("/v1/jobs/{id}");
         Self {
+            request: format!("{job}/request"),
             result: format!("{job}/result"),
             events: format!("{job}/events"),
             cancel: format!("{job}/cancel"),

@@ -11,6 +11,7 @@ mod keys;
 mod listing;
 mod memory;
 mod openapi;
+mod page;
 mod protocol;
 mod readme;
 mod server;

@@ -7,7 +7,7 @@ use crate::server::{Server, example};
 fn unknown_addresses_and_methods_are_problems() {
     let server = Server::start();
     let service = &server.target;
-    for path in ["/", "/v1", "/v1/job", "/v1/jobs/x/y/z", "/%FF"] {
+    for path in ["/v1", "/v1/job", "/v1/jobs/x/y/z", "/%FF"] {
         service.get(path).problem(404, "not-found");
     }
     for path in ["/v1/jobs/none", "/v1/jobs/%FF", "/v1/jobs/0197e1f0-0000-7000-8000-000000000000"] {

@@ -19,6 +19,7 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     let claims = subject.claim(3).await;
     assert_eq!(claims.len(), 1);
     assert_eq!(claims[0].request, "{\"job\": \"one\"}");
+    assert_eq!(store.request(id).await.unwrap(), claims[0].request);
     let lease = claims[0].lease;
     let running = subject.get(id).await;
     assert_eq!((running.state, running.queue_position, running.attempts), (JobState::Running, None, 1));

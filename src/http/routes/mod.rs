@@ -9,6 +9,7 @@ pub(super) mod get_export;
 pub(super) mod get_job;
 pub(super) mod get_openapi;
 pub(super) mod get_problem;
+pub(super) mod get_request;
 pub(super) mod get_result;
 pub(super) mod health;
 pub(super) mod list_jobs;

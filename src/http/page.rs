@@ -1,0 +1,118 @@
+//! The web page: the files under `web/`, which a release build carries in itself.
+//!
+//! Files keep their names from version to version, so browsers ask each time and are answered 304 by a strong `ETag`
+//! of the content. What is sent is compressed once. The page needs nothing from elsewhere, and its
+//! `Content-Security-Policy` holds it to that.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+use std::sync::{LazyLock, Mutex, PoisonError};
+
+use axum::extract::Path;
+use axum::extract::rejection::PathRejection;
+use axum::http::header::{
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG,
+    IF_NONE_MATCH, REFERRER_POLICY, VARY, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::{HeaderMap, HeaderName, StatusCode};
+use axum::response::{IntoResponse, Response};
+use bytes::Bytes;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use rust_embed::{EmbeddedFile, RustEmbed};
+
+use super::problem::Problem;
+use super::problem_type::ProblemType;
+
+#[derive(RustEmbed)]
+#[folder = "web/"]
+struct Web;
+
+const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; \
+                      frame-ancestors 'none'";
+
+/// What has been compressed, by digest: in a debug build a file changes while the program runs.
+static COMPRESSED: LazyLock<Mutex<HashMap<[u8; 32], Bytes>>> = LazyLock::new(Mutex::default);
+
+/// `GET /`.
+pub(super) async fn index(headers: HeaderMap) -> Result<Response, Problem> {
+    answer("index.html", &headers)
+}
+
+/// `GET /web/{path}`.
+pub(super) async fn file(
+    path: Result<Path<String>, PathRejection>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    answer(path.as_ref().map_or("", |Path(path)| path), &headers)
+}
+
+fn answer(path: &str, headers: &HeaderMap) -> Result<Response, Problem> {
+    let nothing = || Problem::new(ProblemType::NotFound, "the page has no such file");
+    let file = Web::get(path).ok_or_else(nothing)?;
+    let gzip = takes_gzip(headers);
+    let tag = tag(&file, gzip);
+    let common: [(HeaderName, &str); 7] = [
+        (ETAG, &tag),
+        (CACHE_CONTROL, "no-cache"),
+        (VARY, "accept-encoding"),
+        (CONTENT_SECURITY_POLICY, POLICY),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (REFERRER_POLICY, "no-referrer"),
+        (CONTENT_TYPE, media_type(path)),
+    ];
+    if is_known(&tag, headers) {
+        return Ok((StatusCode::NOT_MODIFIED, common).into_response());
+    }
+    if !gzip {
+        return Ok((common, file.data.into_owned()).into_response());
+    }
+    let body = compressed(&file).map_err(|error| Problem::new(ProblemType::Internal, error.to_string()))?;
+    Ok((common, [(CONTENT_ENCODING, "gzip")], body).into_response())
+}
+
+fn media_type(path: &str) -> &'static str {
+    match path.rsplit('.').next() {
+        Some("html") => "text/html; charset=utf-8",
+        Some("css") => "text/css; charset=utf-8",
+        Some("js") => "text/javascript; charset=utf-8",
+        Some("svg") => "image/svg+xml",
+        _ => "text/plain; charset=utf-8",
+    }
+}
+
+/// A strong tag names bytes, so the compressed file has one of its own.
+fn tag(file: &EmbeddedFile, gzip: bool) -> String {
+    let digest = file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes);
+    let coding = if gzip { "-gzip" } else { "" };
+    format!("\"{digest:032x}{coding}\"")
+}
+
+fn is_known(tag: &str, headers: &HeaderMap) -> bool {
+    let known = headers.get_all(IF_NONE_MATCH).iter().filter_map(|value| value.to_str().ok());
+    known.flat_map(|list| list.split(',')).any(|one| {
+        let one = one.trim();
+        one == "*" || one.strip_prefix("W/").unwrap_or(one) == tag
+    })
+}
+
+fn takes_gzip(headers: &HeaderMap) -> bool {
+    let codings = headers.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
+    codings.flat_map(|list| list.split(',')).any(|coding| {
+        let (name, weight) = coding.split_once(";q=").unwrap_or((coding, "1"));
+        name.trim().eq_ignore_ascii_case("gzip") && weight.trim().parse().is_ok_and(|q: f32| q > 0.0)
+    })
+}
+
+fn compressed(file: &EmbeddedFile) -> io::Result<Bytes> {
+    let digest = file.metadata.sha256_hash();
+    let known = || COMPRESSED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(body) = known().get(&digest) {
+        return Ok(body.clone());
+    }
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(&file.data)?;
+    let body = Bytes::from(encoder.finish()?);
+    known().insert(digest, body.clone());
+    Ok(body)
+}

@@ -1,0 +1,82 @@
+/** What goes wrong is said where it went wrong. */
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, serve, visit } from '../browser.js';
+
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => { [server, browser] = await Promise.all([serve(['--workers', '1']), launch()]); });
+after(async () => { await browser?.close(); await server?.stop(); });
+
+test('wrong input shows at its field, and goes when it is put right', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const ratio = page.getByLabel('Poisson’s ratio').nth(1);
+  await ratio.fill('0.6');
+  const entry = page.locator('[data-place="/lower/material/poisson_ratio"]');
+  await entry.getByText('must be at least 0 and less than 0.5, got 0.6').waitFor();
+  assert.equal(await ratio.getAttribute('aria-invalid'), 'true');
+  assert.match(await ratio.getAttribute('aria-describedby') ?? '', /-error/);
+  await page.getByLabel('Radius').first().fill('twenty');
+  await page.locator('[data-place="/upper/shape/radius"] .error').getByText(/number/).waitFor();
+  await page.getByLabel('Radius').first().fill('20');
+  await ratio.fill('0,3');
+  await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a refused job takes the cursor to its fault', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Force P').fill('-5');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.waitForFunction(() => document.activeElement?.getAttribute('aria-invalid') === 'true');
+  assert.equal(await page.getByLabel('Force P').evaluate((input) => input === document.activeElement), true);
+  await close();
+});
+
+test('an unknown key in the JSON is named although no field has it', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByRole('button', { name: 'JSON', exact: true }).click();
+  await page.getByText('1500.0 MPa').waitFor();
+  const job = JSON.parse(await page.locator('#json-text').inputValue());
+  await page.locator('#json-text').fill(JSON.stringify({ ...job, colour: 'red' }));
+  await page.locator('#check').getByText('/colour').waitFor();
+  await close();
+});
+
+test('a job is cancelled, and those behind it know their place', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const slow = await page.evaluate(slowJob);
+  const waiting = await page.evaluate(slowJob);
+  await page.goto(`${server.url}/#job=${waiting}`);
+  await page.locator('[data-status=queued]').getByText('next in line').waitFor();
+  await page.evaluate((id) => { location.hash = `job=${id}`; }, slow);
+  await page.locator('[data-status=running]').waitFor();
+  await page.locator('#panel-convergence').waitFor();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.locator('[data-status=cancelled]').waitFor();
+  await page.getByText('the figures are those of the last one, not an answer').waitFor();
+  await page.evaluate((id) => fetch(`v1/jobs/${id}/cancel`, { method: 'POST' }), waiting);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a link to a job that is not here says so', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.goto(`${server.url}/#job=0197e1f0-0000-7000-8000-000000000000`);
+  await page.getByText('This link leads to a job that is not here').waitFor();
+  await close();
+});
+
+/** A job that iterates until it is stopped. */
+async function slowJob() {
+  const { examples } = await (await fetch('v1/examples')).json();
+  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+  const endless = { ...job, solver: { coupling: 'strong', tolerance: 1e-12, max_iterations: 100000 }, mesh: { elements_per_half_width: 40 } };
+  const answer = await fetch('v1/jobs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(endless) });
+  return (await answer.json()).id;
+}

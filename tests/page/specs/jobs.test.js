@@ -1,0 +1,162 @@
+/** Jobs of others and of before: links, list, search, comparison, downloads; by keyboard alone; with an API key. */
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { after, before, test } from 'node:test';
+import { launch, serve, visit } from '../browser.js';
+
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => { [server, browser] = await Promise.all([serve(), launch()]); });
+after(async () => { await browser?.close(); await server?.stop(); });
+
+/** @param {import('playwright-core').Page} page @param {object} change */
+const solved = (page, change) => page.evaluate(async (change) => {
+  const { examples } = await (await fetch('v1/examples')).json();
+  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+  const answer = await fetch('v1/jobs', {
+    method: 'POST', headers: { 'Content-Type': 'application/json', Prefer: 'wait=60' }, body: JSON.stringify({ ...job, ...change }),
+  });
+  return (answer.headers.get('content-location') ?? '').split('/')[3];
+}, change);
+
+test('a link shows a job and its definition', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const id = await solved(page, { load: { force: 456 } });
+  await page.goto(`${server.url}/#job=${id}`);
+  await page.locator('[data-status=succeeded]').waitFor();
+  assert.equal(await page.getByLabel('Force P').inputValue(), '456');
+  await page.getByLabel('Force P').fill('457');
+  await page.getByText('The set-up has changed').waitFor();
+  await page.getByRole('button', { name: 'Back to the job’s' }).click();
+  assert.equal(await page.getByLabel('Force P').inputValue(), '456');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a definition travels in a link by itself', async () => {
+  const { page, close } = await visit(browser, server.url, { permissions: ['clipboard-read', 'clipboard-write'] });
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Force P').fill('321');
+  await page.locator('#share-job').click();
+  await page.getByText('Link to this definition copied').waitFor();
+  const address = await page.evaluate(() => navigator.clipboard.readText());
+  const other = await visit(browser, address);
+  await other.page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input'))?.value === '321');
+  await other.close();
+  await close();
+});
+
+test('jobs are listed, searched and laid over each other', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await solved(page, { tags: { press: 'one' } });
+  await solved(page, { tags: { press: 'two' }, load: { force: 300 } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  const rows = page.locator('#jobs-list li');
+  await page.getByLabel('Search jobs').fill('press:two');
+  await page.waitForFunction(() => document.querySelectorAll('#jobs-list li').length === 1);
+  await rows.locator('.open').click();
+  await page.locator('[data-status=succeeded]').getByText('press: two').waitFor();
+  await page.getByLabel('Search jobs').fill('one');
+  await page.getByLabel('Compare one').check();
+  const legend = page.locator('#panel-pressure .legend');
+  await legend.getByText('one').waitFor();
+  await legend.getByText('two').waitFor();
+  await page.getByLabel('Compare one').uncheck();
+  await legend.getByText('this contact').waitFor();
+  await page.getByLabel('State', { exact: true }).selectOption('failed');
+  await page.getByText('No job matches.').waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('everything can be taken along', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const id = await solved(page, { output: { fields: true } });
+  await page.goto(`${server.url}/#job=${id}`);
+  await page.locator('[data-status=succeeded]').waitFor();
+  await page.getByText('Download', { exact: true }).click();
+  for (const button of await page.locator('.menu button').all()) {
+    const name = await button.textContent();
+    const [file] = await Promise.all([page.waitForEvent('download'), button.click()]);
+    assert.equal(await file.failure(), null, `${name}`);
+    assert.ok(file.suggestedFilename().startsWith(id.slice(-8)), file.suggestedFilename());
+  }
+  for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
+    const [file] = await Promise.all([page.waitForEvent('download'), page.locator(`#panel-${panel}`).getByText('PNG').click()]);
+    assert.equal(file.suggestedFilename(), `${panel}.png`);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('the whole way by keyboard', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  const name = () => page.evaluate(() => {
+    const at = /** @type {HTMLElement | null} */ (document.activeElement);
+    return at?.getAttribute('aria-label') ?? /** @type {HTMLInputElement | null} */ (at)?.labels?.[0]?.textContent ?? at?.textContent ?? '';
+  });
+  /** @param {RegExp} wanted */
+  const tabTo = async (wanted) => {
+    for (let k = 0; k < 80; k++) {
+      await page.keyboard.press('Tab');
+      if (wanted.test(await name())) return;
+    }
+    assert.fail(`Tab never comes to ${wanted}`);
+  };
+  await page.keyboard.press('Tab');
+  assert.equal(await name(), 'Skip to the result');
+  await tabTo(/^Radius/);
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('25');
+  await tabTo(/^Force/);
+  await tabTo(/^Solve$/);
+  await page.keyboard.press('Enter');
+  await page.locator('[data-status=succeeded]').waitFor();
+  assert.equal(JSON.parse(await page.evaluate(() => sessionStorage.getItem('draft') ?? '')).upper.shape.radius, 25);
+  await tabTo(/^von Mises$/);
+  await page.keyboard.press('Space');
+  await page.locator('#panel-depth .legend').getByText('von Mises').waitFor({ state: 'detached' });
+  await tabTo(/^Field of/);
+  await page.keyboard.press('+');
+  await page.getByText(/^(upper|lower) body, x/).waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a service that wants a key is given it', async () => {
+  const guarded = await serve(['--require-api-key']);
+  try {
+    const key = execFileSync(guarded.binary, ['key', 'create', '--scope', 'write', '--data-dir', guarded.data, 'page'], { encoding: 'utf8' });
+    const token = /brn\S+|[\w.-]{30,}/.exec(key)?.[0] ?? '';
+    const { page, close } = await visit(browser, guarded.url);
+    await page.getByLabel('Key', { exact: true }).fill(token);
+    await page.getByRole('button', { name: 'Use key' }).click();
+    await page.getByText('1500.0 MPa').waitFor();
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('[data-status=succeeded]').waitFor();
+    await close();
+  } finally {
+    await guarded.stop();
+  }
+});
+
+for (const [name, options] of /** @type {const} */ ([['wide', {}], ['narrow', { viewport: { width: 390, height: 844 } }]])) {
+  test(`nothing sticks out of a ${name} page`, async () => {
+    const { page, close } = await visit(browser, server.url, options);
+    await page.getByText('1500.0 MPa').waitFor();
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('[data-status=succeeded]').waitFor();
+    await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+    const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(inner <= outer, `${inner} px in ${outer}`);
+    const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
+      .filter((one) => one.checkVisibility() && !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.textContent?.trim() || /** @type {HTMLInputElement} */ (one).labels?.length))
+      .map((one) => one.outerHTML));
+    assert.deepEqual(nameless, [], 'every control has a name');
+    await close();
+  });
+}

@@ -1,0 +1,92 @@
+/** The way of most visitors: set up, solve, look. */
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, serve, visit } from '../browser.js';
+
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => { [server, browser] = await Promise.all([serve(), launch()]); });
+after(async () => { await browser?.close(); await server?.stop(); });
+
+const SOLVED = '[data-status=succeeded]';
+
+test('a form is filled, a contact solved, its pressure drawn', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByLabel('Radius').first().fill('30');
+  await page.getByLabel('Force P').fill('900');
+  await page.getByText(/Yields: the force is/).waitFor();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.waitForSelector(SOLVED);
+  const words = await page.locator('#panel-pressure .plot').getAttribute('aria-label');
+  assert.match(words ?? '', /^Contact pressure over x: highest \d{4}\.\d MPa, half-width 0\.\d+ mm; Hertz, elastic/);
+  const inked = await page.locator('#panel-pressure canvas').evaluate(inkOf, '--curve-1');
+  assert.ok(inked > 200, `the pressure curve has ${inked} pixels`);
+  assert.equal(await page.locator('#panel-pressure .legend li').count(), 2, 'this contact and Hertz');
+  for (const panel of ['field', 'depth', 'convergence', 'history']) await page.locator(`#panel-${panel}`).waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('what Hertz says and the JSON follow the form, and the form the JSON', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const peak = page.locator('.hertz dd').nth(1);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Force P').fill('272.27');
+  await page.waitForFunction(() => document.querySelectorAll('.hertz dd')[1]?.textContent?.startsWith('1000'));
+  assert.match(await peak.textContent() ?? '', /MPa$/);
+  await page.getByRole('button', { name: 'JSON', exact: true }).click();
+  const text = page.locator('#json-text');
+  const job = JSON.parse(await text.inputValue());
+  assert.equal(job.load.force, 272.27);
+  job.lower.shape = { type: 'block', width: 120, depth: 90 };
+  await text.fill(JSON.stringify(job));
+  await page.getByLabel('Width w').waitFor();
+  assert.equal(await page.getByLabel('Width w').inputValue(), '120');
+  await text.fill('{"analysis": ');
+  await page.locator('#json-text[aria-invalid=true]').waitFor();
+  assert.equal(await page.getByLabel('Width w').inputValue(), '120', 'half a text changes nothing');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('units change, the physics stays', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Units').selectOption('SI');
+  await page.getByText('1.5000·10⁹ Pa').waitFor();
+  assert.equal(await page.getByLabel('Radius').first().inputValue(), '0.02');
+  assert.equal(await page.getByLabel('Force P').inputValue(), '612610.6');
+  await close();
+});
+
+test('a sweep has its curve, and every step can be seen', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByLabel('Given').selectOption('forces');
+  await page.getByLabel('Forces').fill('100…600/6');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.waitForSelector(SOLVED);
+  await page.locator('#panel-sweep').waitFor();
+  assert.match(await page.locator('#panel-sweep .plot').getAttribute('aria-label') ?? '', /6 points up to 600/);
+  const force = page.locator('.steps output');
+  assert.match(await force.textContent() ?? '', /^6 of 6: 600\.00 N\/mm/);
+  await page.getByLabel('Step').focus();
+  await page.keyboard.press('Home');
+  assert.match(await force.textContent() ?? '', /^1 of 6: 100\.00/);
+  assert.match(await page.locator('#panel-pressure .plot').getAttribute('aria-label') ?? '', /highest 60\d\.\d/, 'elastic below first yield');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+/** Pixels of a canvas in a colour of the page. @param {Element} canvas @param {string} name */
+function inkOf(canvas, name) {
+  if (!(canvas instanceof HTMLCanvasElement)) return 0;
+  const colour = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const wanted = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 128 && wanted.every((c, j) => Math.abs(data[k + j] - c) < 12)) count += 1;
+  return count;
+}

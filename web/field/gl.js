@@ -1,0 +1,173 @@
+/** Draws nodal values on deformed meshes, banded, by WebGL2. */
+
+import { MOST_BANDS } from './palette.js';
+
+/** @typedef {import('../types.js').Mesh} Mesh */
+/** @typedef {{mesh: Mesh, shift: number, vertices: WebGLVertexArrayObject, values: WebGLBuffer, edges: WebGLVertexArrayObject | null, count: number}} Body */
+/**
+ * @typedef {object} Scene
+ * @property {import('./camera.js').Camera} camera
+ * @property {import('./palette.js').Bands} bands
+ * @property {number} deformation factor on displacements
+ * @property {boolean} mirrored whether a half stands for both
+ * @property {boolean} lines whether edges of elements are drawn
+ * @property {number} floor values up to here have no colour
+ * @property {[number, number, number]} plain that colour
+ */
+
+const VERTEX = `#version 300 es
+layout(location = 0) in vec2 node;
+layout(location = 1) in vec2 displacement;
+layout(location = 2) in float value;
+uniform vec2 centre, scale;
+uniform float deformation, side, shift;
+out float v;
+void main() {
+  vec2 p = node + deformation * (displacement + vec2(0.0, shift));
+  v = value;
+  gl_Position = vec4((vec2(side, 1.0) * p - centre) * scale, 0.0, 1.0);
+}`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+uniform float low, width, bottom;
+uniform int count;
+uniform vec3 colours[${MOST_BANDS}], plain;
+uniform vec4 line;
+in float v;
+out vec4 colour;
+void main() {
+  float t = (v - low) / width, edge = 0.5 * fwidth(t);
+  int band = clamp(int(floor(t)), 0, count - 1);
+  int next = clamp(int(floor(t + edge)), 0, count - 1), before = clamp(int(floor(t - edge)), 0, count - 1);
+  // Where a pixel lies across a limit it takes of both bands.
+  vec3 mixed = next == before ? colours[band] : mix(colours[before], colours[next], clamp((fract(t + edge)) / (2.0 * edge), 0.0, 1.0));
+  colour = line.a > 0.0 ? line : vec4(v <= bottom ? plain : mixed, 1.0);
+}`;
+
+export class Renderer {
+  /** @type {Body[]} */
+  #bodies = [];
+
+  /** @param {WebGL2RenderingContext} gl */
+  constructor(gl) {
+    this.gl = gl;
+    this.program = program(gl);
+    const names = ['centre', 'scale', 'deformation', 'side', 'shift', 'low', 'width', 'bottom', 'count', 'colours', 'plain', 'line'];
+    this.at = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
+  }
+
+  /** @param {{mesh: Mesh, shift: number}[]} meshes `shift`: how far the support moves up */
+  load(meshes) {
+    const { gl } = this;
+    for (const body of this.#bodies) {
+      gl.deleteVertexArray(body.vertices);
+      gl.deleteBuffer(body.values);
+      if (body.edges) gl.deleteVertexArray(body.edges);
+    }
+    this.#bodies = meshes.map(({ mesh, shift }) => {
+      const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
+      const values = this.#buffer(gl.ARRAY_BUFFER, new Float32Array(mesh.nodes.length / 2));
+      const vertices = this.#array([...buffers, values], mesh.triangles);
+      return { mesh, shift, vertices, values, edges: null, count: mesh.triangles.length };
+    });
+  }
+
+  /** @param {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} name */
+  choose(name) {
+    const { gl } = this;
+    for (const { mesh, values } of this.#bodies) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, values);
+      gl.bufferData(gl.ARRAY_BUFFER, mesh[name], gl.STATIC_DRAW);
+    }
+  }
+
+  /** @param {Scene} scene */
+  draw({ camera, bands, deformation, mirrored, lines, floor, plain }) {
+    const { gl, at } = this;
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.useProgram(this.program);
+    gl.uniform2f(at.centre, camera.x, camera.y);
+    gl.uniform2f(at.scale, (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height);
+    gl.uniform1f(at.deformation, deformation);
+    gl.uniform1f(at.low, bands.low);
+    gl.uniform1f(at.width, bands.step);
+    gl.uniform1f(at.bottom, floor);
+    gl.uniform1i(at.count, bands.colours.length);
+    gl.uniform3fv(at.colours, bands.colours.flat());
+    gl.uniform3fv(at.plain, plain);
+    for (const body of this.#bodies) {
+      gl.uniform1f(at.shift, body.shift);
+      for (const side of mirrored ? [1, -1] : [1]) {
+        gl.uniform1f(at.side, side);
+        gl.uniform4f(at.line, 0, 0, 0, 0);
+        gl.bindVertexArray(body.vertices);
+        gl.drawElements(gl.TRIANGLES, body.count, gl.UNSIGNED_INT, 0);
+        if (lines) this.#drawLines(body);
+      }
+    }
+    gl.bindVertexArray(null);
+  }
+
+  /** @param {Body} body */
+  #drawLines(body) {
+    const { gl, at } = this;
+    body.edges ??= this.#edges(body);
+    gl.uniform4f(at.line, 0.08, 0.09, 0.1, 1);
+    gl.bindVertexArray(body.edges);
+    gl.drawElements(gl.LINES, (body.count / 6) * 8, gl.UNSIGNED_INT, 0);
+  }
+
+  /** Four sides of each quadrilateral. @param {Body} body */
+  #edges({ mesh, values }) {
+    const { gl } = this;
+    const { triangles } = mesh;
+    const sides = new Uint32Array((triangles.length / 6) * 8);
+    for (let k = 0; k < triangles.length / 6; k++) {
+      const [a, b, c, d] = [triangles[6 * k], triangles[6 * k + 1], triangles[6 * k + 2], triangles[6 * k + 5]];
+      sides.set([a, b, b, c, c, d, d, a], 8 * k);
+    }
+    const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
+    return this.#array([...buffers, values], sides);
+  }
+
+  /** @param {WebGLBuffer[]} buffers nodes, displacements, values @param {Uint32Array} indices */
+  #array(buffers, indices) {
+    const { gl } = this;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    buffers.forEach((buffer, k) => {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.enableVertexAttribArray(k);
+      gl.vertexAttribPointer(k, k < 2 ? 2 : 1, gl.FLOAT, false, 0, 0);
+    });
+    this.#buffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.bindVertexArray(null);
+    return array;
+  }
+
+  /** @param {number} target @param {Float32Array | Uint32Array} data */
+  #buffer(target, data) {
+    const buffer = this.gl.createBuffer();
+    this.gl.bindBuffer(target, buffer);
+    this.gl.bufferData(target, data, this.gl.STATIC_DRAW);
+    return buffer;
+  }
+}
+
+/** @param {WebGL2RenderingContext} gl */
+function program(gl) {
+  const made = gl.createProgram();
+  for (const [type, source] of /** @type {const} */ ([[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+    const shader = gl.createShader(type);
+    if (!shader) throw new Error('the drawing context is lost');
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(made, shader);
+  }
+  gl.linkProgram(made);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? 'no shader');
+  return made;
+}

@@ -1,0 +1,62 @@
+/** Which triangle holds a point, and what a nodal field is there. */
+
+/** @typedef {import('../types.js').Mesh} Mesh */
+/** @typedef {{nodes: [number, number, number], weights: [number, number, number]}} Place */
+
+/**
+ * The triangle under a point of the deformed mesh. One look at every triangle: a millisecond for a hundred thousand.
+ * @param {Mesh} mesh
+ * @param {number} deformation
+ * @param {number} shift of its support
+ * @param {number} x
+ * @param {number} y
+ * @returns {Place | null}
+ */
+export function locate({ nodes, displacement, triangles }, deformation, shift, x, y) {
+  const px = (/** @type {number} */ n) => nodes[2 * n] + deformation * displacement[2 * n];
+  const py = (/** @type {number} */ n) => nodes[2 * n + 1] + deformation * (displacement[2 * n + 1] + shift);
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]];
+    const [ax, bx, cx] = [px(a), px(b), px(c)];
+    if ((x < ax && x < bx && x < cx) || (x > ax && x > bx && x > cx)) continue;
+    const [ay, by, cy] = [py(a), py(b), py(c)];
+    if ((y < ay && y < by && y < cy) || (y > ay && y > by && y > cy)) continue;
+    const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area;
+    const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
+    if (wb >= -1e-6 && wc >= -1e-6 && wb + wc <= 1 + 1e-6) return { nodes: [a, b, c], weights: [1 - wb - wc, wb, wc] };
+  }
+  return null;
+}
+
+/** @param {Place} place @param {Float32Array} values one for each node */
+export const valueAt = ({ nodes, weights }, values) =>
+  weights[0] * values[nodes[0]] + weights[1] * values[nodes[1]] + weights[2] * values[nodes[2]];
+
+/** @param {Place} place @param {Float32Array} vectors two for each node @returns {[number, number]} */
+export const vectorAt = ({ nodes, weights }, vectors) => /** @type {[number, number]} */ ([0, 1].map((axis) =>
+  weights.reduce((sum, weight, k) => sum + weight * vectors[2 * nodes[k] + axis], 0)));
+
+/**
+ * Polygons of the plastic zone with the displacement of every corner, to be drawn at any deformation.
+ * @param {[number, number][][]} outline points `[x, depth]`
+ * @param {Mesh} mesh
+ * @param {1 | -1} up 1 if depth is counted upward, as in the upper body
+ * @param {boolean} mirrored whether the mesh is the right half
+ * @returns {{x: number, y: number, u: number, v: number}[][]}
+ */
+export function carried(outline, mesh, up, mirrored) {
+  return outline.map((polygon) => polygon.map(([x, depth]) => {
+    const side = mirrored && x < 0 ? -1 : 1;
+    const place = locate(mesh, 0, 0, side * x, up * depth);
+    const [u, v] = place ? vectorAt(place, mesh.displacement) : [0, 0];
+    return { x, y: up * depth, u: side * u, v, found: place !== null };
+  })).map((polygon) => {
+    // A corner on the surface may lie a hair outside the mesh: it goes with its neighbour.
+    polygon.forEach((corner, k) => {
+      const neighbour = polygon[(k + polygon.length - 1) % polygon.length];
+      if (!corner.found && neighbour) [corner.u, corner.v] = [neighbour.u, neighbour.v];
+    });
+    return polygon;
+  });
+}

@@ -1,0 +1,75 @@
+/** Moving about in the field by mouse, finger and keyboard. */
+
+/** @typedef {import('./camera.js').Camera} Camera */
+
+const STEP = 40;
+const FACTOR = 1.25;
+
+/**
+ * @param {HTMLElement} element
+ * @param {Camera} camera
+ * @param {{moved: () => void, home: () => void, probe: (at: [number, number] | null) => void}} told
+ */
+export function steer(element, camera, told) {
+  const down = /** @type {Map<number, [number, number]>} */ (new Map());
+  const at = (/** @type {MouseEvent} */ event) => {
+    const box = element.getBoundingClientRect();
+    return /** @type {[number, number]} */ ([event.clientX - box.left, event.clientY - box.top]);
+  };
+  element.addEventListener('pointerdown', (event) => {
+    down.set(event.pointerId, at(event));
+    element.setPointerCapture(event.pointerId);
+  });
+  element.addEventListener('pointermove', (event) => {
+    const now = at(event);
+    const before = down.get(event.pointerId);
+    if (before) drag(camera, down, before, now, event.pointerId);
+    if (before) told.moved();
+    told.probe(now);
+  });
+  const up = (/** @type {PointerEvent} */ event) => down.delete(event.pointerId);
+  element.addEventListener('pointerup', up);
+  element.addEventListener('pointercancel', up);
+  element.addEventListener('pointerleave', () => told.probe(null));
+  element.addEventListener('dblclick', told.home);
+  // The page scrolls on over a field that has not been clicked.
+  element.addEventListener('wheel', (event) => {
+    if (document.activeElement !== element && !event.ctrlKey) return;
+    event.preventDefault();
+    camera.zoom(Math.exp(-event.deltaY / 400), ...at(event));
+    told.moved();
+  }, { passive: false });
+  element.addEventListener('keydown', (event) => key(event, camera, told));
+}
+
+/** One finger moves, two also stretch. @param {Camera} camera @param {Map<number, [number, number]>} down @param {[number, number]} before @param {[number, number]} now @param {number} id */
+function drag(camera, down, before, now, id) {
+  const other = [...down].find(([one]) => one !== id)?.[1];
+  if (other) {
+    const distance = (/** @type {[number, number]} */ [x, y]) => Math.hypot(x - other[0], y - other[1]);
+    camera.zoom(distance(now) / (distance(before) || 1), ...other);
+  } else {
+    camera.pan(now[0] - before[0], now[1] - before[1]);
+  }
+  down.set(id, now);
+}
+
+/** @param {KeyboardEvent} event @param {Camera} camera @param {{moved: () => void, home: () => void, probe: (at: [number, number]) => void}} told */
+function key(event, camera, told) {
+  const actions = /** @type {Record<string, () => void>} */ ({
+    ArrowLeft: () => camera.pan(STEP, 0),
+    ArrowRight: () => camera.pan(-STEP, 0),
+    ArrowUp: () => camera.pan(0, STEP),
+    ArrowDown: () => camera.pan(0, -STEP),
+    '+': () => camera.zoom(FACTOR),
+    '=': () => camera.zoom(FACTOR),
+    '-': () => camera.zoom(1 / FACTOR),
+    0: told.home,
+  });
+  const action = event.ctrlKey || event.metaKey ? undefined : actions[event.key];
+  if (!action) return;
+  event.preventDefault();
+  action();
+  told.moved();
+  told.probe([camera.width / 2, camera.height / 2]);
+}

@@ -1,0 +1,31 @@
+/**
+ * What the address says: `#job=ID` shows a job of this service, `#draft=…` carries a definition (deflated, base64url), which
+ * works on any service.
+ */
+
+/** @returns {{job?: string, draft?: string}} */
+export function read() {
+  const fragment = new URLSearchParams(location.hash.slice(1));
+  return { job: fragment.get('job') ?? undefined, draft: fragment.get('draft') ?? undefined };
+}
+
+/** @param {string} id @returns {string} */
+export const jobLink = (id) => new URL(`#job=${id}`, document.baseURI).href;
+
+/** @param {unknown} job @returns {Promise<string>} */
+export async function draftLink(job) {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(job)), new CompressionStream('deflate-raw'));
+  const text = btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return new URL(`#draft=${text}`, document.baseURI).href;
+}
+
+/** @param {string} text @returns {Promise<any>} */
+export async function unpack(text) {
+  const plain = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  const bytes = await through(Uint8Array.from(plain, (letter) => letter.charCodeAt(0)), new DecompressionStream('deflate-raw'));
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
+
+/** @param {Uint8Array<ArrayBuffer>} bytes @param {CompressionStream | DecompressionStream} stream */
+const through = async (bytes, stream) =>
+  new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());

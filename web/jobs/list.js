@@ -1,0 +1,97 @@
+/** The jobs of the service: state, tags, search, and which of them are laid over the one that is shown. */
+
+import { ask } from '../api/client.js';
+import { byId, debounce, h } from '../lib/dom.js';
+import { duration } from '../lib/units.js';
+import { NAMES, finished } from '../result/watch.js';
+
+/** @typedef {import('../types.js').JobDocument} JobDocument */
+
+const AGAIN = 5000;
+const PAGE = 30;
+
+export class JobList {
+  /** @type {JobDocument[]} */
+  #jobs = [];
+  /** @type {string | null} */
+  #next = null;
+  /** Jobs beyond the first page stay as they were fetched. */
+  #pages = 1;
+
+  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean, label: string) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} told */
+  constructor(told) {
+    this.told = told;
+    this.search = h('input', { type: 'search', placeholder: 'Search tags, ids; name:value', 'aria-label': 'Search jobs' });
+    this.status = h('select', { 'aria-label': 'State' }, h('option', { value: '' }, 'all states'),
+      Object.entries(NAMES).map(([value, name]) => h('option', { value }, name)));
+    byId('jobs-filter').append(this.search, this.status);
+    const again = () => { this.#pages = 1; this.refresh(); };
+    this.search.addEventListener('input', debounce(again, 250));
+    this.status.addEventListener('change', again);
+    byId('jobs-more').addEventListener('click', () => this.#more());
+    setInterval(() => { if (!byId('jobs').hidden && !document.hidden && this.#pages === 1) this.refresh(); }, AGAIN);
+  }
+
+  async refresh() {
+    if (byId('jobs').hidden) return;
+    await this.#fetch().then(({ jobs, next_cursor: next }) => {
+      this.#jobs = jobs;
+      this.#next = next;
+      this.#pages = 1;
+      this.show();
+    }, (error) => { byId('jobs-state').textContent = error.message; });
+  }
+
+  async #more() {
+    const { jobs, next_cursor: next } = await this.#fetch(this.#next);
+    this.#jobs.push(...jobs);
+    this.#next = next;
+    this.#pages += 1;
+    this.show();
+  }
+
+  /** @param {string | null} [cursor] */
+  #fetch(cursor) {
+    const query = new URLSearchParams({ limit: String(PAGE) });
+    if (this.status.value) query.set('status', this.status.value);
+    if (this.search.value.includes(':')) query.set('tag', this.search.value.trim());
+    if (cursor) query.set('cursor', cursor);
+    return ask(`v1/jobs?${query}`);
+  }
+
+  show() {
+    const wanted = this.search.value.includes(':') ? '' : this.search.value.trim().toLowerCase();
+    const jobs = this.#jobs.filter((job) => !wanted || JSON.stringify([job.id, job.tags ?? {}]).toLowerCase().includes(wanted));
+    byId('jobs-state').textContent = jobs.length ? `${jobs.length} shown` : '';
+    const nothing = wanted || this.status.value || this.search.value ? 'No job matches.' : 'No jobs yet. Solve one and it appears here.';
+    byId('jobs-list').replaceChildren(...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]));
+    byId('jobs-more').hidden = !this.#next;
+  }
+
+  /** @param {JobDocument} job */
+  #row(job) {
+    const label = labelOf(job);
+    const current = this.told.current() === job.id;
+    const compared = this.told.isCompared(job.id);
+    const box = h('input', {
+      type: 'checkbox', checked: Boolean(compared), disabled: current || !finished(job), 'aria-label': `Compare ${label}`, title: 'Lay over the one shown',
+      onchange: () => this.told.compare(job.id, box.checked, label),
+    });
+    if (compared) box.style.setProperty('accent-color', `var(${compared})`);
+    const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
+    const open = h('button', { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.told.open(job.id) },
+      h('span', { class: `dot ${job.status}` }), h('span', {}, NAMES[job.status]),
+      h('span', { class: 'quiet' }, `${job.progress.iterations} it.`), h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
+      h('code', { class: 'quiet' }, job.id.slice(-8)), tags);
+    return h('li', {}, box, open);
+  }
+}
+
+/** @param {{id: string, tags?: Record<string, string>}} job */
+export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
+
+/** @param {string} time */
+function age(time) {
+  const ms = Date.now() - Date.parse(time);
+  return ms < 5000 ? 'just now' : ms < 86400e3 ? `${duration(1000 * Math.round(ms / 1000)).replace('.00', '')} ago` : new Date(time).toLocaleDateString();
+}

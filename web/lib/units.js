@@ -1,0 +1,90 @@
+/** Quantities, their units in both systems, and how figures are written. */
+
+/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'strain' | 'stiffness' | 'line_stiffness'} Quantity */
+/** @typedef {'mm_N_MPa' | 'SI'} Units */
+
+/** @type {Record<Quantity, {mm_N_MPa: string, SI: string, factor: number}>} factor: SI figure of one mm_N_MPa unit */
+const QUANTITIES = {
+  length: { mm_N_MPa: 'mm', SI: 'm', factor: 1e-3 },
+  stress: { mm_N_MPa: 'MPa', SI: 'Pa', factor: 1e6 },
+  force: { mm_N_MPa: 'N', SI: 'N', factor: 1 },
+  line_force: { mm_N_MPa: 'N/mm', SI: 'N/m', factor: 1e3 },
+  area: { mm_N_MPa: 'mm²', SI: 'm²', factor: 1e-6 },
+  stiffness: { mm_N_MPa: 'N/mm', SI: 'N/m', factor: 1e3 },
+  line_stiffness: { mm_N_MPa: 'N/mm²', SI: 'N/m²', factor: 1e6 },
+  number: { mm_N_MPa: '', SI: '', factor: 1 },
+  strain: { mm_N_MPa: '', SI: '', factor: 1 },
+};
+
+/** @param {{units?: unknown}} job @returns {Units} */
+export const unitsOf = (job) => (job.units === 'SI' ? 'SI' : 'mm_N_MPa');
+
+/** @param {{analysis?: unknown}} job @returns {Quantity} of its load */
+export const forceOf = (job) => (job.analysis === 'axisymmetric' ? 'force' : 'line_force');
+
+/** @param {{analysis?: unknown}} job @returns {Quantity} of its dP/dα */
+export const stiffnessOf = (job) => (job.analysis === 'axisymmetric' ? 'stiffness' : 'line_stiffness');
+
+/** @param {Quantity} quantity @param {Units} units */
+export const unit = (quantity, units) => QUANTITIES[quantity][units];
+
+/**
+ * @param {number} value
+ * @param {Quantity} quantity
+ * @param {Units} from
+ * @param {Units} to
+ */
+export function convert(value, quantity, from, to) {
+  if (from === to) return value;
+  const { factor } = QUANTITIES[quantity];
+  const converted = to === 'SI' ? value * factor : value / factor;
+  return Number(converted.toPrecision(15));
+}
+
+/**
+ * Five significant figures, without an exponent where that reads well.
+ * @param {number | null | undefined} value
+ * @param {number} [digits]
+ */
+export function figure(value, digits = 5) {
+  if (value == null || !Number.isFinite(value)) return '—';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
+    return `${mantissa.replace('-', '−')}·10${superscript(Number(exponent))}`;
+  }
+  const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+  return value.toFixed(Math.min(places, 20)).replace('-', '−');
+}
+
+/**
+ * A round figure as short as it can be written.
+ * @param {number} value
+ */
+export function plain(value) {
+  const short = Number(value.toPrecision(6));
+  const size = Math.abs(short);
+  if (size === 0 || (size >= 1e-4 && size < 1e6)) return String(short).replace('-', '−');
+  const [mantissa, exponent] = short.toExponential().split('e');
+  const power = `10${superscript(Number(exponent))}`;
+  return (mantissa === '1' ? power : `${mantissa}·${power}`).replace('-', '−');
+}
+
+/** @param {number} exponent */
+const superscript = (exponent) =>
+  String(Number(exponent)).replace(/./g, (sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)]));
+
+/** @param {number | null | undefined} ratio */
+export const percent = (ratio, digits = 2) =>
+  ratio == null ? '—' : `${figure(100 * ratio, digits)} %`;
+
+/** @param {number} bytes */
+export const megabytes = (bytes) => `${figure(bytes / 1e6, bytes < 1e7 ? 2 : 3)} MB`;
+
+/** @param {number} count */
+export const grouped = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+
+/** @param {number} ms */
+export const duration = (ms) =>
+  ms < 1000 ? `${figure(ms, 3)} ms` : ms < 120e3 ? `${figure(ms / 1000, 3)} s` : `${Math.round(ms / 60e3)} min`;

@@ -1,0 +1,205 @@
+/** Curves by uPlot: the page's colours and type, a legend with units that reads out the point under the cursor, a picture to save. */
+
+import { h } from '../lib/dom.js';
+import { colour, onTheme } from '../lib/theme.js';
+import { figure, plain } from '../lib/units.js';
+
+/** @typedef {any} uPlot */
+/**
+ * @typedef {object} Curve
+ * @property {string} label
+ * @property {string} colour a custom property
+ * @property {number[]} x
+ * @property {(number | null)[]} y
+ * @property {boolean} [dashed]
+ * @property {boolean} [right] on the second ordinate
+ * @property {boolean} [points]
+ * @property {boolean} [filled]
+ *
+ * @typedef {object} Mark a line across
+ * @property {'x' | 'y'} across which axis it stands on
+ * @property {number} at
+ * @property {string} text
+ * @property {boolean} [left] where the text of a level line stands
+ * @property {string} [colour]
+ *
+ * @typedef {object} Plot
+ * @property {string} x label with unit
+ * @property {string} y label with unit
+ * @property {string} [right] label with unit
+ * @property {boolean} [log]
+ * @property {Curve[]} curves
+ * @property {Mark[]} [marks]
+ * @property {[number, number]} [range] of x to begin with
+ * @property {string} words what there is to see, for those who do not
+ */
+
+const FONT = '11px system-ui, sans-serif';
+
+export class Chart {
+  /** @type {Plot | undefined} */
+  #plot;
+  /** What the curves on the page are of: a hidden chart is drawn when it is seen again. @type {Plot | undefined} */
+  #drawn;
+  /** @type {uPlot} */
+  #uplot;
+
+  /** @param {number} [height] */
+  constructor(height = 240) {
+    this.height = height;
+    this.canvas = h('div', { class: 'plot', role: 'img' });
+    this.legend = h('ul', { class: 'legend' });
+    this.element = h('div', { class: 'chart' }, this.legend, this.canvas);
+    new ResizeObserver(() => this.#fit()).observe(this.canvas);
+    onTheme(() => this.#draw());
+  }
+
+  /** @param {Plot} plot */
+  show(plot) {
+    const kept = this.#drawn?.x === plot.x ? this.#zoom() : undefined;
+    this.#plot = plot;
+    this.canvas.setAttribute('aria-label', plot.words);
+    this.#draw(kept);
+  }
+
+  /** @returns {Promise<Blob | null>} a PNG on the page's ground */
+  async picture() {
+    if (!this.#uplot) return null;
+    const { canvas } = this.#uplot.ctx;
+    const copy = h('canvas', { width: canvas.width, height: canvas.height });
+    const context = copy.getContext('2d');
+    if (!context) return null;
+    context.fillStyle = colour('--panel');
+    context.fillRect(0, 0, copy.width, copy.height);
+    context.drawImage(canvas, 0, 0);
+    return new Promise((resolve) => copy.toBlob(resolve));
+  }
+
+  /** The cut-out that was dragged up, if it is one. */
+  #zoom() {
+    const { min, max } = this.#uplot.scales.x;
+    const [first, last] = home(/** @type {Plot} */ (this.#drawn));
+    const slack = 1e-9 * (last - first);
+    return min !== null && (min > first + slack || max < last - slack) ? [min, max] : undefined;
+  }
+
+  #fit() {
+    const width = this.canvas.clientWidth;
+    if (!width) return;
+    if (this.#drawn === this.#plot) this.#uplot?.setSize({ width, height: this.height });
+    else this.#draw();
+  }
+
+  /** @param {number[]} [zoom] */
+  #draw(zoom) {
+    const plot = this.#plot;
+    const width = this.canvas.clientWidth;
+    if (!plot || !width) return;
+    this.#uplot?.destroy();
+    const Plotter = /** @type {any} */ (globalThis).uPlot;
+    const tables = plot.curves.map(({ x, y }) => [x, y]);
+    const data = tables.length ? Plotter.join(tables) : [[], []];
+    this.#uplot = new Plotter(this.#options(plot, width), data, this.canvas);
+    this.#drawn = plot;
+    if (zoom) this.#uplot.setScale('x', { min: zoom[0], max: zoom[1] });
+    this.#read(null);
+  }
+
+  /** @param {Plot} plot @param {number} width */
+  #options(plot, width) {
+    const rule = { stroke: colour('--rule'), width: 1 };
+    const axis = { stroke: colour('--quiet'), font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, ticks: { ...rule, size: 4 } };
+    const values = (/** @type {any} */ _, /** @type {(number | null)[]} */ splits) => splits.map((value) => (value === null ? '' : plain(value)));
+    const grid = plot.log ? { ...rule, filter: decades } : rule;
+    return {
+      width, height: this.height, legend: { show: false },
+      padding: [10, plot.right ? 0 : 12, 0, 0],
+      cursor: { points: { size: 5 }, drag: { x: true, y: false, setScale: true } },
+      scales: { x: { time: false, ...(plot.range && { range: ranged(plot.range) }) }, y: { distr: plot.log ? 3 : 1 }, right: {} },
+      axes: [
+        { ...axis, label: plot.x, size: 26, grid: { show: false }, values },
+        { ...axis, label: plot.y, size: 48, grid, values, ...(plot.log && { filter: decades, ticks: { ...rule, size: 4, filter: decades } }) },
+        ...(plot.right ? [{ ...axis, label: plot.right, size: 52, scale: 'right', side: 1, grid: { show: false }, values }] : []),
+      ],
+      series: [{}, ...plot.curves.map((curve) => ({
+        scale: curve.right ? 'right' : 'y', stroke: colour(curve.colour), width: curve.dashed ? 1.25 : 1.75, spanGaps: true,
+        dash: curve.dashed ? [5, 4] : undefined, points: { show: Boolean(curve.points), size: 5, fill: colour(curve.colour) },
+        fill: curve.filled ? `${colour(curve.colour)}18` : undefined,
+      }))],
+      hooks: { draw: [(/** @type {uPlot} */ u) => drawMarks(u, plot.marks ?? [])], setCursor: [(/** @type {uPlot} */ u) => this.#read(u.cursor.idx)] },
+    };
+  }
+
+  /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
+  #read(index) {
+    const { curves } = this.#plot ?? { curves: [] };
+    const x = index == null ? null : this.#uplot?.data[0][index];
+    this.legend.replaceChildren(...curves.map((curve) => h('li', {},
+      swatch(curve), curve.label, x == null ? null : h('b', {}, figure(valueAt(curve, x), 4)))),
+      ...(x == null ? [] : [h('li', { class: 'at' }, `at ${figure(x, 4)}`)]));
+  }
+}
+
+/** The whole abscissa. @param {Plot} plot @returns {[number, number]} */
+const home = ({ range, curves }) =>
+  range ?? [Math.min(...curves.map(({ x }) => x[0])), Math.max(...curves.map(({ x }) => x[x.length - 1]))];
+
+/** @param {[number, number]} home */
+const ranged = (home) => (/** @type {uPlot} */ u, /** @type {number} */ min, /** @type {number} */ max) => {
+  const all = u.data[0];
+  const whole = min <= all[0] && max >= all[all.length - 1];
+  return whole ? home : [min, max];
+};
+
+/** @param {Curve} curve @param {number} x @returns {number | null} between its points */
+function valueAt(curve, x) {
+  const next = curve.x.findIndex((one) => one >= x);
+  if (next < 0) return null;
+  const [a, b] = [curve.y[next - 1], curve.y[next]];
+  if (curve.x[next] === x || a == null || b == null) return curve.x[next] === x ? b : null;
+  const t = (x - curve.x[next - 1]) / (curve.x[next] - curve.x[next - 1]);
+  return a + t * (b - a);
+}
+
+/** @param {Curve} curve */
+function swatch(curve) {
+  const line = h('span', { class: `swatch${curve.dashed ? ' dashed' : ''}` });
+  line.style.borderColor = `var(${curve.colour})`;
+  return line;
+}
+
+/** @param {number | null} value */
+const isDecade = (value) => value !== null && Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
+
+/** Only powers of ten are worth a line. @param {any} _ @param {(number | null)[]} splits */
+const decades = (_, splits) => splits.map((value) => (isDecade(value) ? value : null));
+
+/** @param {uPlot} u @param {Mark[]} marks */
+function drawMarks(u, marks) {
+  const { ctx, bbox } = u;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.lineWidth = ratio;
+  ctx.setLineDash([2 * ratio, 3 * ratio]);
+  ctx.font = `${11 * ratio}px system-ui, sans-serif`;
+  for (const mark of marks) {
+    const at = Math.round(u.valToPos(mark.at, mark.across, true));
+    const [from, to] = mark.across === 'x' ? [bbox.left, bbox.left + bbox.width] : [bbox.top, bbox.top + bbox.height];
+    if (!(at >= from && at <= to)) continue;
+    ctx.strokeStyle = ctx.fillStyle = colour(mark.colour ?? '--quiet');
+    ctx.beginPath();
+    if (mark.across === 'x') {
+      ctx.moveTo(at, bbox.top);
+      ctx.lineTo(at, bbox.top + bbox.height);
+    } else {
+      ctx.moveTo(bbox.left, at);
+      ctx.lineTo(bbox.left + bbox.width, at);
+    }
+    ctx.stroke();
+    const right = mark.across === 'y' ? !mark.left : at + ctx.measureText(mark.text).width + 8 * ratio > bbox.left + bbox.width;
+    const x = mark.across === 'x' ? at : right ? bbox.left + bbox.width : bbox.left;
+    ctx.textAlign = right ? 'right' : 'left';
+    ctx.fillText(mark.text, x + (right ? -4 : 4) * ratio, mark.across === 'x' ? bbox.top + 12 * ratio : at - 4 * ratio);
+  }
+  ctx.restore();
+}

@@ -1,0 +1,45 @@
+/** The iteration as it runs: what is left to do on a log axis, approach and peak pressure as they settle. */
+
+import { figure, unit } from '../lib/units.js';
+import { Chart } from './chart.js';
+import { Panel } from './panel.js';
+
+/** @typedef {import('../types.js').Iteration} Iteration */
+
+export class ConvergencePanel {
+  constructor() {
+    this.residual = new Chart(200);
+    this.settling = new Chart(140);
+    this.panel = new Panel('convergence', 'Convergence', [this.residual.element, this.settling.element], {
+      picture: () => this.residual.picture(),
+    });
+  }
+
+  /** @param {Iteration[]} history of all steps, one after the other @param {import('../lib/units.js').Units} units @param {number} tolerance */
+  show(history, units, tolerance) {
+    this.panel.show(history.length > 0);
+    if (history.length === 0) return;
+    const x = history.map((_, k) => k + 1);
+    const column = (/** @type {keyof Iteration} */ key) => history.map((record) => record[key]);
+    const positive = (/** @type {keyof Iteration} */ key) => column(key).map((value) => (value > 0 ? value : null));
+    const last = history[history.length - 1];
+    const points = history.length < 60;
+    this.residual.show({
+      x: 'iteration', y: 'relative', log: true,
+      curves: [
+        { label: 'out-of-balance force', colour: '--curve-1', x, y: positive('equilibrium_residual'), points },
+        { label: 'displacement change', colour: '--hertz', x, y: positive('displacement_change'), points },
+      ],
+      marks: [{ across: 'y', at: tolerance, text: 'tolerance', left: true }],
+      words: `After ${history.length} iterations the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
+    });
+    this.settling.show({
+      x: 'iteration', y: `α  [${unit('length', units)}]`, right: `peak p  [${unit('stress', units)}]`,
+      curves: [
+        { label: 'approach', colour: '--curve-2', x, y: column('approach'), points },
+        { label: 'peak pressure', colour: '--curve-1', x, y: column('peak_pressure'), right: true, points },
+      ],
+      words: `Approach ${figure(last.approach)} ${unit('length', units)}, peak pressure ${figure(last.peak_pressure)} ${unit('stress', units)} after the last iteration.`,
+    });
+  }
+}

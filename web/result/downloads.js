@@ -1,0 +1,43 @@
+/** What can be taken along. Files come by fetch, so that an API key goes with the question. */
+
+import { Problem, request } from '../api/client.js';
+import { h, toast } from '../lib/dom.js';
+
+/** @param {Blob} blob @param {string} name */
+export function save(blob, name) {
+  const url = URL.createObjectURL(blob);
+  h('a', { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields'][]} */
+const FILES = [
+  ['Result, JSON', 'result', 'result.json', 'nothing'],
+  ['Job, JSON', 'request', 'job.json', 'nothing'],
+  ['Pressure, CSV', 'pressure.csv', 'pressure.csv', 'nothing'],
+  ['Depth profiles, CSV', 'subsurface.csv', 'subsurface.csv', 'subsurface'],
+  ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
+  ['Pressure, SVG', 'pressure.svg', 'pressure.svg', 'nothing'],
+  ['Depth profiles, SVG', 'depth.svg', 'depth.svg', 'subsurface'],
+];
+
+/** @param {string} id @param {import('../types.js').Report} report */
+export function downloads(id, report) {
+  const step = report.steps[0];
+  const items = FILES.map(([name, path, file, needs]) => {
+    const there = needs === 'nothing' || step?.[needs] !== undefined;
+    const title = there ? '' : `The job did not ask for this (output.${needs})`;
+    return h('li', {}, h('button', { type: 'button', class: 'plain', disabled: !there, title, onclick: () => take(id, path, file) }, name));
+  });
+  return h('details', { class: 'menu' }, h('summary', {}, 'Download'), h('ul', {}, items));
+}
+
+/** @param {string} id @param {string} path @param {string} file */
+async function take(id, path, file) {
+  try {
+    const response = await request(`v1/jobs/${id}/${path}`);
+    save(await response.blob(), `${id.slice(-8)}-${file}`);
+  } catch (error) {
+    toast(`${file}: ${error instanceof Problem ? error.message : error}`);
+  }
+}

@@ -1,0 +1,48 @@
+/** Every iteration in figures. */
+
+import { h } from '../lib/dom.js';
+import { duration, figure, unit } from '../lib/units.js';
+import { Panel } from './panel.js';
+import { save } from './downloads.js';
+
+/** @typedef {import('../types.js').Iteration} Iteration */
+
+/** @type {[string, keyof Iteration, (value: number) => string, import('../lib/units.js').Quantity?][]} */
+const COLUMNS = [
+  ['', 'iteration', String],
+  ['out of balance', 'equilibrium_residual', (value) => figure(value, 3)],
+  ['displacement change', 'displacement_change', (value) => figure(value, 3)],
+  ['approach', 'approach', (value) => figure(value, 6), 'length'],
+  ['peak pressure', 'peak_pressure', (value) => figure(value, 6), 'stress'],
+  ['contact pairs', 'contact_pairs', String],
+  ['plastic points', 'plastic_points', String],
+  ['pivots', 'contact_pivots', String],
+  ['time', 'elapsed_ms', duration],
+];
+
+export class HistoryPanel {
+  /** @type {Iteration[]} */
+  #history = [];
+
+  constructor() {
+    this.table = h('table');
+    const csv = h('button', { type: 'button', class: 'plain', onclick: () => this.#save() }, 'CSV');
+    this.panel = new Panel('history', 'Iterations', [h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': 'panel-history-title' }, this.table)], { controls: [csv] });
+  }
+
+  /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units} units */
+  show(history, units) {
+    this.#history = history;
+    this.panel.show(history.length > 0);
+    const head = h('thead', {}, h('tr', {}, COLUMNS.map(([title, , , quantity]) =>
+      h('th', { scope: 'col' }, title, quantity && h('span', { class: 'unit' }, ` ${unit(quantity, units)}`)))));
+    const rows = history.map((record) => h('tr', {}, COLUMNS.map(([, key, write]) => h('td', {}, write(record[key])))));
+    this.table.replaceChildren(head, h('tbody', {}, rows));
+  }
+
+  #save() {
+    const keys = /** @type {(keyof Iteration)[]} */ (Object.keys(this.#history[0] ?? {}));
+    const lines = [keys.join(','), ...this.#history.map((record) => keys.map((key) => record[key]).join(','))];
+    save(new Blob([`${lines.join('\n')}\n`], { type: 'text/csv' }), 'history.csv');
+  }
+}

@@ -1,0 +1,58 @@
+/** Contact pressure over x, Hertz's beside it, half-widths marked. */
+
+import { figure, unit } from '../lib/units.js';
+import { Chart } from './chart.js';
+import { Panel } from './panel.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+
+export class PressurePanel {
+  constructor() {
+    this.chart = new Chart(290);
+    this.panel = new Panel('pressure', 'Contact pressure', [this.chart.element], { picture: () => this.chart.picture() });
+  }
+
+  /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units} units */
+  preview(hertz, units) {
+    this.chart.show({
+      x: `x  [${unit('length', units)}]`, y: `p  [${unit('stress', units)}]`, curves: [hertzCurve(hertz)], range: [-1.3 * hertz.half_width, 1.3 * hertz.half_width],
+      words: `Hertz, elastic: peak pressure ${figure(hertz.peak_pressure)} ${unit('stress', units)}, half-width ${figure(hertz.half_width)} ${unit('length', units)}.`,
+    });
+    this.panel.show(true);
+  }
+
+  /** @param {Shown[]} shown @param {number} at step of the first */
+  show(shown, at) {
+    const [first] = shown;
+    const step = first.report.steps[at];
+    const { units } = first.report;
+    const curves = shown.flatMap((one, k) => {
+      const { nodes } = (k === 0 ? step : one.report.steps[one.report.steps.length - 1]).contact;
+      return { label: shown.length > 1 ? one.label : 'this contact', colour: one.colour, x: nodes.x, y: nodes.pressure, filled: shown.length === 1 };
+    });
+    const { hertz, contact } = step;
+    if (hertz) curves.push({ ...hertzCurve(hertz), ...{ filled: false } });
+    const marks = contact.patches.flatMap(({ left, right }) => [left, right]).map((x) => mark(x, units, contact.half_width));
+    const reach = Math.max(contact.half_width, hertz?.half_width ?? 0, ...shown.map((one) => one.report.steps[one.report.steps.length - 1].contact.half_width)) * 1.3;
+    this.chart.show({
+      x: `x  [${unit('length', units)}]`, y: `p  [${unit('stress', units)}]`, curves, marks,
+      range: reach > 0 && contact.patches.length < 2 ? [-reach, reach] : undefined,
+      words: `Contact pressure over x: highest ${figure(contact.peak_pressure)} ${unit('stress', units)}, half-width ${figure(contact.half_width)} ${unit('length', units)}${
+        hertz ? `; Hertz, elastic: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''}.`,
+    });
+    this.panel.show(true);
+  }
+}
+
+/** @param {number} x @param {import('../lib/units.js').Units} units @param {number} half */
+const mark = (x, units, half) =>
+  ({ across: /** @type {const} */ ('x'), at: x, text: Math.abs(x - half) < 1e-9 * half ? `a ${figure(half, 4)} ${unit('length', units)}` : '' });
+
+/** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz */
+function hertzCurve({ half_width, peak_pressure }) {
+  const angles = Array.from({ length: 121 }, (_, k) => Math.PI * (k / 120 - 0.5));
+  return {
+    label: 'Hertz, elastic', colour: '--hertz', dashed: true,
+    x: angles.map((angle) => half_width * Math.sin(angle)), y: angles.map((angle) => peak_pressure * Math.cos(angle)),
+  };
+}

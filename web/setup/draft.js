@@ -1,0 +1,79 @@
+/** The job being set up: one document that the form, the JSON and the sketch show and change. */
+
+import { convert, forceOf } from '../lib/units.js';
+import * as pointer from '../lib/pointer.js';
+import { ELASTIC, LAWS, LOADS, SHAPES, lawOf, loadOf } from './fields.js';
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {import('../lib/units.js').Units} Units */
+/** @typedef {import('../lib/units.js').Quantity} Quantity */
+
+/** Tells of every change by an event `change`, whose detail is who made it. */
+export class Draft extends EventTarget {
+  /** @type {Job} */
+  job = {};
+
+  /** @param {string} place a JSON pointer @param {unknown} value `undefined` removes @param {string} source */
+  set(place, value, source) {
+    pointer.set(this.job, place, value);
+    this.#changed(source);
+  }
+
+  /** @param {Job} job @param {string} source */
+  replace(job, source) {
+    this.job = structuredClone(job);
+    this.#changed(source);
+  }
+
+  /** The same physics in other units. @param {Units} units @param {string} source */
+  changeUnits(units, source) {
+    const from = this.job.units === 'SI' ? 'SI' : 'mm_N_MPa';
+    for (const [place, quantity] of dimensional(this.job)) {
+      const value = pointer.get(this.job, place);
+      if (typeof value === 'number') pointer.set(this.job, place, convert(value, quantity, from, units));
+    }
+    this.set('/units', units, source);
+  }
+
+  /** @param {string} source */
+  #changed(source) {
+    this.dispatchEvent(new CustomEvent('change', { detail: source }));
+  }
+}
+
+/**
+ * Every figure of a job that has a unit.
+ * @param {Job} job
+ * @returns {Generator<[string, Quantity]>} pointer and quantity
+ */
+function* dimensional(job) {
+  for (const body of ['/upper', '/lower']) {
+    const shape = pointer.get(job, `${body}/shape`);
+    const material = pointer.get(job, `${body}/material`);
+    yield* within(job, `${body}/shape`, SHAPES[shape?.type]?.fields ?? []);
+    yield* within(job, `${body}/material`, ELASTIC);
+    yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)].fields);
+  }
+  const { field } = LOADS[loadOf(job.load)];
+  if (field) yield* within(job, '/load', [{ ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity }]);
+}
+
+/**
+ * @param {Job} job
+ * @param {string} parent
+ * @param {import('./fields.js').Field[]} fields
+ * @returns {Generator<[string, Quantity]>}
+ */
+function* within(job, parent, fields) {
+  for (const field of fields) {
+    const place = `${parent}/${field.key}`;
+    const value = pointer.get(job, place);
+    if (field.pair && Array.isArray(value)) {
+      for (const k of value.keys()) yield* /** @type {[string, Quantity][]} */ (field.pair.map((quantity, j) => [`${place}/${k}/${j}`, quantity]));
+    } else if (Array.isArray(value)) {
+      for (const k of value.keys()) yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];
+    } else if (field.quantity) {
+      yield [place, /** @type {Quantity} */ (field.quantity)];
+    }
+  }
+}

@@ -1,0 +1,47 @@
+/** The job as text beside the form, in step with it both ways. */
+
+import { byId, debounce } from '../lib/dom.js';
+
+const SOURCE = 'json';
+
+/** @param {import('./draft.js').Draft} draft */
+export function startJson(draft) {
+  const text = byId('json-text') instanceof HTMLTextAreaElement ? /** @type {HTMLTextAreaElement} */ (byId('json-text')) : undefined;
+  const state = byId('json-state');
+  if (!text) return;
+  draft.addEventListener('change', (event) => {
+    if (/** @type {CustomEvent} */ (event).detail !== SOURCE) text.value = print(draft.job);
+    text.removeAttribute('aria-invalid');
+    state.textContent = 'in step';
+  });
+  text.addEventListener('input', debounce(() => {
+    try {
+      const job = JSON.parse(text.value);
+      if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
+      draft.replace(job, SOURCE);
+    } catch (error) {
+      text.setAttribute('aria-invalid', 'true');
+      state.textContent = /** @type {Error} */ (error).message;
+    }
+  }, 200));
+}
+
+/** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */
+export function print(value, indent = '') {
+  const flat = JSON.stringify(value);
+  if (value === null || typeof value !== 'object' || (flat.length < 56 && !/[[{].*[[{].*[[{]/.test(flat))) {
+    return value !== null && typeof value === 'object' ? spaced(value) : flat;
+  }
+  const deeper = `${indent}  `;
+  if (Array.isArray(value)) return `[\n${value.map((one) => deeper + print(one, deeper)).join(',\n')}\n${indent}]`;
+  const entries = Object.entries(value).map(([key, one]) => `${deeper}${JSON.stringify(key)}: ${print(one, deeper)}`);
+  return `{\n${entries.join(',\n')}\n${indent}}`;
+}
+
+/** @param {object} value @returns {string} */
+function spaced(value) {
+  const inner = (/** @type {unknown} */ one) => (one !== null && typeof one === 'object' ? spaced(one) : JSON.stringify(one));
+  if (Array.isArray(value)) return `[${value.map(inner).join(', ')}]`;
+  const entries = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${inner(one)}`);
+  return entries.length ? `{ ${entries.join(', ')} }` : '{}';
+}

@@ -1,0 +1,68 @@
+/**
+ * A few materials with the source of every figure. Strengths are the least that a standard grants, in MPa; a part in hand may
+ * be stronger. They are a start, not a substitute for a test of one's own.
+ */
+
+import { same } from '../lib/pointer.js';
+import { convert } from '../lib/units.js';
+
+/** @typedef {{name: string, source: string, material: Record<string, any>}} Preset */
+
+/** Strain hardening of E/100, which EN 1993-1-5, C.6, allows for steels. */
+const EC3 = 'E, ν: EN 1993-1-1, 3.2.6; hardening E/100: EN 1993-1-5, C.6';
+
+/** @param {number} strength @returns {Record<string, any>} */
+const steel = (strength) => ({
+  young_modulus: 210000,
+  poisson_ratio: 0.3,
+  plasticity: { law: 'bilinear', yield_stress: strength, tangent_modulus: 2100 },
+});
+
+/** @type {Preset[]} */
+export const PRESETS = [
+  { name: 'Steel S235', source: `R_eH 235 MPa: EN 10025-2, up to 16 mm. ${EC3}`, material: steel(235) },
+  { name: 'Steel S355', source: `R_eH 355 MPa: EN 10025-2, up to 16 mm. ${EC3}`, material: steel(355) },
+  { name: 'Steel C45E +QT', source: `R_e 430 MPa: EN 10083-2, 16 to 40 mm. ${EC3}`, material: steel(430) },
+  { name: 'Steel 42CrMo4 +QT', source: `R_e 750 MPa: EN 10083-3, 16 to 40 mm. ${EC3}`, material: steel(750) },
+  {
+    name: 'Bearing steel, elastic',
+    source: 'E, ν as in ISO/TS 16281. No yield: hardened rings vary too much for a figure.',
+    material: { young_modulus: 207000, poisson_ratio: 0.3 },
+  },
+  {
+    name: 'Bronze CuSn7Zn2Pb3-C',
+    source: 'R_p0.2 130 MPa (EN 1982, sand cast), E 90–96 GPa: Kemper data sheet. ν 0.34 assumed, no hardening.',
+    material: { young_modulus: 93000, poisson_ratio: 0.34, plasticity: { law: 'bilinear', yield_stress: 130, tangent_modulus: 0 } },
+  },
+  {
+    name: 'Aluminium EN AW-6061 T6',
+    source: 'f_0 240 MPa, n_p 55: EN 1999-1-1, table 3.2b; a = 0.002 E/f_0. E, ν: EN 1999-1-1, 3.2.5',
+    material: {
+      young_modulus: 70000, poisson_ratio: 0.3,
+      plasticity: { law: 'ramberg_osgood', reference_stress: 240, offset: 0.583333, exponent: 55 },
+    },
+  },
+  {
+    name: 'Reference problem',
+    source: 'Jiang and Shang’s cylinders: σ_y 500 MPa, E_t = E/20.',
+    material: {
+      young_modulus: 210000, poisson_ratio: 0.3,
+      plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+    },
+  },
+];
+
+const STRESSES = new Set(['young_modulus', 'yield_stress', 'tangent_modulus', 'reference_stress']);
+
+/** @param {any} value @param {import('../lib/units.js').Units} units @returns {any} */
+function inUnits(value, units) {
+  const entry = (/** @type {[string, any]} */ [key, figure]) => [key,
+    typeof figure === 'object' ? inUnits(figure, units) : STRESSES.has(key) ? convert(figure, 'stress', 'mm_N_MPa', units) : figure];
+  return Object.fromEntries(Object.entries(value).map(entry));
+}
+
+/** @param {Preset} preset @param {import('../lib/units.js').Units} units */
+export const materialOf = (preset, units) => inUnits(preset.material, units);
+
+/** @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset | undefined} that it is */
+export const presetOf = (material, units) => PRESETS.find((preset) => same(materialOf(preset, units), material));

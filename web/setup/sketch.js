@@ -1,0 +1,119 @@
+/** The two bodies to scale, how they are held, what presses them, and how wide Hertz's contact is. */
+
+import { byId, svg } from '../lib/dom.js';
+import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { loadOf } from './fields.js';
+import { outline } from './outline.js';
+
+/** @typedef {import('./outline.js').Outline} Outline */
+/** @typedef {import('./check.js').Hertz} Hertz */
+/** @typedef {(x: number, y: number) => [number, number]} Scale from the section to the picture */
+
+const [WIDTH, HEIGHT, MARGIN, SIDES] = [380, 216, 22, 44];
+
+/** @param {import('./draft.js').Draft} draft */
+export function startSketch(draft) {
+  const place = byId('sketch');
+  let hertz = /** @type {Hertz | null} */ (null);
+  const draw = () => place.replaceChildren(picture(draft.job, hertz));
+  draft.addEventListener('change', draw);
+  return (/** @type {Hertz | null} */ told) => {
+    hertz = told;
+    draw();
+  };
+}
+
+/** @param {import('../types.js').Job} job @param {Hertz | null} hertz */
+function picture(job, hertz) {
+  const bodies = [outline(job.upper?.shape), outline(job.lower?.shape)];
+  const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
+  const drawn = bodies.filter((body) => body !== null);
+  if (drawn.length === 0) return root;
+  const scale = fit(bodies[0], bodies[1]);
+  bodies.forEach((body, k) => {
+    const name = k === 0 ? 'upper' : 'lower';
+    if (body) root.append(...drawBody(body, k === 0 ? -1 : 1, job[name], scale, unit('length', unitsOf(job))));
+  });
+  if (job.analysis === 'axisymmetric') {
+    root.append(svg('line', { class: 'axis', x1: WIDTH / 2, x2: WIDTH / 2, y1: 6, y2: HEIGHT - 6 }));
+  }
+  root.append(...load(job, bodies[0], scale), ...contact(job, hertz, scale));
+  return root;
+}
+
+/** @param {Outline | null} upper @param {Outline | null} lower @returns {Scale} */
+function fit(upper, lower) {
+  const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...(body?.surface ?? []).map(([x]) => Math.abs(x)));
+  const top = Math.max(-(upper?.base ?? 0), ...(lower?.surface ?? []).map(([, h]) => h));
+  const bottom = Math.min(lower?.base ?? 0, ...(upper?.surface ?? []).map(([, h]) => -h));
+  const size = Math.min((WIDTH - 2 * SIDES) / (2 * Math.max(reach(upper), reach(lower)) || 1), (HEIGHT - 2 * MARGIN) / (top - bottom || 1));
+  const middle = (top + bottom) / 2;
+  return (x, y) => [WIDTH / 2 + x * size, HEIGHT / 2 - (y - middle) * size];
+}
+
+/**
+ * @param {Outline} body
+ * @param {1 | -1} up whether its heights are the section's
+ * @param {Record<string, any>} of
+ * @param {Scale} scale
+ * @param {string} length its unit
+ */
+function drawBody(body, up, of, scale, length) {
+  const points = body.surface.map(([x, h]) => scale(x, up * h));
+  const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
+  const corners = [scale(right, up * body.base), scale(left, up * body.base)];
+  const path = `M${[...points, ...corners].map((point) => point.map((c) => c.toFixed(2)).join(' ')).join('L')}Z`;
+  const [[x1, y], [x0]] = corners;
+  const type = of?.shape?.type;
+  const size = type === 'cylinder' ? `R ${plain(Number(of.shape.radius))} ${length}`
+    : type === 'groove' ? `groove R ${plain(Number(of.shape.radius))} ${length}` : `${plain(right - left)} × ${plain(-body.base)} ${length}`;
+  return [
+    svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
+    ...support(x0, x1, y, up, of?.support === 'roller'),
+    svg('text', { x: WIDTH / 2, y: y - up * 12 + 4, class: 'size' }, size),
+  ];
+}
+
+/** @param {number} x0 @param {number} x1 @param {number} y @param {1 | -1} up @param {boolean} roller */
+function support(x0, x1, y, up, roller) {
+  const many = Math.max(4, Math.round((x1 - x0) / 9));
+  const at = (/** @type {number} */ k) => x0 + ((x1 - x0) * (k + 0.5)) / many;
+  const ticks = Array.from({ length: many }, (_, k) => roller
+    ? svg('circle', { class: 'support', cx: at(k), cy: y + up * 3, r: 2.2 })
+    : svg('path', { class: 'support', d: `M${at(k) + 3} ${y}l-6 ${up * 6}` }));
+  return [svg('line', { class: 'held', x1: x0, x2: x1, y1: y, y2: y }), ...ticks];
+}
+
+/** @param {import('../types.js').Job} job @param {Outline | null} upper @param {Scale} scale */
+function load(job, upper, scale) {
+  if (!upper) return [];
+  const [x, y] = scale(0, -upper.base);
+  const units = unitsOf(job);
+  const kind = loadOf(job.load);
+  const value = job.load?.[kind];
+  const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
+  const figures = Array.isArray(value) ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}` : plain(Number(value));
+  const text = kind === 'onset' ? 'P = ? (first yield)' : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
+  return [
+    svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
+    svg('text', { x: x + 8, y: y - 9, class: 'load' }, text),
+  ];
+}
+
+/** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale */
+function contact(job, hertz, scale) {
+  const width = Math.max(0, ...(hertz?.steps ?? []).map((step) => step.half_width));
+  const [x, y] = scale(0, 0);
+  if (width === 0) return [svg('circle', { class: 'contact', cx: x, cy: y, r: 2.500 })];
+  const half = Math.max(1.5, scale(width, 0)[0] - x);
+  return [
+    svg('line', { class: 'contact', x1: x - half, x2: x + half, y1: y, y2: y }),
+    svg('path', { class: 'leader', d: `M${x + half + 2} ${y}H${WIDTH - 88}` }),
+    svg('text', { x: WIDTH - 4, y: y - 4, class: 'note' }, 'Hertz'),
+    svg('text', { x: WIDTH - 4, y: y + 10, class: 'note' }, `2a ${figure(2 * width, 3)} ${unit('length', unitsOf(job))}`),
+  ];
+}
+
+/** @param {import('../types.js').Job} job */
+const words = (job) =>
+  `Section through the contact, to scale: ${job.upper?.shape?.type ?? 'nothing'} above, ${job.lower?.shape?.type ?? 'nothing'} below.`;
