@@ -20,8 +20,8 @@ import { steer } from './pointer.js';
 const QUANTITIES = {
   von_mises: 'von Mises stress', equivalent_plastic_strain: 'plastic strain', sigma_x: 'σx', sigma_y: 'σy', sigma_z: 'σz', tau_xy: 'τxy',
 };
-/** Where the field is small the eye needs no band: elastic parts of a plastic-strain picture stay plain. */
-const PLAIN = 1e-3;
+/** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
+const PLAIN = 0.02;
 const LOUPE = [0, 1, 2, 5, 10, 20];
 
 export class FieldPanel {
@@ -143,7 +143,7 @@ export class FieldPanel {
       const swatch = h('li', {}, plain(first + (k + 1) * step));
       swatch.style.setProperty('--band', `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`);
       return swatch;
-    }).reverse(), h('li', { class: 'unit' }, this.#unit() || '1'));
+    }).reverse(), ...(this.#unit() ? [h('li', { class: 'unit' }, this.#unit())] : []));
     this.over.setAttribute('aria-label', `Field of ${QUANTITIES[this.#quantity]}, from ${figure(low, 4)} to ${figure(high, 4)} ${this.#unit()}.`);
     this.#later();
   }
@@ -189,7 +189,7 @@ export class FieldPanel {
     if (meshes) this.#drawMeshes(this.#renderer, report);
     drawOverlay(this.over, {
       camera: this.#camera, deformation: this.#deformation,
-      zones: this.#bodies, ends: step.contact.patches.flatMap(({ left, right }) => [left, right]),
+      zones: this.#bodies, ends: step.contact.patches.flatMap(({ left, right }) => (report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right])).filter((x) => x !== 0),
       cross: this.#probe, length: unit('length', report.units),
     });
     this.#read(report);

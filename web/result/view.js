@@ -42,7 +42,7 @@ export class View {
   /** Before anything is solved. @param {import('../setup/check.js').Hertz | null} hertz @param {import('../types.js').Job} job */
   preview(hertz, job) {
     const highest = hertz?.steps.reduce((a, b) => (b.force > a.force ? b : a), hertz.steps[0]);
-    if (highest) this.pressure.preview(highest, unitsOf(job));
+    if (highest) this.pressure.preview(highest, unitsOf(job), job.analysis === 'axisymmetric');
     else this.pressure.panel.show(false);
   }
 

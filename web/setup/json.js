@@ -29,7 +29,7 @@ export function startJson(draft) {
 /** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */
 export function print(value, indent = '') {
   const flat = JSON.stringify(value);
-  if (value === null || typeof value !== 'object' || (flat.length < 56 && !/[[{].*[[{].*[[{]/.test(flat))) {
+  if (value === null || typeof value !== 'object' || (flat.length < 40 && !/[[{].*[[{].*[[{]/.test(flat))) {
     return value !== null && typeof value === 'object' ? spaced(value) : flat;
   }
   const deeper = `${indent}  `;

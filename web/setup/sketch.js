@@ -70,7 +70,7 @@ function drawBody(body, up, of, scale, length) {
   return [
     svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
     ...support(x0, x1, y, up, of?.support === 'roller'),
-    svg('text', { x: WIDTH / 2, y: y - up * 12 + 4, class: 'size' }, size),
+    svg('text', { x: 8, y: (y + scale(0, 0)[1]) / 2 + 4 }, size),
   ];
 }
 
