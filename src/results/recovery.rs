@@ -9,9 +9,12 @@
 //! O. C. Zienkiewicz, J. Z. Zhu, *The superconvergent patch recovery and a posteriori error estimates*, Int. J.
 //! Numer. Meth. Engng 33 (1992) 1331–1364.
 
+use std::collections::HashMap;
+
 use crate::assembly::GaussPoint;
 use crate::element::QUADRATURE_POINTS;
 use crate::linalg::dense::DenseCholesky;
+use crate::mesh::Mesh;
 use crate::solve::BodySolution;
 
 /// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p]` at a point \[MPa, MPa, MPa, MPa, 1\].
@@ -21,23 +24,49 @@ pub(super) type Values = [f64; 5];
 pub(super) struct Recovery<'a> {
     body: &'a BodySolution,
     symmetric: bool,
-    elements_of_node: Vec<Vec<u32>>,
-    /// Centroid and mean values of each element.
-    means: Vec<([f64; 2], Values)>,
-    at_node: Vec<Option<Values>>,
+    elements_around: ElementsAround,
+    at_node: HashMap<u32, Values>,
+}
+
+/// The elements around each node: those of node `k` are `elements[offsets[k]..offsets[k + 1]]`.
+struct ElementsAround {
+    offsets: Vec<u32>,
+    elements: Vec<u32>,
+}
+
+impl ElementsAround {
+    fn of(mesh: &Mesh) -> Self {
+        // The first entry of a node serves as the place of its next element while they are filled in.
+        let mut offsets = vec![0u32; mesh.nodes.len() + 2];
+        for &node in mesh.elements.iter().flatten() {
+            offsets[node as usize + 2] += 1;
+        }
+        let mut total = 0;
+        for offset in &mut offsets {
+            total += *offset;
+            *offset = total;
+        }
+        let mut elements = vec![0; 4 * mesh.elements.len()];
+        for (element, nodes) in (0u32..).zip(&mesh.elements) {
+            for &node in nodes {
+                let place = &mut offsets[node as usize + 1];
+                elements[*place as usize] = element;
+                *place += 1;
+            }
+        }
+        Self { offsets, elements }
+    }
+
+    fn node(&self, node: u32) -> &[u32] {
+        let range = self.offsets[node as usize]..self.offsets[node as usize + 1];
+        &self.elements[range.start as usize..range.end as usize]
+    }
 }
 
 impl<'a> Recovery<'a> {
     pub fn new(body: &'a BodySolution, symmetric: bool) -> Self {
-        let mut elements_of_node = vec![Vec::new(); body.mesh.nodes.len()];
-        for (element, nodes) in (0u32..).zip(&body.mesh.elements) {
-            for &node in nodes {
-                elements_of_node[node as usize].push(element);
-            }
-        }
-        let means = body.stress.points.iter().map(element_mean).collect();
-        let at_node = vec![None; body.mesh.nodes.len()];
-        Self { body, symmetric, elements_of_node, means, at_node }
+        let elements_around = ElementsAround::of(&body.mesh);
+        Self { body, symmetric, elements_around, at_node: HashMap::new() }
     }
 
     /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh.
@@ -58,11 +87,11 @@ impl<'a> Recovery<'a> {
 
     /// Values at a node.
     pub fn node(&mut self, node: u32) -> Values {
-        if let Some(values) = self.at_node[node as usize] {
-            return values;
+        if let Some(values) = self.at_node.get(&node) {
+            return *values;
         }
         let values = self.fit(node);
-        self.at_node[node as usize] = Some(values);
+        self.at_node.insert(node, values);
         values
     }
 
@@ -80,22 +109,23 @@ impl<'a> Recovery<'a> {
 
     /// The elements around a node.
     pub fn elements_of(&self, node: u32) -> &[u32] {
-        &self.elements_of_node[node as usize]
+        self.elements_around.node(node)
     }
 
     fn fit(&self, node: u32) -> Values {
         let centre = self.body.mesh.nodes[node as usize];
         let on_axis = self.symmetric && centre[0] == 0.0;
-        let own = &self.elements_of_node[node as usize];
-        let mut patch = own.clone();
+        let own = self.elements_of(node);
+        let mut patch = own.to_vec();
         // An interior node has four elements, one on the axis two and their images.
         if own.len() * if on_axis { 2 } else { 1 } < 4 {
             let nodes = own.iter().flat_map(|&e| self.body.mesh.elements[e as usize]);
-            patch = nodes.flat_map(|n| self.elements_of_node[n as usize].iter().copied()).collect();
+            patch = nodes.flat_map(|n| self.elements_of(n).iter().copied()).collect();
             patch.sort_unstable();
             patch.dedup();
         }
-        let mut samples: Vec<([f64; 2], Values)> = patch.iter().map(|&e| self.means[e as usize]).collect();
+        let mut samples: Vec<([f64; 2], Values)> =
+            patch.iter().map(|&e| element_mean(&self.body.stress.points[e as usize])).collect();
         if on_axis {
             let images = samples.clone();
             samples.extend(images.into_iter().map(|([x, y], mut values)| {
