@@ -12,6 +12,7 @@ mod memory_bounds;
 mod names;
 mod queue;
 mod subject;
+mod upgrade;
 
 /// `contract!(name, start)`: all promises, each on a store of its own.
 macro_rules! contract {

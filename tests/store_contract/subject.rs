@@ -78,9 +78,13 @@ impl Subject {
     }
 
     pub async fn sqlite() -> Self {
+        Self::at(Self::directory(), clock()).await
+    }
+
+    /// A directory for a store of its own.
+    pub fn directory() -> Place {
         let name = format!("brinell-test-{}", JobId::generate());
-        let directory = Scratch(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name));
-        Self::at(Place::Directory(Arc::new(directory)), clock()).await
+        Place::Directory(Arc::new(Scratch(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name))))
     }
 
     /// SQLite's, with jobs that somebody waits for.
@@ -158,7 +162,7 @@ impl Subject {
     }
 }
 
-fn clock() -> Arc<TestClock> {
+pub fn clock() -> Arc<TestClock> {
     Arc::new(TestClock(Mutex::new("2026-01-01T00:00:00Z".parse().unwrap())))
 }
 
