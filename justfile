@@ -62,6 +62,27 @@ python-client:
     cargo build
     scripts/python_client/run.sh
 
+# The files in deploy/, against their schemas
+deploy-check:
+    cargo build
+    python3 -m venv target/venv
+    target/venv/bin/pip install --quiet -r deploy/requirements.txt
+    target/venv/bin/python deploy/check.py
+
+# The image: built, hardened, solving, stopping (docker or podman)
+container:
+    tests/container.sh
+
+# Licences and sources of the dependencies (cargo-deny)
+deny:
+    cargo deny check licenses bans sources
+
+# POST /v1/solve under load against the same jobs without a service (wrk)
+throughput:
+    cargo build --release
+    cargo build --release --example in_process
+    scripts/throughput.py
+
 # Five minutes of nonsense for the job parser (nightly Rust and cargo-fuzz)
 fuzz:
     cargo +nightly fuzz run parse_job fuzz/corpus/parse_job api/examples -- -dict=fuzz/job.dict -max_total_time=300
