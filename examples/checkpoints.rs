@@ -65,15 +65,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let report = results::run(&job, &mut watch)?;
     watch.asked.push(spent());
     let (begin, end) = (watch.asked[0], watch.asked[watch.asked.len() - 1]);
-    let whole = end - begin;
+    let whole = end.saturating_sub(begin);
     println!(
         "{} equations, {:.2} s, asked {} times",
         report.mesh.equations,
         whole.as_secs_f64(),
         watch.asked.len() - 2
     );
-    let mut gaps: Vec<(Duration, Duration)> =
-        watch.asked.windows(2).map(|pair| (pair[1] - pair[0], pair[1] - begin)).collect();
+    let mut gaps: Vec<(Duration, Duration)> = watch
+        .asked
+        .windows(2)
+        .map(|pair| (pair[1].saturating_sub(pair[0]), pair[1].saturating_sub(begin)))
+        .collect();
     gaps.sort();
     for (gap, end) in gaps.iter().rev().take(8) {
         println!("  {:7.1} ms until {:6.2} s", 1e3 * gap.as_secs_f64(), end.as_secs_f64());

@@ -1,0 +1,37 @@
+# docker build -t brinell .
+# docker run --read-only --cap-drop ALL -p 127.0.0.1:8080:8080 -v brinell:/var/lib/brinell -e BRINELL_ALLOW_ANONYMOUS=true brinell
+
+FROM rust:1.95-slim-bookworm AS build
+WORKDIR /build
+ENV CARGO_PROFILE_RELEASE_STRIP=symbols
+# The libraries by themselves: this layer lasts until Cargo.lock changes.
+COPY Cargo.toml Cargo.lock ./
+RUN mkdir src benches \
+ && echo 'fn main() {}' | tee src/main.rs benches/paper_tables.rs benches/solve.rs >/dev/null \
+ && touch src/lib.rs \
+ && cargo build --release --locked --bin brinell \
+ && rm -r src benches
+COPY . .
+# Copied files keep their times, and cargo goes by those.
+RUN touch src/lib.rs src/main.rs && cargo build --release --locked --bin brinell && mkdir /data
+
+FROM debian:bookworm-slim
+ARG VERSION=0.1.0
+LABEL org.opencontainers.image.title="brinell" \
+      org.opencontainers.image.description="Elasto-plastic contact between two bodies as an HTTP service" \
+      org.opencontainers.image.version="${VERSION}" \
+      org.opencontainers.image.licenses="MIT OR Apache-2.0"
+COPY --from=build /build/target/release/brinell /usr/local/bin/brinell
+COPY LICENSE-MIT LICENSE-APACHE /usr/share/doc/brinell/
+# A number, so that an orchestrator can see that it is not root.
+COPY --from=build --chown=10001:10001 /data /var/lib/brinell
+USER 10001:10001
+ENV BRINELL_LISTEN=0.0.0.0:8080 \
+    BRINELL_DATA_DIR=/var/lib/brinell \
+    BRINELL_LOG_FORMAT=json
+VOLUME /var/lib/brinell
+EXPOSE 8080
+STOPSIGNAL SIGTERM
+HEALTHCHECK --interval=10s --timeout=3s --start-period=5s CMD ["/usr/local/bin/brinell", "healthcheck"]
+ENTRYPOINT ["/usr/local/bin/brinell"]
+CMD ["serve"]
