@@ -5,18 +5,20 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
+use metrics_exporter_prometheus::PrometheusHandle;
 use thiserror::Error;
 use tokio::net::TcpListener;
-use tokio::task::AbortHandle;
+use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use crate::config::{DatabaseUrl, ServeConfig, StorageConfig, WorkerConfig};
-use crate::http::{HttpSettings, HttpState, router, serve};
+use crate::config::{DatabaseUrl, MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
+use crate::http::{HttpSettings, HttpState, Metrics, metrics_router, router, serve};
 use crate::jobs::{Desk, Hub, JobSolver, JobStore, Retention, SWEEP, SystemClock};
 use crate::store::{
     MemoryStore, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_keys,
 };
+use crate::telemetry::collect;
 use crate::worker::Worker;
 
 /// Time for clients to take their last answers, once all jobs are done.
@@ -25,12 +27,17 @@ const LAST_ANSWERS: Duration = Duration::from_secs(3);
 /// Time between two sweeps.
 const SWEEP_AGAIN: Duration = Duration::from_secs(30);
 
+/// Time between two tidyings of what has been measured.
+const TIDY_AGAIN: Duration = Duration::from_secs(5);
+
 /// Why the service does not run.
 #[derive(Debug, Error)]
 pub enum AppError {
     /// The address cannot be listened on.
-    #[error("cannot listen on {address}: {source}")]
+    #[error("cannot listen on {address}: {source} (set by {setting})")]
     Listen {
+        /// The flag and the variable that set it.
+        setting: &'static str,
         /// The address as configured.
         address: String,
         /// Why.
@@ -43,7 +50,10 @@ pub enum AppError {
     #[error(transparent)]
     Postgres(#[from] PostgresError),
     /// Workers apart from the service, but no database between them.
-    #[error("workers in processes of their own need a shared database: --database-url postgres://...")]
+    #[error(
+        "workers in processes of their own need a shared database: --database-url postgres://... \
+         (BRINELL_DATABASE_URL)"
+    )]
     NotShared,
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
@@ -56,7 +66,7 @@ pub struct Service {
     address: SocketAddr,
     state: HttpState,
     worker: Option<Worker>,
-    sweeper: AbortHandle,
+    background: JoinSet<()>,
     grace: Duration,
 }
 
@@ -69,13 +79,14 @@ impl Service {
         if config.no_workers && !config.storage.is_shared() {
             return Err(AppError::NotShared);
         }
-        let refused = |source| AppError::Listen { address: config.listen.clone(), source };
-        let listener = TcpListener::bind(&config.listen).await.map_err(refused)?;
+        let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
         tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
         let hub = Hub::new();
         let store = open_store(&config.storage, &hub).await?;
-        let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention())).abort_handle();
+        let mut background = JoinSet::new();
+        background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
+        let metrics = measure(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
         let worker = if config.no_workers {
             None
         } else {
@@ -84,8 +95,9 @@ impl Service {
         };
         let desk = Arc::new(Desk::new(Arc::clone(&store) as _, hub, solver, store, config.desk()));
         let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
-        let state = HttpState::new(desk, settings);
-        Ok(Self { listener, address, state, worker, sweeper, grace: config.work.grace })
+        let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
+        let state = HttpState::new(desk, settings, metrics);
+        Ok(Self { listener, address, state, worker, background, grace: config.work.grace })
     }
 
     /// Where the service listens.
@@ -100,10 +112,10 @@ impl Service {
     /// None so far.
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
         let close = self.state.closing.clone();
-        let mut server = tokio::spawn(serve(self.listener, router(self.state.clone()), close.clone()));
+        let (router, patience) = (router(self.state.clone()), self.state.settings.patience);
+        let mut server = tokio::spawn(serve(self.listener, router, patience, close.clone()));
         stop.cancelled().await;
         self.state.desk.close();
-        self.sweeper.abort();
         if let Some(worker) = self.worker {
             drain(worker, self.grace).await;
         }
@@ -112,6 +124,7 @@ impl Service {
             tracing::warn!("clients were still connected");
             server.abort();
         }
+        drop(self.background);
         Ok(())
     }
 }
@@ -132,12 +145,44 @@ pub async fn run_worker(
     let settings = config.work.worker(true);
     tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
     let store = open_store(&config.storage, &hub).await?;
-    let sweeper = tokio::spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
+    let mut background = JoinSet::new();
+    background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
+    measure(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
     let worker = Worker::start(store, hub, solver, settings)?;
     stop.cancelled().await;
-    sweeper.abort();
     drain(worker, config.work.grace).await;
     Ok(())
+}
+
+async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, AppError> {
+    let refused = |source| AppError::Listen { setting, address: address.to_owned(), source };
+    TcpListener::bind(address).await.map_err(refused)
+}
+
+/// Begins to measure, and shows the figures on a port of their own if they have one.
+async fn measure(
+    config: &MetricsConfig,
+    store: Arc<dyn JobStore>,
+    background: &mut JoinSet<()>,
+) -> Result<Metrics, AppError> {
+    let collected = collect();
+    background.spawn(tidy(collected.clone()));
+    let metrics = Metrics::new(collected, store);
+    if let Some(address) = &config.metrics_listen {
+        let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
+        tracing::info!(address = %listener.local_addr()?, "metrics");
+        let (router, patience) = (metrics_router(metrics.clone()), HttpSettings::default().patience);
+        background.spawn(serve(listener, router, patience, CancellationToken::new()));
+    }
+    Ok(metrics)
+}
+
+/// Sorts samples into their buckets, whether somebody asks for them or not.
+async fn tidy(collected: PrometheusHandle) {
+    loop {
+        sleep(TIDY_AGAIN).await;
+        collected.run_upkeep();
+    }
 }
 
 async fn drain(worker: Worker, grace: Duration) {

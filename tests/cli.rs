@@ -230,3 +230,90 @@ fn an_address_in_use_is_told() {
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains(&format!("cannot listen on {address}")), "{}", stderr(&output));
 }
+
+/// Runs the program with these variables.
+fn with_variables(args: &[&str], variables: &[(&str, &str)]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(args)
+        .envs(variables.iter().copied())
+        .stdin(Stdio::null())
+        .output()
+        .expect("the binary starts")
+}
+
+#[test]
+fn settings_are_shown_without_secrets() {
+    let variables = [
+        ("BRINELL_DATABASE_URL", "postgres://user:secret@host/jobs?password=secret"),
+        ("BRINELL_GRACE", "7"),
+    ];
+    let output = with_variables(&["serve", "--print-config", "--listen", "127.0.0.1:9"], &variables);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = stdout(&output);
+    for lines in [
+        "# --listen: set by the flag\nBRINELL_LISTEN=127.0.0.1:9\n",
+        "# --grace: set by the variable\nBRINELL_GRACE=7\n",
+        "# --database-url: set by the variable\nBRINELL_DATABASE_URL=postgres://***@host/jobs\n",
+        "# --queue-capacity: the default\nBRINELL_QUEUE_CAPACITY=10000\n",
+        "# --workers: not set\n# BRINELL_WORKERS=\n",
+        "# --require-api-key: the default\nBRINELL_REQUIRE_API_KEY=false\n",
+    ] {
+        assert!(text.contains(lines), "{lines}\nis not in\n{text}");
+    }
+    assert!(!text.contains("secret"));
+    let help = stdout(&with_variables(&["serve", "--help"], &[]));
+    for variable in help.split("[env: ").skip(1).filter_map(|rest| rest.split(['=', ']']).next()) {
+        assert!(text.contains(&format!("{variable}=")), "{variable} is not shown");
+    }
+}
+
+#[test]
+fn wrong_settings_are_named_in_one_line() {
+    for (args, variables, expected) in [
+        (&["serve", "--workers", "none"][..], &[][..], &["--workers", "BRINELL_WORKERS", "none"][..]),
+        (
+            &["serve"],
+            &[("BRINELL_GRACE", "soon")],
+            &["--grace", "BRINELL_GRACE", "must be a number of seconds"],
+        ),
+        (&["serve"], &[("BRINELL_MAX_BODY", "-1")], &["--max-body", "BRINELL_MAX_BODY", "-1"]),
+        (&["serve"], &[("BRINELL_LOG", "a=b=c")], &["--log", "BRINELL_LOG"]),
+        (&["serve"], &[("BRINELL_LOG_FORMAT", "xml")], &["--log-format", "BRINELL_LOG_FORMAT", "text, json"]),
+        (
+            &["worker"],
+            &[("BRINELL_DATABASE_URL", "mysql://u:secret@h")],
+            &["--database-url", "BRINELL_DATABASE_URL", "postgres://"],
+        ),
+        (&["serve"], &[("BRINELL_LISTEN", "nowhere")], &["--listen", "BRINELL_LISTEN", "nowhere"]),
+        (
+            &["serve", "--listen", "127.0.0.1:0"],
+            &[("BRINELL_METRICS_LISTEN", "nowhere")],
+            &["--metrics-listen", "BRINELL_METRICS_LISTEN"],
+        ),
+        (&["serve", "--no-workers"], &[], &["--database-url", "BRINELL_DATABASE_URL"]),
+    ] {
+        let quiet = [variables, &[("BRINELL_DATA_DIR", env!("CARGO_TARGET_TMPDIR"))]].concat();
+        let quiet = if variables.iter().any(|(name, _)| *name == "BRINELL_LOG") {
+            quiet
+        } else {
+            [&quiet[..], &[("BRINELL_LOG", "off")]].concat()
+        };
+        let output = with_variables(args, &quiet);
+        let text = stderr(&output);
+        assert!(!output.status.success());
+        assert_eq!(text.lines().count(), 1, "{args:?} {variables:?}: {text}");
+        for word in expected {
+            assert!(text.contains(word), "{word} is not in {text}");
+        }
+        assert!(!text.contains("secret"), "{text}");
+    }
+}
+
+#[test]
+fn a_service_that_is_not_there_is_not_well() {
+    let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string();
+    let output = with_variables(&["healthcheck"], &[("BRINELL_LISTEN", &free)]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("/readyz"), "{}", stderr(&output));
+    assert_eq!(with_variables(&["healthcheck", "--listen", "nowhere"], &[]).status.code(), Some(1));
+}

@@ -51,6 +51,9 @@ pub(super) enum Fault {
     /// No good key of that id.
     #[error("there is no API key {0}, or it was revoked before")]
     NoKey(KeyId),
+    /// The service that was asked is not well.
+    #[error("{0}")]
+    Unwell(String),
     /// The demonstration's own request failed.
     #[error("the demonstration failed: {0}")]
     Demo(String),

@@ -6,25 +6,29 @@
 mod client;
 mod demo;
 mod fault;
+mod healthcheck;
 mod input;
 mod key;
 mod openapi;
 mod progress;
 mod serve;
+mod settings;
 mod solve;
 mod style;
 mod table;
+mod usage;
 mod validate;
 mod worker;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::config::{ServeConfig, WorkerConfig};
 use crate::telemetry::{self, LogConfig};
 use demo::DemoArgs;
 use fault::{Fault, report_fault};
+use healthcheck::HealthcheckArgs;
 use key::KeyArgs;
 use openapi::OpenapiArgs;
 use solve::SolveArgs;
@@ -47,19 +51,32 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Run the HTTP service
-    Serve(ServeConfig),
+    Serve(Configured<ServeConfig>),
     /// Solve the jobs that services sharing a database take in
-    Worker(WorkerConfig),
+    Worker(Configured<WorkerConfig>),
     /// Solve one job here and now, without a server
     Solve(SolveArgs),
     /// Check a job and estimate its cost without solving it
     Validate(ValidateArgs),
+    /// Ask a running service whether it is well: exit code 0 if it is, 1 if not
+    Healthcheck(HealthcheckArgs),
     /// Print the HTTP interface as an OpenAPI document
     Openapi(OpenapiArgs),
     /// Make, list and revoke API keys
     Key(KeyArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
     Demo(DemoArgs),
+}
+
+/// A command with settings, which can be shown instead.
+#[derive(Debug, Args)]
+struct Configured<T: Args> {
+    /// Print the settings as they would be used, each as its variable, and stop
+    #[arg(long)]
+    print_config: bool,
+
+    #[command(flatten)]
+    config: T,
 }
 
 /// How to print an answer.
@@ -73,15 +90,26 @@ enum Format {
 
 /// Runs the program with the process's arguments.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let mut command = Cli::command();
+    let matches = match command.try_get_matches_from_mut(std::env::args_os()) {
+        Ok(matches) => matches,
+        Err(error) => return usage::report(&error, &command),
+    };
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    if let Command::Serve(Configured { print_config: true, .. })
+    | Command::Worker(Configured { print_config: true, .. }) = &cli.command
+    {
+        return settings::print(&command, &matches).unwrap_or_else(|fault| report_fault(&fault));
+    }
     let default_filter =
         if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) { "info" } else { "warn" };
     telemetry::start(&cli.log, default_filter);
     let done = match cli.command {
-        Command::Serve(config) => serve::serve(&config),
-        Command::Worker(config) => worker::worker(&config),
+        Command::Serve(serve) => serve::serve(&serve.config),
+        Command::Worker(worker) => worker::worker(&worker.config),
         Command::Solve(args) => solve::solve(&args),
         Command::Validate(args) => validate::validate(&args),
+        Command::Healthcheck(args) => healthcheck::healthcheck(&args),
         Command::Openapi(args) => openapi::openapi(&args),
         Command::Key(args) => key::key(&args),
         Command::Demo(args) => demo::demo(&args),

@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use clap::Args;
 
-use crate::http::{Capacity, HttpSettings};
+use crate::http::{Capacity, HttpSettings, Patience};
 use crate::jobs::DeskLimits;
 use parse::{rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
@@ -35,6 +35,22 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_MAX_BODY", value_name = "BYTES", default_value = "1048576")]
     pub max_body: usize,
 
+    /// Longest time a request's head may take to arrive, and a connection may idle
+    #[arg(long, env = "BRINELL_HEADER_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub header_timeout: Duration,
+
+    /// Longest time a request's body may take to arrive
+    #[arg(long, env = "BRINELL_BODY_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub body_timeout: Duration,
+
+    /// Longest time a client may take nothing of its answer
+    #[arg(long, env = "BRINELL_WRITE_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
+    pub write_timeout: Duration,
+
+    /// Most event streams open at a time
+    #[arg(long, env = "BRINELL_MAX_EVENT_STREAMS", value_name = "N", default_value = "1000")]
+    pub max_event_streams: usize,
+
     /// Largest estimated memory of a job
     #[arg(long, env = "BRINELL_MAX_JOB_MEMORY", value_name = "MIB", default_value = "4096")]
     pub max_job_memory: u32,
@@ -52,6 +68,10 @@ pub struct ServeConfig {
     pub allow_anonymous: bool,
 
     #[command(flatten)]
+    /// Where metrics are shown.
+    pub metrics: MetricsConfig,
+
+    #[command(flatten)]
     /// Where jobs are kept.
     pub storage: StorageConfig,
 
@@ -67,10 +87,15 @@ impl Default for ServeConfig {
             no_workers: false,
             solve_limit: Duration::from_secs(30),
             max_body: 1 << 20,
+            header_timeout: Duration::from_secs(30),
+            body_timeout: Duration::from_secs(30),
+            write_timeout: Duration::from_secs(30),
+            max_event_streams: 1000,
             max_job_memory: 4096,
             rate_limit: None,
             require_api_key: false,
             allow_anonymous: false,
+            metrics: MetricsConfig::default(),
             storage: StorageConfig::default(),
             work: WorkConfig::default(),
         }
@@ -94,6 +119,9 @@ impl ServeConfig {
     pub fn http(&self) -> HttpSettings {
         HttpSettings {
             max_body_bytes: self.max_body,
+            body_timeout: self.body_timeout,
+            patience: Patience { head: self.header_timeout, write: self.write_timeout },
+            event_streams: self.max_event_streams,
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,
             capacity: Capacity {
@@ -107,9 +135,22 @@ impl ServeConfig {
     }
 }
 
+/// Settings of the metrics.
+#[derive(Debug, Clone, PartialEq, Default, Args)]
+pub struct MetricsConfig {
+    /// Address and port to show metrics on, at /metrics, to everybody [default: `serve` shows them on its own port,
+    /// `worker` nowhere]
+    #[arg(long, env = "BRINELL_METRICS_LISTEN", value_name = "ADDR")]
+    pub metrics_listen: Option<String>,
+}
+
 /// Settings of `brinell worker`.
 #[derive(Debug, Clone, PartialEq, Default, Args)]
 pub struct WorkerConfig {
+    #[command(flatten)]
+    /// Where metrics are shown.
+    pub metrics: MetricsConfig,
+
     #[command(flatten)]
     /// Where jobs are kept.
     pub storage: StorageConfig,

@@ -5,7 +5,7 @@ use std::time::Duration;
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequest, Request};
 use axum::http::HeaderMap;
-use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, EXPECT};
+use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_TYPE, EXPECT};
 use http_body_util::BodyExt;
 use tokio::time::timeout;
 
@@ -29,6 +29,7 @@ impl FromRequest<HttpState> for JobBody {
         let (parts, mut body) = request.into_parts();
         let read = async {
             check_content_type(&parts.headers)?;
+            check_not_compressed(&parts.headers)?;
             check_declared_length(&parts.headers, state.settings.max_body_bytes)?;
             read(&mut body, &state.settings).await
         };
@@ -54,6 +55,15 @@ fn check_content_type(headers: &HeaderMap) -> Result<(), Problem> {
     let found = if essence.is_empty() { "nothing".to_owned() } else { format!("{essence:?}") };
     let detail = format!("Content-Type must be application/json; it says {found}");
     Err(Problem::new(ProblemType::UnsupportedMediaType, detail))
+}
+
+/// Nothing is unpacked here: a few compressed bytes can become any number.
+fn check_not_compressed(headers: &HeaderMap) -> Result<(), Problem> {
+    let codings = headers.get_all(CONTENT_ENCODING).iter();
+    if codings.into_iter().all(|coding| coding.as_bytes().eq_ignore_ascii_case(b"identity")) {
+        return Ok(());
+    }
+    Err(Problem::new(ProblemType::UnsupportedMediaType, "the body must not be compressed"))
 }
 
 fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Problem> {

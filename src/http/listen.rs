@@ -9,10 +9,8 @@ use hyper_util::server::graceful::GracefulShutdown;
 use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::sleep;
+use tokio_io_timeout::TimeoutStream;
 use tokio_util::sync::CancellationToken;
-
-/// Longest time a request's head may take to arrive, and a connection may idle between two requests.
-const HEAD_TIME: Duration = Duration::from_secs(30);
 
 /// Most bytes of a head: a longer one is answered by 431.
 const HEAD_BYTES: usize = 64 << 10;
@@ -23,8 +21,17 @@ const HEADERS: usize = 100;
 /// Pause after a connection could not be taken, as when there are too many.
 const PAUSE: Duration = Duration::from_millis(100);
 
+/// How long slow clients are waited for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Patience {
+    /// Longest time a request's head may take to arrive, and a connection may idle between two requests.
+    pub head: Duration,
+    /// Longest time a client may take nothing of what is being sent.
+    pub write: Duration,
+}
+
 /// Serves until `close`, then lets every connection finish the request it is in.
-pub async fn serve(listener: TcpListener, router: Router, close: CancellationToken) {
+pub async fn serve(listener: TcpListener, router: Router, patience: Patience, close: CancellationToken) {
     let connections = GracefulShutdown::new();
     loop {
         let accepted = tokio::select! {
@@ -32,7 +39,7 @@ pub async fn serve(listener: TcpListener, router: Router, close: CancellationTok
             () = close.cancelled() => break,
         };
         match accepted {
-            Ok((stream, _)) => attend(stream, router.clone(), &connections),
+            Ok((stream, _)) => attend(stream, router.clone(), patience, &connections),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be taken");
                 sleep(PAUSE).await;
@@ -43,15 +50,17 @@ pub async fn serve(listener: TcpListener, router: Router, close: CancellationTok
     connections.shutdown().await;
 }
 
-fn attend(stream: TcpStream, router: Router, connections: &GracefulShutdown) {
+fn attend(stream: TcpStream, router: Router, patience: Patience, connections: &GracefulShutdown) {
     // Answers are single writes; waiting to fill a packet would only delay them.
     let _ = stream.set_nodelay(true);
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(patience.write));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
-        .header_read_timeout(HEAD_TIME)
+        .header_read_timeout(patience.head)
         .max_buf_size(HEAD_BYTES)
         .max_headers(HEADERS)
-        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(router));
+        .serve_connection(TokioIo::new(Box::pin(stream)), TowerToHyperService::new(router));
     let connection = connections.watch(connection);
     tokio::spawn(async move {
         if let Err(error) = connection.await {

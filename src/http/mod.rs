@@ -9,6 +9,8 @@ mod body;
 mod follower;
 mod job_path;
 mod listen;
+mod metrics;
+mod observe;
 pub mod openapi;
 mod page;
 mod preference;
@@ -17,6 +19,7 @@ mod problem_type;
 mod query;
 mod rates;
 mod routes;
+mod streams;
 pub mod wire;
 
 use std::any::Any;
@@ -26,30 +29,35 @@ use std::time::Duration;
 use axum::Router;
 use axum::extract::Request;
 use axum::http::Uri;
-use axum::middleware::from_fn_with_state;
+use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
-use tower_http::trace::{DefaultOnResponse, TraceLayer};
-use tracing::{Level, Span};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 use utoipa_swagger_ui::{Config, SwaggerUi};
 
 use crate::jobs::Desk;
 use access::authenticate;
+use observe::observe;
 use rates::Rates;
 use routes::{
-    cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_job, get_openapi,
-    get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve, post_validate,
+    cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_job, get_metrics,
+    get_openapi, get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve,
+    post_validate,
 };
 
-pub use listen::serve;
+use streams::Streams;
+
+pub use listen::{Patience, serve};
+pub use metrics::{Metrics, metrics_router};
+pub use observe::REQUEST_DURATION;
 pub use problem::Problem;
 pub use problem_type::ProblemType;
+pub use streams::EVENT_STREAMS;
 
 /// Bounds on a single request.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +66,10 @@ pub struct HttpSettings {
     pub max_body_bytes: usize,
     /// Longest time a body may take to arrive.
     pub body_timeout: Duration,
+    /// Patience with slow connections.
+    pub patience: Patience,
+    /// Most event streams open at a time.
+    pub event_streams: usize,
     /// Longest time `POST /v1/solve` waits for its result.
     pub solve_limit: Duration,
     /// Longest time `?wait=` waits.
@@ -88,6 +100,8 @@ impl Default for HttpSettings {
         Self {
             max_body_bytes: 1 << 20,
             body_timeout: Duration::from_secs(30),
+            patience: Patience { head: Duration::from_secs(30), write: Duration::from_secs(30) },
+            event_streams: 1000,
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
             require_api_key: false,
@@ -107,13 +121,16 @@ pub struct HttpState {
     /// Cancelled when connections are about to be closed; streams without an end of their own end then.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
+    streams: Arc<Streams>,
+    metrics: Option<Metrics>,
 }
 
 impl HttpState {
-    /// What handlers of a service with this desk share.
-    pub fn new(desk: Arc<Desk>, settings: HttpSettings) -> Self {
+    /// What handlers of a service with this desk share. `metrics` are shown at `/metrics`.
+    pub fn new(desk: Arc<Desk>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
-        Self { desk, settings, closing: CancellationToken::new(), rates }
+        let streams = Arc::new(Streams::new(settings.event_streams));
+        Self { desk, settings, closing: CancellationToken::new(), rates, streams, metrics }
     }
 }
 
@@ -131,11 +148,7 @@ pub fn router(state: HttpState) -> Router {
         .layer(CatchPanicLayer::custom(panicked))
         .layer(CompressionLayer::new())
         .layer(PropagateRequestIdLayer::x_request_id())
-        .layer(
-            TraceLayer::new_for_http()
-                .make_span_with(span)
-                .on_response(DefaultOnResponse::new().level(Level::INFO)),
-        )
+        .layer(from_fn(observe))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
 }
 
@@ -157,7 +170,8 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(post_validate::post_validate))
         .routes(routes!(post_hertz::post_hertz))
         .routes(routes!(get_examples::get_examples))
-        .routes(routes!(get_capacity::get_capacity));
+        .routes(routes!(get_capacity::get_capacity))
+        .routes(routes!(get_metrics::get_metrics));
     get_export::exports().fold(guarded, OpenApiRouter::routes)
 }
 
@@ -191,9 +205,4 @@ fn panicked(panic: Box<dyn Any + Send>) -> Response {
     tracing::error!(panic = message, "a request handler panicked");
     Problem::new(ProblemType::Internal, "the request could not be answered; the fault has been logged")
         .into_response()
-}
-
-fn span(request: &Request) -> Span {
-    let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).unwrap_or_default();
-    tracing::info_span!("request", method = %request.method(), path = request.uri().path(), id)
 }

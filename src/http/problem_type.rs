@@ -87,7 +87,7 @@ problem_types! {
         "The request's body is above the limit of this service and was not read.";
     /// The body is not declared as JSON.
     UnsupportedMediaType, "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body must be JSON",
-        "Send the job with the header `Content-Type: application/json`.";
+        "Send the job with the header `Content-Type: application/json`, and not compressed.";
     /// The idempotency key came with another body.
     IdempotencyKeyReused, "idempotency-key-reused", UNPROCESSABLE_ENTITY, "The idempotency key was used before",
         "Another body was sent under this Idempotency-Key before. A key names one submission: use a new one.";
@@ -98,6 +98,10 @@ problem_types! {
     TooManyJobs, "too-many-jobs", TOO_MANY_REQUESTS, "Too many jobs under one API key",
         "This API key hands in jobs faster than its share. Try again after the seconds in the `Retry-After` \
          header.";
+    /// Too many event streams.
+    TooManyStreams, "too-many-streams", SERVICE_UNAVAILABLE, "Too many event streams are open",
+        "As many event streams are open as may be. Try again after the seconds in the `Retry-After` header, or ask \
+         for /v1/jobs/{id}?wait=30.";
     /// The solver gave up.
     SolveFailed, "solve-failed", INTERNAL_SERVER_ERROR, "The job could not be solved",
         "The job is valid, but the solver could not produce a result for it.";

@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use axum::Json;
 use axum::body::Bytes;
 use axum::http::header::{CONTENT_LOCATION, CONTENT_TYPE, LOCATION};
 use axum::http::{HeaderName, StatusCode};
 use axum::response::{IntoResponse, Response};
+use axum::{Extension, Json};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use super::observe::AboutJob;
 use super::openapi;
 use super::problem::Problem;
 use crate::jobs::{IterationRecord, JobEstimate, JobId, JobRecord, JobState};
@@ -206,12 +207,12 @@ pub fn accepted(record: &JobRecord) -> Response {
     let links = Links::of(record.id);
     let location = [(LOCATION, links.job.clone())];
     let receipt = Receipt { id: record.id, status: record.state, links };
-    (StatusCode::ACCEPTED, location, Json(receipt)).into_response()
+    (StatusCode::ACCEPTED, location, Extension(AboutJob(record.id)), Json(receipt)).into_response()
 }
 
 /// 200 with a report.
 pub fn report(id: JobId, json: Bytes) -> Response {
     let headers: [(HeaderName, String); 2] =
         [(CONTENT_TYPE, "application/json".to_owned()), (CONTENT_LOCATION, Links::of(id).result)];
-    (headers, json).into_response()
+    (headers, Extension(AboutJob(id)), json).into_response()
 }

@@ -22,6 +22,7 @@ mod failure;
 mod hub;
 mod id;
 mod keys;
+pub mod measure;
 mod record;
 mod solver;
 mod state;

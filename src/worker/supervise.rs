@@ -10,7 +10,9 @@ use super::Crew;
 use super::attempt::attempt;
 use super::observer::{JobObserver, StopFlag};
 use super::seats::Seat;
-use crate::jobs::{Claim, IterationRecord, JobFailure, JobState, Lease, Outcome, StoreError};
+use crate::jobs::{
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StoreError, measure,
+};
 
 /// Most messages taken at once.
 const BUNCH: usize = 64;
@@ -40,6 +42,22 @@ pub(super) enum Message {
     Done(Outcome),
 }
 
+/// What came of a solve.
+struct Followed {
+    /// Iterations that are still to be written.
+    records: Vec<IterationRecord>,
+    /// How many there were in all.
+    iterations: usize,
+    /// How it ended.
+    outcome: Outcome,
+}
+
+/// How long a job waited for its first attempt; `None` of a later one.
+fn wait_of(record: &JobRecord) -> Option<Duration> {
+    let started = record.started_at.filter(|_| record.attempts == 1)?;
+    started.duration_since(record.created_at).try_into().ok()
+}
+
 impl Crew {
     /// Sees one job through.
     pub(super) async fn supervise(self: Arc<Self>, claim: Claim, seat: Seat) {
@@ -48,11 +66,14 @@ impl Crew {
         let stop = StopFlag::default();
         self.running.add(lease, stop.clone());
         let messages = self.start_solve(claim, stop.clone());
-        let (records, outcome) = self.follow(&lease, messages, &stop).await;
+        let started = Instant::now();
+        let Followed { records, iterations, outcome } = self.follow(&lease, messages, &stop).await;
+        let time = started.elapsed();
         drop(seat);
         self.running.settle(&lease);
         let state = outcome.state();
         let stopped_by_shutdown = state == JobState::Cancelled && self.halt.is_cancelled();
+        measure::attempted((!stopped_by_shutdown).then_some(state), time, iterations);
         let written = if stopped_by_shutdown {
             self.store.release(&[lease]).await
         } else {
@@ -81,19 +102,24 @@ impl Crew {
         messages
     }
 
-    /// Forwards progress to the store and the wish to stop to the solver, until the solve ends. Returns what is
-    /// still to be written.
+    /// Forwards progress to the store and the wish to stop to the solver, until the solve ends.
     async fn follow(
         &self,
         lease: &Lease,
         mut messages: UnboundedReceiver<Message>,
         stop: &StopFlag,
-    ) -> (Vec<IterationRecord>, Outcome) {
+    ) -> Followed {
         let mut watch = self.hub.watch(lease.job);
-        // Whoever asked between the claim and the watch was not heard.
-        if self.store.get(lease.job).await.is_ok_and(|record| record.cancel_requested) {
-            stop.raise();
+        if let Ok(record) = self.store.get(lease.job).await {
+            // Whoever asked between the claim and the watch was not heard.
+            if record.cancel_requested {
+                stop.raise();
+            }
+            if let Some(waited) = wait_of(&record) {
+                measure::waited(waited);
+            }
         }
+        let mut iterations = 0;
         let mut bunch = Vec::with_capacity(BUNCH);
         let mut records = Vec::new();
         let mut write_at = Instant::now() + PROGRESS;
@@ -102,12 +128,15 @@ impl Crew {
                 count = messages.recv_many(&mut bunch, BUNCH) => {
                     if count == 0 {
                         let failure = JobFailure::internal("the solver thread is gone");
-                        return (records, Outcome::Failed(failure));
+                        return Followed { records, iterations, outcome: Outcome::Failed(failure) };
                     }
                     for message in bunch.drain(..) {
                         match message {
-                            Message::Iteration(record) => records.push(record),
-                            Message::Done(outcome) => return (records, outcome),
+                            Message::Iteration(record) => {
+                                iterations += 1;
+                                records.push(record);
+                            }
+                            Message::Done(outcome) => return Followed { records, iterations, outcome },
                         }
                     }
                 }

@@ -1,5 +1,7 @@
 //! What HTTP itself asks of a service.
 
+use std::process::Command;
+
 use crate::curl::curl;
 use crate::server::{Server, example};
 
@@ -65,4 +67,14 @@ fn results_are_compressed_for_those_who_ask() {
     let unzipped = [json.as_slice(), &["--compressed"]].concat();
     let unzipped = server.target.post_with("/v1/solve", example().to_string(), &unzipped);
     assert_eq!(unzipped.json()["status"], "converged");
+}
+
+#[test]
+fn the_program_asks_itself_whether_it_is_well() {
+    let server = Server::start();
+    let listens = server.target.url.strip_prefix("http://").unwrap();
+    for args in [&["healthcheck", "--listen", listens][..], &["healthcheck", "--live", "--listen", listens]] {
+        let asked = Command::new(env!("CARGO_BIN_EXE_brinell")).args(args).output().unwrap();
+        assert!(asked.status.success(), "{}", String::from_utf8_lossy(&asked.stderr));
+    }
 }

@@ -1,5 +1,6 @@
 //! The real binary on a free port.
 
+use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
@@ -95,7 +96,7 @@ impl Drop for Scratch {
 pub struct Server {
     pub target: Target,
     child: Child,
-    _data: Scratch,
+    data: Scratch,
     // Kept open: a service whose standard output is closed would be another test.
     _stdout: BufReader<ChildStdout>,
 }
@@ -107,7 +108,17 @@ impl Server {
 
     /// With a data directory of its own, unless the arguments say otherwise.
     pub fn start_with(args: &[&str]) -> Self {
+        Self::start_in(Scratch::new(), args, Stdio::inherit())
+    }
+
+    /// With its log kept for [`Server::log`].
+    pub fn start_logging(args: &[&str]) -> Self {
         let data = Scratch::new();
+        let log = File::create(data.0.join("log")).expect("a file can be made");
+        Self::start_in(data, args, log.into())
+    }
+
+    fn start_in(data: Scratch, args: &[&str], log: Stdio) -> Self {
         let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
             .args(["serve", "--listen", "127.0.0.1:0"])
             .args(args)
@@ -115,13 +126,19 @@ impl Server {
             .env("BRINELL_LOG", "warn")
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
+            .stderr(log)
             .spawn()
             .expect("the binary starts");
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
         let mut line = String::new();
         stdout.read_line(&mut line).expect("the service says where it listens");
         let url = line.trim().strip_prefix("brinell listening on ").expect("an address").to_owned();
-        Self { target: Target { url }, child, _data: data, _stdout: stdout }
+        Self { target: Target { url }, child, data, _stdout: stdout }
+    }
+
+    /// What it has logged so far, if that is kept.
+    pub fn log(&self) -> String {
+        std::fs::read_to_string(self.data.0.join("log")).expect("the log is kept")
     }
 
     /// The process.

@@ -45,6 +45,7 @@ pub fn document() -> Value {
         "scheme": "bearer",
         "description": "The token that `brinell key create` prints. Only where the service asks for API keys.",
     }});
+    document["components"]["schemas"]["Event"] = event();
     for (name, schema) in job::schemas().into_iter().chain(report::schemas()).chain(problems::schemas()) {
         document["components"]["schemas"][name] = schema;
     }
@@ -74,6 +75,22 @@ fn tags_of_operations() -> Value {
         {"name": "theory", "description": "Answers without a mesh."},
         {"name": "service", "description": "The service itself."},
     ])
+}
+
+/// One server-sent event.
+fn event() -> Value {
+    let mut data = schema::text("A job for `state`, an iteration for `iteration`.", "{\"iteration\":1}");
+    data["contentMediaType"] = json!("application/json");
+    let mut id = schema::text("For `Last-Event-ID`; `state` events have none, save the last.", "1-12");
+    id["pattern"] = json!("^[0-9]+-[0-9]+(-end)?$");
+    schema::object(
+        "One event of a job.",
+        [
+            schema::field("event", schema::words("Its kind.", &["state", "iteration"])),
+            schema::optional("id", id),
+            schema::field("data", data),
+        ],
+    )
 }
 
 /// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every error.

@@ -39,10 +39,11 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
             sent. What is no such id is ignored.", example = "1-12"),
     ),
     responses(
-        (status = OK, description = "The stream, which ends with the job.", body = String,
+        (status = OK, description = "The stream, which ends with the job; the schema is that of one event.", body = ref("#/components/schemas/Event"),
             content_type = "text/event-stream"),
         (status = NO_CONTENT, description = "The client has seen the end; it need not come again."),
     ),
+    extensions(("x-problems" = json!(["too-many-streams"]))),
 )]
 pub(in crate::http) async fn get_events(
     State(state): State<HttpState>,
@@ -54,10 +55,11 @@ pub(in crate::http) async fn get_events(
     if last.is_some_and(|last| last == Place::end_of(&record)) && record.state.is_finished() {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
+    let place = state.streams.open()?;
     let follower = Follower::new(state.desk, id, last.and_then(Place::parse), state.closing);
-    let events = stream::unfold(follower, |mut follower| async {
+    let events = stream::unfold((follower, place), |(mut follower, place)| async {
         let event = follower.next().await?;
-        Some((Ok::<Event, Infallible>(event), follower))
+        Some((Ok::<Event, Infallible>(event), (follower, place)))
     });
     Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
 }

@@ -7,6 +7,7 @@ pub(super) mod get_events;
 pub(super) mod get_examples;
 pub(super) mod get_export;
 pub(super) mod get_job;
+pub(super) mod get_metrics;
 pub(super) mod get_openapi;
 pub(super) mod get_problem;
 pub(super) mod get_request;

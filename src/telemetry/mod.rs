@@ -1,15 +1,19 @@
-//! Where the log goes: to standard error, for a person or as JSON lines.
+//! What the program tells of itself: its log, to standard error, for a person or as JSON lines; and its metrics.
+
+mod metrics;
 
 use std::io::{self, IsTerminal};
 
 use clap::{Args, ValueEnum};
 use tracing_subscriber::EnvFilter;
 
+pub use metrics::collect;
+
 /// Settings of the log.
 #[derive(Debug, Clone, Args)]
 pub struct LogConfig {
     /// What to log, e.g. `info` or `brinell=debug,warn` [default: info for serve, warn elsewhere]
-    #[arg(long, env = "BRINELL_LOG", value_name = "FILTER", global = true)]
+    #[arg(long, env = "BRINELL_LOG", value_name = "FILTER", global = true, value_parser = log_filter)]
     pub log: Option<String>,
 
     /// How to log
@@ -26,22 +30,19 @@ pub enum LogFormat {
     Json,
 }
 
+fn log_filter(text: &str) -> Result<String, String> {
+    EnvFilter::try_new(text).map(|_| text.to_owned()).map_err(|error| error.to_string())
+}
+
 /// Starts logging; `default` is the filter when none is set. A panic is logged like everything else. A second
 /// call changes nothing.
 pub fn start(config: &LogConfig, default: &str) {
-    let filter = config.log.as_deref().unwrap_or(default);
-    let (filter, fault) = match EnvFilter::try_new(filter) {
-        Ok(filter) => (filter, None),
-        Err(error) => (EnvFilter::new(default), Some(error)),
-    };
+    let filter = EnvFilter::new(config.log.as_deref().unwrap_or(default));
     let log = tracing_subscriber::fmt().with_env_filter(filter).with_writer(io::stderr);
     let started = match config.log_format {
         LogFormat::Text => log.with_ansi(io::stderr().is_terminal()).try_init(),
         LogFormat::Json => log.json().try_init(),
     };
-    if let Some(error) = fault {
-        tracing::warn!(%error, "the log filter is not understood; {default} is used");
-    }
     if started.is_ok() {
         std::panic::set_hook(Box::new(|panic| {
             let place = panic.location().map(ToString::to_string).unwrap_or_default();

@@ -1,0 +1,46 @@
+//! What has been measured, for Prometheus.
+
+use std::sync::Arc;
+
+use axum::Router;
+use axum::extract::State;
+use axum::http::HeaderName;
+use axum::http::header::CONTENT_TYPE;
+use axum::routing::get;
+use metrics_exporter_prometheus::PrometheusHandle;
+
+use crate::jobs::{JobStore, measure};
+
+/// The text of `GET /metrics`, and its media type.
+pub(super) type Exposition = ([(HeaderName, &'static str); 1], String);
+
+/// Where the figures are.
+#[derive(Clone)]
+pub struct Metrics {
+    collected: PrometheusHandle,
+    store: Arc<dyn JobStore>,
+}
+
+impl Metrics {
+    /// Figures collected in this process, and the queue of a store.
+    pub fn new(collected: PrometheusHandle, store: Arc<dyn JobStore>) -> Self {
+        Self { collected, store }
+    }
+
+    /// Everything as it is now.
+    pub(super) async fn show(&self) -> Exposition {
+        let counts = self.store.counts().await;
+        if let Err(error) = &counts {
+            tracing::warn!(error = error as &dyn std::error::Error, "the queue cannot be measured");
+        }
+        measure::queue(counts.ok().as_ref());
+        ([(CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], self.collected.render())
+    }
+}
+
+/// `GET /metrics` alone, for a port of its own.
+pub fn metrics_router(metrics: Metrics) -> Router {
+    Router::new()
+        .route("/metrics", get(async |State(metrics): State<Metrics>| metrics.show().await))
+        .with_state(metrics)
+}

@@ -1,0 +1,105 @@
+//! Every request leaves one line in the log and one sample in the metrics: which route, how it ended, how long it
+//! took, under which ids. Never what was in it.
+
+use std::time::Instant;
+
+use axum::extract::{MatchedPath, Request};
+use axum::http::{Method, StatusCode};
+use axum::middleware::Next;
+use axum::response::Response;
+use metrics::histogram;
+use tracing::{Instrument, Span};
+
+use crate::jobs::JobId;
+
+/// Time \[s\] from a request's head to its answer's, by method, route and status.
+pub const REQUEST_DURATION: &str = "http_server_request_duration_seconds";
+
+/// Routes that are asked all the time and mean nothing: told at level `debug`.
+const PROBES: [&str; 3] = ["/livez", "/readyz", "/metrics"];
+
+/// Longest part of an unknown address that is logged.
+const PATH: usize = 100;
+
+/// Put in an answer's extensions by handlers that make a job.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AboutJob(pub(super) JobId);
+
+/// The layer.
+pub(super) async fn observe(request: Request, next: Next) -> Response {
+    let mut exchange = Exchange::begin(&request);
+    let span = exchange.span.clone();
+    let response = next.run(request).instrument(span).await;
+    exchange.status = Some(response.status());
+    if let Some(AboutJob(id)) = response.extensions().get() {
+        exchange.job = Some(id.to_string());
+    }
+    response
+}
+
+/// One request. Told when dropped: that is also what becomes of the request of a client that hangs up.
+struct Exchange {
+    started: Instant,
+    span: Span,
+    method: &'static str,
+    route: Option<String>,
+    path: String,
+    job: Option<String>,
+    status: Option<StatusCode>,
+}
+
+impl Exchange {
+    fn begin(request: &Request) -> Self {
+        let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).unwrap_or_default();
+        let route = request.extensions().get::<MatchedPath>().map(|path| path.as_str().to_owned());
+        let path = request.uri().path();
+        let is_job = route.as_deref().is_some_and(|route| route.starts_with("/v1/jobs/{id}"));
+        let job = path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
+        Self {
+            started: Instant::now(),
+            span: tracing::info_span!("request", id),
+            method: name(request.method()),
+            route,
+            path: path.chars().take(PATH).collect(),
+            job: job.map(|id| id.to_string()),
+            status: None,
+        }
+    }
+}
+
+/// The method, if it is one that is known: others could be anything, and any number of them.
+fn name(method: &Method) -> &'static str {
+    match *method {
+        Method::GET => "GET",
+        Method::HEAD => "HEAD",
+        Method::POST => "POST",
+        Method::PUT => "PUT",
+        Method::PATCH => "PATCH",
+        Method::DELETE => "DELETE",
+        Method::OPTIONS => "OPTIONS",
+        _ => "_OTHER",
+    }
+}
+
+impl Drop for Exchange {
+    fn drop(&mut self) {
+        let time = self.started.elapsed();
+        let route = self.route.clone().unwrap_or_else(|| "none".to_owned());
+        // What others' servers also write for a client that hung up.
+        let status = self.status.map_or(499, |status| status.as_u16());
+        let (method, job, ms) = (self.method, self.job.as_deref(), time.as_secs_f64() * 1e3);
+        histogram!(
+            REQUEST_DURATION,
+            "http_request_method" => method,
+            "http_route" => route.clone(),
+            "http_response_status_code" => status.to_string()
+        )
+        .record(time);
+        let path = self.route.is_none().then_some(self.path.as_str());
+        if PROBES.contains(&route.as_str()) {
+            tracing::debug!(parent: &self.span, method, route, status, ms, "answered");
+        } else {
+            tracing::info!(parent: &self.span, method, route, path, status, ms, job, "answered");
+        }
+    }
+}

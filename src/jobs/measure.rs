@@ -1,0 +1,42 @@
+//! What is measured of jobs, under the names that Prometheus, dashboards and alerts know.
+
+use std::time::Duration;
+
+use metrics::{counter, gauge, histogram};
+
+use super::{Counts, JobState};
+
+/// Jobs waiting, of all nodes that share the queue.
+pub const QUEUE_DEPTH: &str = "brinell_queue_depth";
+/// Jobs being solved, of all nodes that share the queue.
+pub const JOBS_RUNNING: &str = "brinell_jobs_running";
+/// Time \[s\] between acceptance and the first attempt.
+pub const QUEUE_WAIT: &str = "brinell_queue_wait_seconds";
+/// Time \[s\] of an attempt.
+pub const SOLVE_DURATION: &str = "brinell_solve_duration_seconds";
+/// Attempts by `outcome`: the final state of the job, or `released` of one that was given back.
+pub const JOBS_TOTAL: &str = "brinell_jobs_total";
+/// Iterations of an attempt.
+pub const SOLVER_ITERATIONS: &str = "brinell_solver_iterations";
+
+/// The queue as it is; `None` if nobody knows.
+pub fn queue(counts: Option<&Counts>) {
+    let jobs = |state| {
+        let of = |counts: &Counts| counts.get(&state).copied().unwrap_or(0) as f64;
+        counts.map_or(f64::NAN, of)
+    };
+    gauge!(QUEUE_DEPTH).set(jobs(JobState::Queued));
+    gauge!(JOBS_RUNNING).set(jobs(JobState::Running));
+}
+
+/// A job has waited so long for its first attempt.
+pub fn waited(time: Duration) {
+    histogram!(QUEUE_WAIT).record(time);
+}
+
+/// An attempt has ended. A job that was given back has no final state.
+pub fn attempted(outcome: Option<JobState>, time: Duration, iterations: usize) {
+    counter!(JOBS_TOTAL, "outcome" => outcome.map_or("released", JobState::name)).increment(1);
+    histogram!(SOLVE_DURATION).record(time);
+    histogram!(SOLVER_ITERATIONS).record(iterations as f64);
+}
