@@ -1,10 +1,11 @@
 /** Puts the page together. */
 
-import { Problem, ask, onKeyWanted, post, useKey } from './api/client.js';
+import { Problem, ask, post } from './api/client.js';
 import { fetchResult } from './api/result.js';
-import { byId, h, toast } from './lib/dom.js';
+import { byId, copy, h, toast } from './lib/dom.js';
 import { same } from './lib/pointer.js';
 import { startTheme } from './lib/theme.js';
+import { startKeys, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
 import { Form } from './setup/form.js';
@@ -26,7 +27,10 @@ const draft = new Draft();
 const form = new Form(draft);
 startJson(draft);
 const sketch = startSketch(draft);
-const view = new View(() => { draft.set('/output/fields', true, 'page'); solve(); });
+const view = new View(() => {
+  draft.set('/output/fields', true, 'page');
+  solve();
+});
 const check = new Check(draft, form, (hertz) => {
   sketch(hertz);
   if (!current) view.preview(hertz, draft.job);
@@ -38,7 +42,9 @@ let current;
 let first;
 
 const watch = new Watch({
-  iterated: (history) => { if (current) view.iterate(history, current.job); },
+  iterated: (history) => {
+    if (current) view.iterate(history, current.job);
+  },
   solved: (id, report) => {
     first = { id, report, job: current?.job ?? {}, colour: COLOURS[0], label: labelOf({ id, tags: report.tags }) };
     show();
@@ -53,7 +59,9 @@ const watch = new Watch({
 });
 
 const list = new JobList({
-  open: (id) => { location.hash = `job=${id}`; },
+  open: (id) => {
+    location.hash = `job=${id}`;
+  },
   compare,
   isCompared: (id) => compared.get(id)?.colour,
   current: () => current?.id,
@@ -110,7 +118,11 @@ async function open(id) {
     draft.replace(job, 'link');
     follow(id);
   } catch (error) {
-    nothing(error instanceof Problem && error.status === 404 ? 'This link leads to a job that is not here: removed after its time, or made on another service.' : String(/** @type {Error} */ (error).message));
+    nothing(
+      error instanceof Problem && error.status === 404
+        ? 'This link leads to a job that is not here: removed after its time, or made on another service.'
+        : String(/** @type {Error} */ (error).message),
+    );
   }
 }
 
@@ -125,7 +137,8 @@ async function compare(id, on, label) {
     } else {
       try {
         const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
-        if (first && (report.units !== first.report.units)) toast('The jobs differ in units; figures are laid over each other as they are.');
+        if (first && report.units !== first.report.units)
+          toast('The jobs differ in units; figures are laid over each other as they are.');
         compared.set(id, { id, report, job, label, colour });
       } catch (error) {
         toast(/** @type {Error} */ (error).message);
@@ -153,57 +166,52 @@ const withFields = (job) => ({ ...job, output: { ...job.output, fields: true } }
 async function begin() {
   const { examples } = await ask('v1/examples').catch(() => ({ examples: [] }));
   const choice = /** @type {HTMLSelectElement} */ (byId('example'));
-  choice.append(...examples.map((/** @type {{name: string}} */ { name }) => h('option', { value: name }, name.replaceAll('_', ' '))));
+  choice.append(
+    ...examples.map((/** @type {{name: string}} */ { name }) =>
+      h('option', { value: name }, name.replaceAll('_', ' ')),
+    ),
+  );
   choice.addEventListener('change', () => {
     const example = examples.find((/** @type {{name: string}} */ { name }) => name === choice.value);
     if (example) draft.replace(withFields(example.job), 'example');
   });
   const kept = sessionStorage.getItem(KEPT);
   if (kept) draft.replace(JSON.parse(kept), 'kept');
-  else if (examples.length) draft.replace(withFields((examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders') ?? examples[0]).job), 'example');
+  else if (examples.length)
+    draft.replace(
+      withFields(
+        (examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders') ?? examples[0]).job,
+      ),
+      'example',
+    );
   nothing('Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.');
   draft.addEventListener('change', () => sessionStorage.setItem(KEPT, JSON.stringify(draft.job)));
   await obey();
   addEventListener('hashchange', obey);
 }
 
-byId('form').addEventListener('submit', (event) => { event.preventDefault(); solve(); });
+byId('form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  solve();
+});
 addEventListener('keydown', (event) => {
-  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) { event.preventDefault(); solve(); }
+  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+    event.preventDefault();
+    solve();
+  }
 });
 draft.addEventListener('change', compareWithDraft);
-byId('restore').addEventListener('click', () => { if (current) draft.replace(current.job, 'job'); });
-byId('share-job').addEventListener('click', async () => {
-  const address = await link.draftLink(draft.job);
-  await navigator.clipboard.writeText(address).then(() => toast('Link to this definition copied'), () => { location.hash = new URL(address).hash; });
+byId('restore').addEventListener('click', () => {
+  if (current) draft.replace(current.job, 'job');
 });
+byId('share-job').addEventListener('click', async () =>
+  copy(await link.draftLink(draft.job), 'Link to this definition'),
+);
 document.querySelector('[data-skip]')?.addEventListener('click', (event) => {
   event.preventDefault();
   byId('result').focus();
 });
 
-for (const part of ['json', 'jobs']) {
-  const button = byId(`show-${part}`);
-  const turn = (/** @type {boolean} */ on) => {
-    byId(part).hidden = !on;
-    button.setAttribute('aria-pressed', String(on));
-    localStorage.setItem(`show-${part}`, String(on));
-    if (part === 'jobs') list.refresh();
-  };
-  button.addEventListener('click', () => turn(byId(part).hidden));
-  turn(localStorage.getItem(`show-${part}`) === 'true');
-}
-
-onKeyWanted(() => {
-  const dialog = /** @type {HTMLDialogElement} */ (byId('key-dialog'));
-  byId('api-key').hidden = false;
-  if (!dialog.open) dialog.showModal();
-});
-byId('api-key').addEventListener('click', () => /** @type {HTMLDialogElement} */ (byId('key-dialog')).showModal());
-byId('key-dialog').addEventListener('close', () => {
-  if (/** @type {HTMLDialogElement} */ (byId('key-dialog')).returnValue !== 'save') return;
-  useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim());
-  location.reload();
-});
-
+startParts(() => list.refresh());
+startKeys();
 begin();

@@ -12,8 +12,13 @@ import { chromium } from 'playwright-core';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const QUIET = [
-  '--no-sandbox', '--disable-background-networking', '--no-first-run', '--disable-component-update', '--disable-sync',
-  '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--no-sandbox',
+  '--disable-background-networking',
+  '--no-first-run',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
 ];
 
 /** The first of these that is there. @param {string} what @param {(string | undefined)[]} paths @param {string} help */
@@ -31,7 +36,8 @@ export async function serve(args = []) {
   const binary = found('the program', [process.env.BRINELL_BIN, join(ROOT, 'target/debug/brinell')], 'cargo build');
   const data = await mkdtemp(join(tmpdir(), 'brinell-page-'));
   const child = spawn(binary, ['serve', '--listen', '127.0.0.1:0', '--data-dir', data, ...args], {
-    stdio: ['ignore', 'pipe', 'inherit'], env: { ...process.env, BRINELL_LOG: 'error' },
+    stdio: ['ignore', 'pipe', 'inherit'],
+    env: { ...process.env, BRINELL_LOG: 'error' },
   });
   const [line] = await once(createInterface({ input: child.stdout }), 'line');
   const url = /** @type {string} */ (line).replace('brinell listening on ', '');
@@ -46,8 +52,11 @@ export async function serve(args = []) {
 
 /** @returns {Promise<import('playwright-core').Browser>} */
 export function launch() {
-  const executablePath = found('Chromium', [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'],
-    'apt-get install chromium');
+  const executablePath = found(
+    'Chromium',
+    [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'],
+    'apt-get install chromium',
+  );
   return chromium.launch({ executablePath, headless: true, args: QUIET });
 }
 
@@ -68,7 +77,8 @@ export async function visit(browser, url, options = {}) {
   });
   page.on('pageerror', (error) => faults.push(`uncaught: ${error.stack ?? error}`));
   page.on('request', (request) => {
-    if (!request.url().startsWith(url) && !request.url().startsWith('blob:')) faults.push(`asked elsewhere: ${request.url()}`);
+    if (!request.url().startsWith(url) && !request.url().startsWith('blob:'))
+      faults.push(`asked elsewhere: ${request.url()}`);
   });
   await page.goto(url);
   return { page, faults, close: () => context.close() };

@@ -42,7 +42,11 @@ export async function request(path, { json, headers, ...options } = {}) {
   const type = json === undefined ? undefined : { 'Content-Type': 'application/json' };
   let response;
   try {
-    response = await fetch(path.replace(/^\//, ''), { ...options, ...body, headers: { ...authorization(), ...type, ...headers } });
+    response = await fetch(path.replace(/^\//, ''), {
+      ...options,
+      ...body,
+      headers: { ...authorization(), ...type, ...headers },
+    });
   } catch (error) {
     if (/** @type {Error} */ (error).name === 'AbortError') throw error;
     throw new Problem(0, 'the service does not answer');

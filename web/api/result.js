@@ -5,7 +5,9 @@ import { Problem, authorization } from './client.js';
 /** @type {Worker | undefined} */
 let worker;
 let count = 0;
-const waiting = /** @type {Map<number, {resolve: (report: any) => void, reject: (error: Error) => void}>} */ (new Map());
+const waiting = /** @type {Map<number, {resolve: (report: any) => void, reject: (error: Error) => void}>} */ (
+  new Map()
+);
 
 /**
  * @param {string} id of a job
@@ -17,7 +19,11 @@ export function fetchResult(id) {
   const number = ++count;
   return new Promise((resolve, reject) => {
     waiting.set(number, { resolve, reject });
-    worker?.postMessage({ number, url: new URL(`v1/jobs/${id}/result`, document.baseURI).href, headers: authorization() });
+    worker?.postMessage({
+      number,
+      url: new URL(`v1/jobs/${id}/result`, document.baseURI).href,
+      headers: authorization(),
+    });
   });
 }
 

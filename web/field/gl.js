@@ -10,6 +10,7 @@ import { MOST_BANDS } from './palette.js';
  * @property {import('./palette.js').Bands} bands
  * @property {number} deformation factor on displacements
  * @property {boolean} mirrored whether a half stands for both
+ * @property {boolean} odd whether values change their sign on the other side
  * @property {boolean} lines whether edges of elements are drawn
  * @property {number} floor values up to here have no colour
  * @property {[number, number, number]} plain that colour
@@ -20,11 +21,11 @@ layout(location = 0) in vec2 node;
 layout(location = 1) in vec2 displacement;
 layout(location = 2) in float value;
 uniform vec2 centre, scale;
-uniform float deformation, side, shift;
+uniform float deformation, side, shift, parity;
 out float v;
 void main() {
   vec2 p = node + deformation * (displacement + vec2(0.0, shift));
-  v = value;
+  v = parity * value;
   gl_Position = vec4((vec2(side, 1.0) * p - centre) * scale, 0.0, 1.0);
 }`;
 
@@ -53,7 +54,21 @@ export class Renderer {
   constructor(gl) {
     this.gl = gl;
     this.program = program(gl);
-    const names = ['centre', 'scale', 'deformation', 'side', 'shift', 'low', 'width', 'bottom', 'count', 'colours', 'plain', 'line'];
+    const names = [
+      'centre',
+      'scale',
+      'deformation',
+      'side',
+      'parity',
+      'shift',
+      'low',
+      'width',
+      'bottom',
+      'count',
+      'colours',
+      'plain',
+      'line',
+    ];
     this.at = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
   }
 
@@ -83,7 +98,7 @@ export class Renderer {
   }
 
   /** @param {Scene} scene */
-  draw({ camera, bands, deformation, mirrored, lines, floor, plain }) {
+  draw({ camera, bands, deformation, mirrored, odd, lines, floor, plain }) {
     const { gl, at } = this;
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(0, 0, 0, 0);
@@ -102,6 +117,7 @@ export class Renderer {
       gl.uniform1f(at.shift, body.shift);
       for (const side of mirrored ? [1, -1] : [1]) {
         gl.uniform1f(at.side, side);
+        gl.uniform1f(at.parity, odd ? side : 1);
         gl.uniform4f(at.line, 0, 0, 0, 0);
         gl.bindVertexArray(body.vertices);
         gl.drawElements(gl.TRIANGLES, body.count, gl.UNSIGNED_INT, 0);
@@ -160,7 +176,10 @@ export class Renderer {
 /** @param {WebGL2RenderingContext} gl */
 function program(gl) {
   const made = gl.createProgram();
-  for (const [type, source] of /** @type {const} */ ([[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+  for (const [type, source] of /** @type {const} */ ([
+    [gl.VERTEX_SHADER, VERTEX],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ])) {
     const shader = gl.createShader(type);
     if (!shader) throw new Error('the drawing context is lost');
     gl.shaderSource(shader, source);

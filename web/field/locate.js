@@ -34,8 +34,10 @@ export const valueAt = ({ nodes, weights }, values) =>
   weights[0] * values[nodes[0]] + weights[1] * values[nodes[1]] + weights[2] * values[nodes[2]];
 
 /** @param {Place} place @param {Float32Array} vectors two for each node @returns {[number, number]} */
-export const vectorAt = ({ nodes, weights }, vectors) => /** @type {[number, number]} */ ([0, 1].map((axis) =>
-  weights.reduce((sum, weight, k) => sum + weight * vectors[2 * nodes[k] + axis], 0)));
+export const vectorAt = ({ nodes, weights }, vectors) =>
+  /** @type {[number, number]} */ (
+    [0, 1].map((axis) => weights.reduce((sum, weight, k) => sum + weight * vectors[2 * nodes[k] + axis], 0))
+  );
 
 /**
  * Polygons of the plastic zone with the displacement of every corner, to be drawn at any deformation.
@@ -46,17 +48,21 @@ export const vectorAt = ({ nodes, weights }, vectors) => /** @type {[number, num
  * @returns {{x: number, y: number, u: number, v: number}[][]}
  */
 export function carried(outline, mesh, up, mirrored) {
-  return outline.map((polygon) => polygon.map(([x, depth]) => {
-    const side = mirrored && x < 0 ? -1 : 1;
-    const place = locate(mesh, 0, 0, side * x, up * depth);
-    const [u, v] = place ? vectorAt(place, mesh.displacement) : [0, 0];
-    return { x, y: up * depth, u: side * u, v, found: place !== null };
-  })).map((polygon) => {
-    // A corner on the surface may lie a hair outside the mesh: it goes with its neighbour.
-    polygon.forEach((corner, k) => {
-      const neighbour = polygon[(k + polygon.length - 1) % polygon.length];
-      if (!corner.found && neighbour) [corner.u, corner.v] = [neighbour.u, neighbour.v];
+  return outline
+    .map((polygon) =>
+      polygon.map(([x, depth]) => {
+        const side = mirrored && x < 0 ? -1 : 1;
+        const place = locate(mesh, 0, 0, side * x, up * depth);
+        const [u, v] = place ? vectorAt(place, mesh.displacement) : [0, 0];
+        return { x, y: up * depth, u: side * u, v, found: place !== null };
+      }),
+    )
+    .map((polygon) => {
+      // A corner on the surface may lie a hair outside the mesh: it goes with its neighbour.
+      polygon.forEach((corner, k) => {
+        const neighbour = polygon[(k + polygon.length - 1) % polygon.length];
+        if (!corner.found && neighbour) [corner.u, corner.v] = [neighbour.u, neighbour.v];
+      });
+      return polygon;
     });
-    return polygon;
-  });
 }

@@ -46,7 +46,10 @@ function outline(context, camera, polygons, deformation, shift) {
     });
     path.closePath();
   }
-  for (const [style, width] of /** @type {[string, number][]} */ ([['#0009', 3], ['#fff', 1.25]])) {
+  for (const [style, width] of /** @type {[string, number][]} */ ([
+    ['#0009', 3],
+    ['#fff', 1.25],
+  ])) {
     context.strokeStyle = style;
     context.lineWidth = width;
     context.stroke(path);

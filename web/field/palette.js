@@ -3,9 +3,32 @@
 /** @typedef {[number, number, number]} Rgb each from 0 to 1 */
 
 /** Dark to light, even to the eye and safe for colour-blind readers (viridis). */
-const SEQUENTIAL = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
+const SEQUENTIAL = [
+  '#440154',
+  '#482878',
+  '#3e4989',
+  '#31688e',
+  '#26828e',
+  '#1f9e89',
+  '#35b779',
+  '#6ece58',
+  '#b5de2b',
+  '#fde725',
+];
 /** Blue is pressed, red is pulled. */
-const DIVERGING = ['#053061', '#2166ac', '#4393c3', '#92c5de', '#d1e5f0', '#f7f7f7', '#fddbc7', '#f4a582', '#d6604d', '#b2182b', '#67001f'];
+const DIVERGING = [
+  '#053061',
+  '#2166ac',
+  '#4393c3',
+  '#92c5de',
+  '#d1e5f0',
+  '#f7f7f7',
+  '#fddbc7',
+  '#f4a582',
+  '#d6604d',
+  '#b2182b',
+  '#67001f',
+];
 
 /** As many as the shader holds. */
 export const MOST_BANDS = 16;
@@ -32,7 +55,8 @@ export function bands(low, high) {
   const first = Math.floor(low / step + 1e-9);
   const count = Math.min(MOST_BANDS, Math.max(1, Math.ceil(high / step - 1e-9) - first));
   const most = Math.max(-first, first + count);
-  const place = (/** @type {number} */ k) => signed ? 0.5 + (first + k + 0.5) / (2 * most) : count > 1 ? k / (count - 1) : 0.5;
+  const place = (/** @type {number} */ k) =>
+    signed ? 0.5 + (first + k + 0.5) / (2 * most) : count > 1 ? k / (count - 1) : 0.5;
   const stops = (signed ? DIVERGING : SEQUENTIAL).map(rgb);
   return { low: first * step, step, colours: Array.from({ length: count }, (_, k) => between(stops, place(k))) };
 }

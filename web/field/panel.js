@@ -2,24 +2,21 @@
 
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
-import { figure, plain, unit } from '../lib/units.js';
+import { figure, unit } from '../lib/units.js';
 import { Panel } from '../result/panel.js';
 import { Camera } from './camera.js';
 import { Renderer } from './gl.js';
-import { carried, locate, valueAt } from './locate.js';
+import { carried } from './locate.js';
 import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
 import { steer } from './pointer.js';
+import { QUANTITIES, colourBar, isOdd, rangeOf, readout } from './read.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Report} Report */
-/** @typedef {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} Quantity */
+/** @typedef {import('./read.js').Quantity} Quantity */
 /** @typedef {{name: 'upper' | 'lower', mesh: Mesh, shift: number, polygons: ReturnType<typeof carried>}} Body */
 
-/** @type {Record<Quantity, string>} */
-const QUANTITIES = {
-  von_mises: 'von Mises stress', equivalent_plastic_strain: 'plastic strain', sigma_x: 'σx', sigma_y: 'σy', sigma_z: 'σz', tau_xy: 'τxy',
-};
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
 const LOUPE = [0, 1, 2, 5, 10, 20];
@@ -48,35 +45,103 @@ export class FieldPanel {
   constructor(wanted) {
     this.surface = h('canvas', { class: 'surface' });
     this.over = h('canvas', {
-      class: 'over', tabindex: 0, role: 'img', 'aria-label': 'Stress field',
-      'aria-description': 'Arrows move, plus and minus zoom, 0 goes back; figures of the point in the middle are read out below.',
+      class: 'over',
+      tabindex: 0,
+      role: 'img',
+      'aria-label': 'Stress field',
+      'aria-description':
+        'Arrows move, plus and minus zoom, 0 goes back; figures of the point in the middle are read out below.',
     });
     this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
     this.readout = h('p', { class: 'readout', role: 'status' });
     this.stage = h('div', { class: 'stage' }, this.surface, this.over, this.bar);
-    this.empty = h('div', { class: 'empty' }, h('p', {}, 'This job did not ask for the stress field on the mesh.'),
-      h('button', { type: 'button', onclick: wanted }, 'Solve again with it'));
+    this.empty = h(
+      'div',
+      { class: 'empty' },
+      h('p', {}, 'This job did not ask for the stress field on the mesh.'),
+      h('button', { type: 'button', onclick: wanted }, 'Solve again with it'),
+    );
     this.controls = this.#controls();
-    this.panel = new Panel('field', 'Field', [this.controls, this.stage, this.readout, this.empty], { picture: () => this.picture() });
-    steer(this.over, this.#camera, { moved: () => this.#later(), home: () => this.#home(), probe: (at) => { this.#probe = at; this.#later(false); } });
+    this.panel = new Panel('field', 'Field', [this.controls, this.stage, this.readout, this.empty], {
+      picture: () => this.picture(),
+    });
+    steer(this.over, this.#camera, {
+      moved: () => this.#later(),
+      home: () => this.#home(),
+      probe: (at) => {
+        this.#probe = at;
+        this.#later(false);
+      },
+    });
     new ResizeObserver(() => this.#fit()).observe(this.stage);
     onTheme(() => this.#later());
-    this.surface.addEventListener('webglcontextlost', (event) => { event.preventDefault(); this.#renderer = undefined; });
-    this.surface.addEventListener('webglcontextrestored', () => { if (this.#shown) this.#load(); });
+    this.surface.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.#renderer = undefined;
+    });
+    this.surface.addEventListener('webglcontextrestored', () => {
+      if (this.#shown) this.#load();
+    });
   }
 
   #controls() {
-    const quantity = h('select', { 'aria-label': 'Shown', onchange: () => { this.#quantity = /** @type {Quantity} */ (quantity.value); this.#choose(); } },
-      Object.entries(QUANTITIES).map(([value, name]) => h('option', { value }, name)));
-    const loupe = h('select', { onchange: () => { this.#deformation = Number(loupe.value); this.#later(); } },
-      LOUPE.map((factor) => h('option', { value: factor, selected: factor === 1 }, `×${factor}`)));
-    const lines = h('input', { type: 'checkbox', onchange: () => { this.#lines = lines.checked; this.#later(); } });
+    const quantity = h(
+      'select',
+      {
+        'aria-label': 'Shown',
+        onchange: () => {
+          this.#quantity = /** @type {Quantity} */ (quantity.value);
+          this.#choose();
+        },
+      },
+      Object.entries(QUANTITIES).map(([value, name]) => h('option', { value }, name)),
+    );
+    const loupe = h(
+      'select',
+      {
+        onchange: () => {
+          this.#deformation = Number(loupe.value);
+          this.#later();
+        },
+      },
+      LOUPE.map((factor) => h('option', { value: factor, selected: factor === 1 }, `×${factor}`)),
+    );
+    const lines = h('input', {
+      type: 'checkbox',
+      onchange: () => {
+        this.#lines = lines.checked;
+        this.#later();
+      },
+    });
     const button = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ work) =>
-      h('button', { type: 'button', class: 'plain', 'aria-label': name, title: name, onclick: () => { work(); this.#later(); } }, sign);
-    return h('div', { class: 'bar tools' }, quantity,
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'plain',
+          'aria-label': name,
+          title: name,
+          onclick: () => {
+            work();
+            this.#later();
+          },
+        },
+        sign,
+      );
+    return h(
+      'div',
+      { class: 'bar tools' },
+      quantity,
       h('label', { title: 'Above ×1 the two pictures overlap where the bodies touch' }, 'Displacement ', loupe),
       h('label', {}, lines, ' Mesh'),
-      h('span', { class: 'group' }, button('−', 'Zoom out', () => this.#camera.zoom(0.8)), button('+', 'Zoom in', () => this.#camera.zoom(1.25)), button('⌂', 'Whole contact', () => this.#home())));
+      h(
+        'span',
+        { class: 'group' },
+        button('−', 'Zoom out', () => this.#camera.zoom(0.8)),
+        button('+', 'Zoom in', () => this.#camera.zoom(1.25)),
+        button('⌂', 'Whole contact', () => this.#home()),
+      ),
+    );
   }
 
   /** @param {Report} report @param {number} at */
@@ -93,8 +158,16 @@ export class FieldPanel {
     this.#bodies = /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
       const mesh = step.fields?.[name];
       const zone = step.plasticity[name];
-      return mesh ? [{ name, mesh, shift: name === 'upper' ? -step.approach : 0,
-        polygons: carried(zone?.outline ?? [], mesh, name === 'upper' ? 1 : -1, report.mesh.symmetric) }] : [];
+      return mesh
+        ? [
+            {
+              name,
+              mesh,
+              shift: name === 'upper' ? -step.approach : 0,
+              polygons: carried(zone?.outline ?? [], mesh, name === 'upper' ? 1 : -1, report.mesh.symmetric),
+            },
+          ]
+        : [];
     });
     this.#load();
     this.#fit();
@@ -128,28 +201,24 @@ export class FieldPanel {
 
   /** Puts the values of the chosen quantity on the meshes and their limits beside them. */
   #choose() {
-    let [low, high] = [Infinity, -Infinity];
-    for (const { mesh } of this.#bodies) {
-      for (const value of mesh[this.#quantity]) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-    }
+    const mirrored = this.#shown?.report.mesh.symmetric ?? false;
+    const meshes = this.#bodies.map(({ mesh }) => mesh);
+    const [low, high] = rangeOf(meshes, this.#quantity, mirrored);
     const signed = this.#quantity.startsWith('sigma') || this.#quantity === 'tau_xy';
     this.#bands = bands(signed ? low : 0, high > low ? high : low + 1);
     this.#renderer?.choose(this.#quantity);
-    const { low: first, step, colours } = this.#bands;
-    this.bar.replaceChildren(...colours.map((rgb, k) => {
-      const swatch = h('li', {}, plain(first + (k + 1) * step));
-      swatch.style.setProperty('--band', `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`);
-      return swatch;
-    }).reverse(), ...(this.#unit() ? [h('li', { class: 'unit' }, this.#unit())] : []));
-    this.over.setAttribute('aria-label', `Field of ${QUANTITIES[this.#quantity]}, from ${figure(low, 4)} to ${figure(high, 4)} ${this.#unit()}.`);
+    this.bar.replaceChildren(...colourBar(this.#bands, this.#unit()));
+    this.over.setAttribute(
+      'aria-label',
+      `Field of ${QUANTITIES[this.#quantity]}, from ${figure(low, 4)} to ${figure(high, 4)} ${this.#unit()}.`,
+    );
     this.#later();
   }
 
   #unit() {
-    return this.#shown && this.#quantity !== 'equivalent_plastic_strain' ? unit('stress', this.#shown.report.units) : '';
+    return this.#shown && this.#quantity !== 'equivalent_plastic_strain'
+      ? unit('stress', this.#shown.report.units)
+      : '';
   }
 
   #home() {
@@ -179,7 +248,10 @@ export class FieldPanel {
   /** @param {boolean} [meshes] whether more has changed than what lies over them */
   #later(meshes = true) {
     this.#stale ||= meshes;
-    this.#frame ||= requestAnimationFrame(() => { this.#frame = 0; this.#draw(this.#stale); });
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#draw(this.#stale);
+    });
   }
 
   #draw(meshes = true) {
@@ -188,9 +260,16 @@ export class FieldPanel {
     const { report } = this.#shown;
     if (meshes) this.#drawMeshes(this.#renderer, report);
     drawOverlay(this.over, {
-      camera: this.#camera, deformation: this.#deformation,
-      zones: this.#bodies, ends: step.contact.patches.flatMap(({ left, right }) => (report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right])).filter((x) => x !== 0),
-      cross: this.#probe, length: unit('length', report.units),
+      camera: this.#camera,
+      deformation: this.#deformation,
+      zones: this.#bodies,
+      ends: step.contact.patches
+        .flatMap(({ left, right }) =>
+          report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right],
+        )
+        .filter((x) => x !== 0),
+      cross: this.#probe,
+      length: unit('length', report.units),
     });
     this.#read(report);
     performance.mark('field-drawn');
@@ -202,29 +281,21 @@ export class FieldPanel {
     const strain = this.#quantity === 'equivalent_plastic_strain';
     const { low, step: width, colours } = this.#bands;
     renderer.draw({
-      camera: this.#camera, bands: this.#bands, deformation: this.#deformation, mirrored: report.mesh.symmetric,
-      lines: this.#lines, floor: strain ? PLAIN * (low + width * colours.length) : -Infinity, plain: rgb(colour('--metal')),
+      camera: this.#camera,
+      bands: this.#bands,
+      deformation: this.#deformation,
+      mirrored: report.mesh.symmetric,
+      odd: isOdd(this.#quantity),
+      lines: this.#lines,
+      floor: strain ? PLAIN * (low + width * colours.length) : -Infinity,
+      plain: rgb(colour('--metal')),
     });
   }
 
   /** Says what is under the probe. @param {Report} report */
   #read(report) {
-    if (!this.#probe) {
-      this.readout.textContent = 'Point at the field for its figures. White line: plastic zone. Drag to move; click, then scroll to zoom.';
-      return;
-    }
-    const [x, y] = this.#camera.toWorld(...this.#probe);
-    const [length, stress] = [unit('length', report.units), unit('stress', report.units)];
-    const side = report.mesh.symmetric && x < 0 ? -1 : 1;
-    for (const { name, mesh, shift } of this.#bodies) {
-      const place = locate(mesh, this.#deformation, shift, side * x, y);
-      if (!place) continue;
-      const at = (/** @type {Quantity} */ quantity) => valueAt(place, mesh[quantity]);
-      const figures = [['von Mises', at('von_mises')], ['σx', at('sigma_x')], ['σy', at('sigma_y')], ['σz', at('sigma_z')], ['τxy', side * at('tau_xy')]];
-      this.readout.textContent = `${name} body, x ${figure(x, 3)}, y ${figure(y, 3)} ${length}:  ${
-        figures.map(([label, value]) => `${label} ${figure(Number(value), 4)}`).join(' · ')} ${stress} · plastic strain ${figure(100 * at('equivalent_plastic_strain'), 3)} %`;
-      return;
-    }
-    this.readout.textContent = `x ${figure(x, 3)}, y ${figure(y, 3)} ${length}: outside the bodies`;
+    this.readout.textContent = this.#probe
+      ? readout(this.#bodies, report, this.#deformation, this.#camera.toWorld(...this.#probe))
+      : 'Point at the field for its figures. White line: plastic zone. Drag to move; click, then scroll to zoom.';
   }
 }

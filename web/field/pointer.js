@@ -33,12 +33,16 @@ export function steer(element, camera, told) {
   element.addEventListener('pointerleave', () => told.probe(null));
   element.addEventListener('dblclick', told.home);
   // The page scrolls on over a field that has not been clicked.
-  element.addEventListener('wheel', (event) => {
-    if (document.activeElement !== element && !event.ctrlKey) return;
-    event.preventDefault();
-    camera.zoom(Math.exp(-event.deltaY / 400), ...at(event));
-    told.moved();
-  }, { passive: false });
+  element.addEventListener(
+    'wheel',
+    (event) => {
+      if (document.activeElement !== element && !event.ctrlKey) return;
+      event.preventDefault();
+      camera.zoom(Math.exp(-event.deltaY / 400), ...at(event));
+      told.moved();
+    },
+    { passive: false },
+  );
   element.addEventListener('keydown', (event) => key(event, camera, told));
 }
 

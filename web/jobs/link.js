@@ -15,14 +15,20 @@ export const jobLink = (id) => new URL(`#job=${id}`, document.baseURI).href;
 /** @param {unknown} job @returns {Promise<string>} */
 export async function draftLink(job) {
   const bytes = await through(new TextEncoder().encode(JSON.stringify(job)), new CompressionStream('deflate-raw'));
-  const text = btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  const text = btoa(String.fromCharCode(...bytes))
+    .replaceAll('+', '-')
+    .replaceAll('/', '_')
+    .replaceAll('=', '');
   return new URL(`#draft=${text}`, document.baseURI).href;
 }
 
 /** @param {string} text @returns {Promise<any>} */
 export async function unpack(text) {
   const plain = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  const bytes = await through(Uint8Array.from(plain, (letter) => letter.charCodeAt(0)), new DecompressionStream('deflate-raw'));
+  const bytes = await through(
+    Uint8Array.from(plain, (letter) => letter.charCodeAt(0)),
+    new DecompressionStream('deflate-raw'),
+  );
   return JSON.parse(new TextDecoder().decode(bytes));
 }
 

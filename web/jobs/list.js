@@ -21,25 +21,43 @@ export class JobList {
   /** @param {{open: (id: string) => void, compare: (id: string, on: boolean, label: string) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} told */
   constructor(told) {
     this.told = told;
-    this.search = h('input', { type: 'search', placeholder: 'Search tags, ids; name:value', 'aria-label': 'Search jobs' });
-    this.status = h('select', { 'aria-label': 'State' }, h('option', { value: '' }, 'all states'),
-      Object.entries(NAMES).map(([value, name]) => h('option', { value }, name)));
+    this.search = h('input', {
+      type: 'search',
+      placeholder: 'Search tags, ids; name:value',
+      'aria-label': 'Search jobs',
+    });
+    this.status = h(
+      'select',
+      { 'aria-label': 'State' },
+      h('option', { value: '' }, 'all states'),
+      Object.entries(NAMES).map(([value, name]) => h('option', { value }, name)),
+    );
     byId('jobs-filter').append(this.search, this.status);
-    const again = () => { this.#pages = 1; this.refresh(); };
+    const again = () => {
+      this.#pages = 1;
+      this.refresh();
+    };
     this.search.addEventListener('input', debounce(again, 250));
     this.status.addEventListener('change', again);
     byId('jobs-more').addEventListener('click', () => this.#more());
-    setInterval(() => { if (!byId('jobs').hidden && !document.hidden && this.#pages === 1) this.refresh(); }, AGAIN);
+    setInterval(() => {
+      if (!byId('jobs').hidden && !document.hidden && this.#pages === 1) this.refresh();
+    }, AGAIN);
   }
 
   async refresh() {
     if (byId('jobs').hidden) return;
-    await this.#fetch().then(({ jobs, next_cursor: next }) => {
-      this.#jobs = jobs;
-      this.#next = next;
-      this.#pages = 1;
-      this.show();
-    }, (error) => { byId('jobs-state').textContent = error.message; });
+    await this.#fetch().then(
+      ({ jobs, next_cursor: next }) => {
+        this.#jobs = jobs;
+        this.#next = next;
+        this.#pages = 1;
+        this.show();
+      },
+      (error) => {
+        byId('jobs-state').textContent = error.message;
+      },
+    );
   }
 
   async #more() {
@@ -61,10 +79,21 @@ export class JobList {
 
   show() {
     const wanted = this.search.value.includes(':') ? '' : this.search.value.trim().toLowerCase();
-    const jobs = this.#jobs.filter((job) => !wanted || JSON.stringify([job.id, job.tags ?? {}]).toLowerCase().includes(wanted));
+    const jobs = this.#jobs.filter(
+      (job) =>
+        !wanted ||
+        JSON.stringify([job.id, job.tags ?? {}])
+          .toLowerCase()
+          .includes(wanted),
+    );
     byId('jobs-state').textContent = jobs.length ? `${jobs.length} shown` : '';
-    const nothing = wanted || this.status.value || this.search.value ? 'No job matches.' : 'No jobs yet. Solve one and it appears here.';
-    byId('jobs-list').replaceChildren(...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]));
+    const nothing =
+      wanted || this.status.value || this.search.value
+        ? 'No job matches.'
+        : 'No jobs yet. Solve one and it appears here.';
+    byId('jobs-list').replaceChildren(
+      ...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]),
+    );
     byId('jobs-more').hidden = !this.#next;
   }
 
@@ -74,15 +103,25 @@ export class JobList {
     const current = this.told.current() === job.id;
     const compared = this.told.isCompared(job.id);
     const box = h('input', {
-      type: 'checkbox', checked: Boolean(compared), disabled: current || !finished(job), 'aria-label': `Compare ${label}`, title: 'Lay over the one shown',
+      type: 'checkbox',
+      checked: Boolean(compared),
+      disabled: current || !finished(job),
+      'aria-label': `Compare ${label}`,
+      title: 'Lay over the one shown',
       onchange: () => this.told.compare(job.id, box.checked, label),
     });
     if (compared) box.style.setProperty('accent-color', `var(${compared})`);
     const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
-    const open = h('button', { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.told.open(job.id) },
-      h('span', { class: `dot ${job.status}` }), h('span', {}, NAMES[job.status]),
-      h('span', { class: 'quiet' }, `${job.progress.iterations} it.`), h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
-      h('code', { class: 'quiet' }, job.id.slice(-8)), tags);
+    const open = h(
+      'button',
+      { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.told.open(job.id) },
+      h('span', { class: `dot ${job.status}` }),
+      h('span', {}, NAMES[job.status]),
+      h('span', { class: 'quiet' }, `${job.progress.iterations} it.`),
+      h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
+      h('code', { class: 'quiet' }, job.id.slice(-8)),
+      tags,
+    );
     return h('li', {}, box, open);
   }
 }
@@ -93,5 +132,9 @@ export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 
 /** @param {string} time */
 function age(time) {
   const ms = Date.now() - Date.parse(time);
-  return ms < 5000 ? 'just now' : ms < 86400e3 ? `${duration(1000 * Math.round(ms / 1000)).replace('.00', '')} ago` : new Date(time).toLocaleDateString();
+  return ms < 5000
+    ? 'just now'
+    : ms < 86400e3
+      ? `${duration(1000 * Math.round(ms / 1000)).replace('.00', '')} ago`
+      : new Date(time).toLocaleDateString();
 }

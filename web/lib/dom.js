@@ -39,9 +39,14 @@ function fill(element, properties, children) {
     else if (value === true) element.setAttribute(key, '');
     else if (value !== false && value != null) element.setAttribute(key, String(value));
   }
-  element.append(.../** @type {(Node | string)[]} */ (
-    children.flat().filter((child) => child != null && child !== false).map((child) =>
-      typeof child === 'number' ? String(child) : child)));
+  element.append(
+    .../** @type {(Node | string)[]} */ (
+      children
+        .flat()
+        .filter((child) => child != null && child !== false)
+        .map((child) => (typeof child === 'number' ? String(child) : child))
+    ),
+  );
   return element;
 }
 
@@ -78,3 +83,22 @@ export function toast(text) {
   fade(place);
 }
 const fade = debounce((/** @type {HTMLElement} */ place) => place.classList.remove('shown'), 3000);
+
+/**
+ * Puts a text on the clipboard, also where the page does not come by https and browsers keep theirs shut.
+ * @param {string} text
+ * @param {string} name of it
+ */
+export async function copy(text, name) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    const place = h('textarea', { class: 'visually-hidden' });
+    place.value = text;
+    document.body.append(place);
+    place.select();
+    document.execCommand('copy');
+    place.remove();
+  }
+  toast(`${name} copied`);
+}

@@ -2,7 +2,10 @@
 
 /** @param {string} pointer */
 const parts = (pointer) =>
-  pointer.split('/').slice(1).map((part) => part.replaceAll('~1', '/').replaceAll('~0', '~'));
+  pointer
+    .split('/')
+    .slice(1)
+    .map((part) => part.replaceAll('~1', '/').replaceAll('~0', '~'));
 
 /** @param {unknown} document @param {string} pointer @returns {any} what is there; `undefined` if nothing is */
 export function get(document, pointer) {
@@ -42,6 +45,8 @@ export function same(a, b) {
   if (a === b) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || !a || !b) return false;
   const keys = Object.keys(a);
-  return keys.length === Object.keys(b).length && keys.every((key) =>
-    same(/** @type {any} */ (a)[key], /** @type {any} */ (b)[key]));
+  return (
+    keys.length === Object.keys(b).length &&
+    keys.every((key) => same(/** @type {any} */ (a)[key], /** @type {any} */ (b)[key]))
+  );
 }

@@ -76,8 +76,7 @@ const superscript = (exponent) =>
   String(Number(exponent)).replace(/./g, (sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)]));
 
 /** @param {number | null | undefined} ratio */
-export const percent = (ratio, digits = 2) =>
-  ratio == null ? '—' : `${figure(100 * ratio, digits)} %`;
+export const percent = (ratio, digits = 2) => (ratio == null ? '—' : `${figure(100 * ratio, digits)} %`);
 
 /** @param {number} bytes */
 export const megabytes = (bytes) => `${figure(bytes / 1e6, bytes < 1e7 ? 2 : 3)} MB`;

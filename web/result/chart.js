@@ -108,25 +108,58 @@ export class Chart {
   /** @param {Plot} plot @param {number} width */
   #options(plot, width) {
     const rule = { stroke: colour('--rule'), width: 1 };
-    const axis = { stroke: colour('--quiet'), font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, ticks: { ...rule, size: 4 } };
-    const values = (/** @type {any} */ _, /** @type {(number | null)[]} */ splits) => splits.map((value) => (value === null ? '' : plain(value)));
+    const axis = {
+      stroke: colour('--quiet'),
+      font: FONT,
+      labelFont: FONT,
+      labelSize: 16,
+      labelGap: 0,
+      ticks: { ...rule, size: 4 },
+    };
+    const values = (/** @type {any} */ _, /** @type {(number | null)[]} */ splits) =>
+      splits.map((value) => (value === null ? '' : plain(value)));
     const grid = plot.log ? { ...rule, filter: decades } : rule;
     return {
-      width, height: this.height, legend: { show: false },
+      width,
+      height: this.height,
+      legend: { show: false },
       padding: [10, plot.right ? 0 : 12, 0, 0],
       cursor: { points: { size: 5 }, drag: { x: true, y: false, setScale: true } },
-      scales: { x: { time: false, ...(plot.range && { range: ranged(plot.range) }) }, y: { distr: plot.log ? 3 : 1 }, right: {} },
+      scales: {
+        x: { time: false, ...(plot.range && { range: ranged(plot.range) }) },
+        y: { distr: plot.log ? 3 : 1 },
+        right: {},
+      },
       axes: [
         { ...axis, label: plot.x, size: 26, grid: { show: false }, values },
-        { ...axis, label: plot.y, size: 48, grid, values, ...(plot.log && { filter: decades, ticks: { ...rule, size: 4, filter: decades } }) },
-        ...(plot.right ? [{ ...axis, label: plot.right, size: 52, scale: 'right', side: 1, grid: { show: false }, values }] : []),
+        {
+          ...axis,
+          label: plot.y,
+          size: 48,
+          grid,
+          values,
+          ...(plot.log && { filter: decades, ticks: { ...rule, size: 4, filter: decades } }),
+        },
+        ...(plot.right
+          ? [{ ...axis, label: plot.right, size: 52, scale: 'right', side: 1, grid: { show: false }, values }]
+          : []),
       ],
-      series: [{}, ...plot.curves.map((curve) => ({
-        scale: curve.right ? 'right' : 'y', stroke: colour(curve.colour), width: curve.dashed ? 1.25 : 1.75, spanGaps: true,
-        dash: curve.dashed ? [5, 4] : undefined, points: { show: Boolean(curve.points), size: 5, fill: colour(curve.colour) },
-        fill: curve.filled ? `${colour(curve.colour)}18` : undefined,
-      }))],
-      hooks: { draw: [(/** @type {uPlot} */ u) => drawMarks(u, plot.marks ?? [])], setCursor: [(/** @type {uPlot} */ u) => this.#read(u.cursor.idx)] },
+      series: [
+        {},
+        ...plot.curves.map((curve) => ({
+          scale: curve.right ? 'right' : 'y',
+          stroke: colour(curve.colour),
+          width: curve.dashed ? 1.25 : 1.75,
+          spanGaps: true,
+          dash: curve.dashed ? [5, 4] : undefined,
+          points: { show: Boolean(curve.points), size: 5, fill: colour(curve.colour) },
+          fill: curve.filled ? `${colour(curve.colour)}18` : undefined,
+        })),
+      ],
+      hooks: {
+        draw: [(/** @type {uPlot} */ u) => drawMarks(u, plot.marks ?? [])],
+        setCursor: [(/** @type {uPlot} */ u) => this.#read(u.cursor.idx)],
+      },
     };
   }
 
@@ -134,9 +167,12 @@ export class Chart {
   #read(index) {
     const { curves } = this.#plot ?? { curves: [] };
     const x = index == null ? null : this.#uplot?.data[0][index];
-    this.legend.replaceChildren(...curves.map((curve) => h('li', {},
-      swatch(curve), curve.label, x == null ? null : h('b', {}, figure(valueAt(curve, x), 4)))),
-      ...(x == null ? [] : [h('li', { class: 'at' }, `at ${figure(x, 4)}`)]));
+    this.legend.replaceChildren(
+      ...curves.map((curve) =>
+        h('li', {}, swatch(curve), curve.label, x == null ? null : h('b', {}, figure(valueAt(curve, x), 4))),
+      ),
+      ...(x == null ? [] : [h('li', { class: 'at' }, `at ${figure(x, 4)}`)]),
+    );
   }
 }
 
@@ -196,7 +232,8 @@ function drawMarks(u, marks) {
       ctx.lineTo(bbox.left + bbox.width, at);
     }
     ctx.stroke();
-    const right = mark.across === 'y' ? !mark.left : at + ctx.measureText(mark.text).width + 8 * ratio > bbox.left + bbox.width;
+    const right =
+      mark.across === 'y' ? !mark.left : at + ctx.measureText(mark.text).width + 8 * ratio > bbox.left + bbox.width;
     const x = mark.across === 'x' ? at : right ? bbox.left + bbox.width : bbox.left;
     ctx.textAlign = right ? 'right' : 'left';
     ctx.fillText(mark.text, x + (right ? -4 : 4) * ratio, mark.across === 'x' ? bbox.top + 12 * ratio : at - 4 * ratio);

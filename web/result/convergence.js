@@ -25,7 +25,9 @@ export class ConvergencePanel {
     const last = history[history.length - 1];
     const points = history.length < 60;
     this.residual.show({
-      x: 'iteration', y: 'relative', log: true,
+      x: 'iteration',
+      y: 'relative',
+      log: true,
       curves: [
         { label: 'out-of-balance force', colour: '--curve-1', x, y: positive('equilibrium_residual'), points },
         { label: 'displacement change', colour: '--hertz', x, y: positive('displacement_change'), points },
@@ -34,7 +36,9 @@ export class ConvergencePanel {
       words: `After ${history.length} iterations the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
     });
     this.settling.show({
-      x: 'iteration', y: `α  [${unit('length', units)}]`, right: `peak p  [${unit('stress', units)}]`,
+      x: 'iteration',
+      y: `α  [${unit('length', units)}]`,
+      right: `peak p  [${unit('stress', units)}]`,
       curves: [
         { label: 'approach', colour: '--curve-2', x, y: column('approach'), points },
         { label: 'peak pressure', colour: '--curve-1', x, y: column('peak_pressure'), right: true, points },

@@ -33,20 +33,28 @@ export class DepthPanel {
       this.#body = /** @type {'upper' | 'lower'} */ (body);
       this.#again();
     });
-    const components = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' },
-      Object.entries(COMPONENTS).map(([key, { label }]) => this.#chip(/** @type {Component} */ (key), label)));
+    const components = h(
+      'div',
+      { class: 'chips', role: 'group', 'aria-label': 'Components' },
+      Object.entries(COMPONENTS).map(([key, { label }]) => this.#chip(/** @type {Component} */ (key), label)),
+    );
     this.panel = new Panel('depth', 'Stress over depth', [components, this.chart.element], {
-      controls: [bodies], picture: () => this.chart.picture(),
+      controls: [bodies],
+      picture: () => this.chart.picture(),
     });
   }
 
   /** @param {Component} component @param {string} label */
   #chip(component, label) {
-    const input = h('input', { type: 'checkbox', checked: this.#chosen.has(component), onchange: () => {
-      if (input.checked) this.#chosen.add(component);
-      else this.#chosen.delete(component);
-      this.#again();
-    } });
+    const input = h('input', {
+      type: 'checkbox',
+      checked: this.#chosen.has(component),
+      onchange: () => {
+        if (input.checked) this.#chosen.add(component);
+        else this.#chosen.delete(component);
+        this.#again();
+      },
+    });
     return h('label', {}, input, h('span', {}, symbol(label)));
   }
 
@@ -63,15 +71,26 @@ export class DepthPanel {
     const profile = step.subsurface?.[this.#body];
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
-    const curves = shown.flatMap((one, k) => this.#curves(one, k === 0 ? at : one.report.steps.length - 1, shown.length > 1));
+    const curves = shown.flatMap((one, k) =>
+      this.#curves(one, k === 0 ? at : one.report.steps.length - 1, shown.length > 1),
+    );
     const strength = yieldStress(first.job[this.#body]?.material);
     const [stress, length] = [unit('stress', units), unit('length', units)];
     this.chart.show({
-      x: `depth  [${length}]`, y: `stress  [${stress}]`, right: this.#chosen.has('equivalent_plastic_strain') ? 'plastic strain' : undefined,
-      curves, range: [0, 4 * step.contact.half_width || 1],
-      marks: strength ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }] : [],
-      words: profile ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${
-        figure(profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))], 3)} ${length}.` : `The ${this.#body} body is rigid.`,
+      x: `depth  [${length}]`,
+      y: `stress  [${stress}]`,
+      right: this.#chosen.has('equivalent_plastic_strain') ? 'plastic strain' : undefined,
+      curves,
+      range: [0, 4 * step.contact.half_width || 1],
+      marks: strength
+        ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
+        : [],
+      words: profile
+        ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
+            profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],
+            3,
+          )} ${length}.`
+        : `The ${this.#body} body is rigid.`,
     });
   }
 
@@ -82,8 +101,12 @@ export class DepthPanel {
     return [...this.#chosen].map((component, k) => {
       const { name, colour } = COMPONENTS[component];
       return {
-        label: named ? `${one.label}: ${name}` : name, colour: named ? one.colour : colour, dashed: named && k > 0,
-        x: profile.depth, y: profile[component], right: component === 'equivalent_plastic_strain',
+        label: named ? `${one.label}: ${name}` : name,
+        colour: named ? one.colour : colour,
+        dashed: named && k > 0,
+        x: profile.depth,
+        y: profile[component],
+        right: component === 'equivalent_plastic_strain',
       };
     });
   }

@@ -27,7 +27,15 @@ export function downloads(id, report) {
   const items = FILES.map(([name, path, file, needs]) => {
     const there = needs === 'nothing' || step?.[needs] !== undefined;
     const title = there ? '' : `The job did not ask for this (output.${needs})`;
-    return h('li', {}, h('button', { type: 'button', class: 'plain', disabled: !there, title, onclick: () => take(id, path, file) }, name));
+    return h(
+      'li',
+      {},
+      h(
+        'button',
+        { type: 'button', class: 'plain', disabled: !there, title, onclick: () => take(id, path, file) },
+        name,
+      ),
+    );
   });
   return h('details', { class: 'menu' }, h('summary', {}, 'Download'), h('ul', {}, items));
 }

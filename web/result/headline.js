@@ -17,20 +17,63 @@ function figures(job, report, step) {
   const { units } = report;
   const { contact, hertz, estimated_error: error, plasticity } = step;
   const [length, stress, force] = [unit('length', units), unit('stress', units), unit(forceOf(report), units)];
-  const strain = Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
+  const strain = Math.max(
+    plasticity.upper?.max_equivalent_plastic_strain ?? 0,
+    plasticity.lower?.max_equivalent_plastic_strain ?? 0,
+  );
   const beside = (/** @type {number} */ value, /** @type {number | undefined} */ elastic) =>
     elastic ? `Hertz ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '';
   const onset = hertz?.yield_onset_force;
   const round = report.analysis === 'axisymmetric';
   return [
-    card('Peak pressure', contact.peak_pressure, stress, error?.peak_pressure, beside(contact.peak_pressure, hertz?.peak_pressure)),
-    card(round ? 'Contact radius' : 'Half-width', contact.half_width, length, error?.half_width, beside(contact.half_width, hertz?.half_width)),
+    card(
+      'Peak pressure',
+      contact.peak_pressure,
+      stress,
+      error?.peak_pressure,
+      beside(contact.peak_pressure, hertz?.peak_pressure),
+    ),
+    card(
+      round ? 'Contact radius' : 'Half-width',
+      contact.half_width,
+      length,
+      error?.half_width,
+      beside(contact.half_width, hertz?.half_width),
+    ),
     card('Approach', step.approach, length, error?.approach, step.approach_datum, true),
-    card('Force', contact.force, force, undefined, onset ? `${figure(contact.force / onset, 3)} × first yield at ${figure(onset, 4)}` : ''),
-    card('Mean pressure', contact.mean_pressure, stress, undefined, beside(contact.mean_pressure, hertz ? meanOf(hertz, round) : undefined)),
+    card(
+      'Force',
+      contact.force,
+      force,
+      undefined,
+      onset ? `${figure(contact.force / onset, 3)} × first yield at ${figure(onset, 4)}` : '',
+    ),
+    card(
+      'Mean pressure',
+      contact.mean_pressure,
+      stress,
+      undefined,
+      beside(contact.mean_pressure, hertz ? meanOf(hertz, round) : undefined),
+    ),
     card('Plastic strain', 100 * strain, '%', undefined, zoneWords(step, length)),
-    card('Contact stiffness', step.contact_stiffness, unit(stiffnessOf(report), units), undefined, 'dP/dα without further flow'),
-    ...(step.yield_onset ? [card('First yield', step.yield_onset.force, force, undefined, `in the ${step.yield_onset.body} body, ${figure(step.yield_onset.depth, 3)} ${length} deep`)] : []),
+    card(
+      'Contact stiffness',
+      step.contact_stiffness,
+      unit(stiffnessOf(report), units),
+      undefined,
+      'dP/dα without further flow',
+    ),
+    ...(step.yield_onset
+      ? [
+          card(
+            'First yield',
+            step.yield_onset.force,
+            force,
+            undefined,
+            `in the ${step.yield_onset.body} body, ${figure(step.yield_onset.depth, 3)} ${length} deep`,
+          ),
+        ]
+      : []),
   ];
 }
 
@@ -41,30 +84,70 @@ const meanOf = ({ peak_pressure }, round) => (round ? (2 / 3) * peak_pressure : 
 function zoneWords({ plasticity }, length) {
   const zones = Object.entries(plasticity).filter(([, zone]) => zone?.yielded);
   if (zones.length === 0) return 'neither body yields';
-  const [name, zone] = zones.reduce((a, b) => ((b[1]?.max_equivalent_plastic_strain ?? 0) > (a[1]?.max_equivalent_plastic_strain ?? 0) ? b : a));
+  const [name, zone] = zones.reduce((a, b) =>
+    (b[1]?.max_equivalent_plastic_strain ?? 0) > (a[1]?.max_equivalent_plastic_strain ?? 0) ? b : a,
+  );
   const where = zones.length === 2 ? 'both bodies' : `${name} body`;
   return `${where}, most at ${figure(zone?.depth, 3)} ${length} deep, ${zone?.reached_surface ? 'up to the surface' : 'below the surface'}`;
 }
 
 /** @param {string} name @param {number} value @param {string} unit @param {number | undefined} error @param {string} note @param {boolean} [long] */
 function card(name, value, unit, error, note, long = false) {
-  const bar = error === undefined ? null : h('span', { class: 'bar-of-error', title: 'Estimated bound of the error of the mesh' }, `± ${percent(error)}`);
-  return h('div', {}, h('dt', {}, name), h('dd', {}, h('span', { class: 'figure' }, figure(value), h('span', { class: 'unit' }, unit)), bar,
-    long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, note)));
+  const bar =
+    error === undefined
+      ? null
+      : h('span', { class: 'bar-of-error', title: 'Estimated bound of the error of the mesh' }, `± ${percent(error)}`);
+  return h(
+    'div',
+    {},
+    h('dt', {}, name),
+    h(
+      'dd',
+      {},
+      h('span', { class: 'figure' }, figure(value), h('span', { class: 'unit' }, unit)),
+      bar,
+      long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, note),
+    ),
+  );
 }
 
 /** @param {import('../types.js').Report} report @param {Step} step */
 function remarks(report, step) {
-  const notes = step.validity.map(({ code, message }) => h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', message));
+  const notes = step.validity.map(({ code, message }) =>
+    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', message),
+  );
   const bars = step.estimated_error
-    ? h('li', {}, h('b', {}, 'Mesh error'), ` From a second mesh of half the density: the peak pressure is known to ${percent(step.estimated_error.peak_pressure)}, the half-width to ${
-      percent(step.estimated_error.half_width)}, the approach to ${percent(step.estimated_error.approach)}. The bars held in at least 95 of 100 tested cases.`) : null;
+    ? h(
+        'li',
+        {},
+        h('b', {}, 'Mesh error'),
+        ` From a second mesh of half the density: the peak pressure is known to ${percent(step.estimated_error.peak_pressure)}, the half-width to ${percent(
+          step.estimated_error.half_width,
+        )}, the approach to ${percent(step.estimated_error.approach)}. The bars held in at least 95 of 100 tested cases.`,
+      )
+    : null;
   const { mesh, timings_ms: timings } = report;
-  const made = h('li', {}, h('b', {}, 'Made with'), ` ${grouped(mesh.elements)} elements${mesh.symmetric ? ' on one half' : ''}, ${grouped(mesh.equations)} equations, ${
-    step.history.length} iterations; ${duration(timings.total)}.`);
-  return h('details', { class: 'remarks', open: step.validity.some(({ code }) => code !== 'deformation_theory') },
-    h('summary', {}, step.validity.length ? `${step.validity.length} ${step.validity.length === 1 ? 'remark' : 'remarks'} on validity` : 'No remarks on validity', ', error bars, mesh'),
-    h('ul', {}, notes, bars, made));
+  const made = h(
+    'li',
+    {},
+    h('b', {}, 'Made with'),
+    ` ${grouped(mesh.elements)} elements${mesh.symmetric ? ' on one half' : ''}, ${grouped(mesh.equations)} equations, ${
+      step.history.length
+    } iterations; ${duration(timings.total)}.`,
+  );
+  return h(
+    'details',
+    { class: 'remarks', open: step.validity.some(({ code }) => code !== 'deformation_theory') },
+    h(
+      'summary',
+      {},
+      step.validity.length
+        ? `${step.validity.length} ${step.validity.length === 1 ? 'remark' : 'remarks'} on validity`
+        : 'No remarks on validity',
+      ', error bars, mesh',
+    ),
+    h('ul', {}, notes, bars, made),
+  );
 }
 
 /** @param {string} code */

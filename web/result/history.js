@@ -27,16 +27,42 @@ export class HistoryPanel {
   constructor() {
     this.table = h('table');
     const csv = h('button', { type: 'button', class: 'plain', onclick: () => this.#save() }, 'CSV');
-    this.panel = new Panel('history', 'Iterations', [h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': 'panel-history-title' }, this.table)], { controls: [csv] });
+    this.panel = new Panel(
+      'history',
+      'Iterations',
+      [
+        h(
+          'div',
+          { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': 'panel-history-title' },
+          this.table,
+        ),
+      ],
+      { controls: [csv] },
+    );
   }
 
   /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units} units */
   show(history, units) {
     this.#history = history;
     this.panel.show(history.length > 0);
-    const head = h('thead', {}, h('tr', {}, COLUMNS.map(([title, , , quantity]) =>
-      h('th', { scope: 'col' }, title, quantity && h('span', { class: 'unit' }, ` ${unit(quantity, units)}`)))));
-    const rows = history.map((record) => h('tr', {}, COLUMNS.map(([, key, write]) => h('td', {}, write(record[key])))));
+    const head = h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        COLUMNS.map(([title, , , quantity]) =>
+          h('th', { scope: 'col' }, title, quantity && h('span', { class: 'unit' }, ` ${unit(quantity, units)}`)),
+        ),
+      ),
+    );
+    const rows = history.map((record) =>
+      h(
+        'tr',
+        {},
+        COLUMNS.map(([, key, write]) => h('td', {}, write(record[key]))),
+      ),
+    );
     this.table.replaceChildren(head, h('tbody', {}, rows));
   }
 

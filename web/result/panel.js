@@ -11,12 +11,28 @@ export class Panel {
    * @param {{controls?: Node[], picture?: () => Promise<Blob | null>}} [options]
    */
   constructor(id, title, content, { controls = [], picture } = {}) {
-    const button = picture && h('button', {
-      type: 'button', class: 'plain', title: 'Save as a picture', 'aria-label': `Save ${title.toLowerCase()} as PNG`,
-      onclick: async () => { const blob = await picture(); if (blob) save(blob, `${id}.png`); },
-    }, 'PNG');
-    this.element = h('section', { class: 'panel', id: `panel-${id}`, 'aria-labelledby': `panel-${id}-title`, hidden: true },
-      h('div', { class: 'bar' }, h('h3', { id: `panel-${id}-title` }, title), controls, button ?? null), content);
+    const button =
+      picture &&
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'plain',
+          title: 'Save as a picture',
+          'aria-label': `Save ${title.toLowerCase()} as PNG`,
+          onclick: async () => {
+            const blob = await picture();
+            if (blob) save(blob, `${id}.png`);
+          },
+        },
+        'PNG',
+      );
+    this.element = h(
+      'section',
+      { class: 'panel', id: `panel-${id}`, 'aria-labelledby': `panel-${id}-title`, hidden: true },
+      h('div', { class: 'bar' }, h('h3', { id: `panel-${id}-title` }, title), controls, button ?? null),
+      content,
+    );
   }
 
   /** @param {boolean} shown */

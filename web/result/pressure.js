@@ -9,13 +9,18 @@ import { Panel } from './panel.js';
 export class PressurePanel {
   constructor() {
     this.chart = new Chart(290);
-    this.panel = new Panel('pressure', 'Contact pressure', [this.chart.element], { picture: () => this.chart.picture() });
+    this.panel = new Panel('pressure', 'Contact pressure', [this.chart.element], {
+      picture: () => this.chart.picture(),
+    });
   }
 
   /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units} units @param {boolean} round */
   preview(hertz, units, round) {
     this.chart.show({
-      x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`, y: `p  [${unit('stress', units)}]`, curves: [hertzCurve(hertz, round)], range: [round ? 0 : -1.3 * hertz.half_width, 1.3 * hertz.half_width],
+      x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
+      y: `p  [${unit('stress', units)}]`,
+      curves: [hertzCurve(hertz, round)],
+      range: [round ? 0 : -1.3 * hertz.half_width, 1.3 * hertz.half_width],
       words: `Hertz, elastic: peak pressure ${figure(hertz.peak_pressure)} ${unit('stress', units)}, half-width ${figure(hertz.half_width)} ${unit('length', units)}.`,
     });
     this.panel.show(true);
@@ -29,31 +34,55 @@ export class PressurePanel {
     const round = first.report.analysis === 'axisymmetric';
     const curves = shown.flatMap((one, k) => {
       const { nodes } = (k === 0 ? step : one.report.steps[one.report.steps.length - 1]).contact;
-      return { label: shown.length > 1 ? one.label : 'this contact', colour: one.colour, x: nodes.x, y: nodes.pressure, filled: shown.length === 1 };
+      return {
+        label: shown.length > 1 ? one.label : 'this contact',
+        colour: one.colour,
+        x: nodes.x,
+        y: nodes.pressure,
+        filled: shown.length === 1,
+      };
     });
     const { hertz, contact } = step;
     if (hertz) curves.push({ ...hertzCurve(hertz, round), filled: false });
-    const marks = contact.patches.flatMap(({ left, right }) => [left, right]).filter((x) => x !== 0 || !round).map((x) => mark(x, units, contact.half_width));
-    const reach = Math.max(contact.half_width, hertz?.half_width ?? 0, ...shown.map((one) => one.report.steps[one.report.steps.length - 1].contact.half_width)) * 1.3;
+    const marks = contact.patches
+      .flatMap(({ left, right }) => [left, right])
+      .filter((x) => x !== 0 || !round)
+      .map((x) => mark(x, units, contact.half_width));
+    const reach =
+      Math.max(
+        contact.half_width,
+        hertz?.half_width ?? 0,
+        ...shown.map((one) => one.report.steps[one.report.steps.length - 1].contact.half_width),
+      ) * 1.3;
     this.chart.show({
-      x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`, y: `p  [${unit('stress', units)}]`, curves, marks,
+      x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
+      y: `p  [${unit('stress', units)}]`,
+      curves,
+      marks,
       range: reach > 0 && contact.patches.length < 2 ? [round ? 0 : -reach, reach] : undefined,
       words: `Contact pressure over x: highest ${figure(contact.peak_pressure)} ${unit('stress', units)}, half-width ${figure(contact.half_width)} ${unit('length', units)}${
-        hertz ? `; Hertz, elastic: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''}.`,
+        hertz ? `; Hertz, elastic: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
+      }.`,
     });
     this.panel.show(true);
   }
 }
 
 /** @param {number} x @param {import('../lib/units.js').Units} units @param {number} half */
-const mark = (x, units, half) =>
-  ({ across: /** @type {const} */ ('x'), at: x, text: Math.abs(x - half) < 1e-9 * half ? `a ${figure(half, 4)} ${unit('length', units)}` : '' });
+const mark = (x, units, half) => ({
+  across: /** @type {const} */ ('x'),
+  at: x,
+  text: Math.abs(x - half) < 1e-9 * half ? `a ${figure(half, 4)} ${unit('length', units)}` : '',
+});
 
 /** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only */
 function hertzCurve({ half_width, peak_pressure }, round) {
   const angles = Array.from({ length: 121 }, (_, k) => (round ? (Math.PI * k) / 240 : Math.PI * (k / 120 - 0.5)));
   return {
-    label: 'Hertz, elastic', colour: '--hertz', dashed: true,
-    x: angles.map((angle) => half_width * Math.sin(angle)), y: angles.map((angle) => peak_pressure * Math.cos(angle)),
+    label: 'Hertz, elastic',
+    colour: '--hertz',
+    dashed: true,
+    x: angles.map((angle) => half_width * Math.sin(angle)),
+    y: angles.map((angle) => peak_pressure * Math.cos(angle)),
   };
 }

@@ -7,7 +7,9 @@ import { Panel } from './panel.js';
 export class SweepPanel {
   constructor() {
     this.chart = new Chart();
-    this.panel = new Panel('sweep', 'Load over approach', [this.chart.element], { picture: () => this.chart.picture() });
+    this.panel = new Panel('sweep', 'Load over approach', [this.chart.element], {
+      picture: () => this.chart.picture(),
+    });
   }
 
   /** @param {import('../types.js').Shown[]} shown @param {number} at step of the first */
@@ -20,13 +22,26 @@ export class SweepPanel {
     const [force, length] = [unit(forceOf(report), report.units), unit('length', report.units)];
     const onset = shown[0].report.steps[0].hertz?.yield_onset_force;
     this.chart.show({
-      x: `α  [${length}]`, y: `P  [${force}]`,
+      x: `α  [${length}]`,
+      y: `P  [${force}]`,
       curves: swept.map((one) => ({
-        label: swept.length > 1 ? one.label : 'force', colour: one.colour, points: true,
-        x: one.report.load_approach?.approach ?? [], y: one.report.load_approach?.force ?? [],
+        label: swept.length > 1 ? one.label : 'force',
+        colour: one.colour,
+        points: true,
+        x: one.report.load_approach?.approach ?? [],
+        y: one.report.load_approach?.force ?? [],
       })),
       marks: [
-        ...(onset ? [{ across: /** @type {const} */ ('y'), at: onset, text: `first yield ${figure(onset, 4)} ${force}`, colour: '--yield' }] : []),
+        ...(onset
+          ? [
+              {
+                across: /** @type {const} */ ('y'),
+                at: onset,
+                text: `first yield ${figure(onset, 4)} ${force}`,
+                colour: '--yield',
+              },
+            ]
+          : []),
         { across: 'x', at: step.approach, text: 'shown' },
       ],
       words: `Force over approach, ${report.load_approach?.force.length} points up to ${figure(Math.max(...(report.load_approach?.force ?? [0])))} ${force}.`,

@@ -27,15 +27,26 @@ export class View {
     this.sweep = new SweepPanel();
     this.history = new HistoryPanel();
     this.steps = h('div', { class: 'bar steps', hidden: true });
-    const column = (/** @type {{panel: import('./panel.js').Panel}[]} */ ...parts) => h('div', { class: 'column' }, parts.map(({ panel }) => panel.element));
-    byId('panels').replaceChildren(this.steps, column(this.pressure, this.depth, this.sweep), column(this.field, this.convergence), this.history.panel.element);
+    const column = (/** @type {{panel: import('./panel.js').Panel}[]} */ ...parts) =>
+      h(
+        'div',
+        { class: 'column' },
+        parts.map(({ panel }) => panel.element),
+      );
+    byId('panels').replaceChildren(
+      this.steps,
+      column(this.pressure, this.depth, this.sweep),
+      column(this.field, this.convergence),
+      this.history.panel.element,
+    );
   }
 
   /** Before there is anything. @param {Node} content */
   clear(content) {
     this.#shown = [];
     this.steps.hidden = true;
-    for (const { panel } of [this.sweep, this.pressure, this.field, this.depth, this.convergence, this.history]) panel.show(false);
+    for (const { panel } of [this.sweep, this.pressure, this.field, this.depth, this.convergence, this.history])
+      panel.show(false);
     byId('headline').replaceChildren(content);
   }
 
@@ -71,11 +82,17 @@ export class View {
       const { contact } = report.steps[this.#at];
       label.textContent = `${this.#at + 1} of ${last + 1}: ${figure(contact.force)} ${unit(forceOf(report), report.units)}`;
     };
-    const slider = h('input', { type: 'range', min: 0, max: last, value: this.#at, oninput: () => {
-      this.#at = Number(slider.value);
-      say();
-      this.#showStep();
-    } });
+    const slider = h('input', {
+      type: 'range',
+      min: 0,
+      max: last,
+      value: this.#at,
+      oninput: () => {
+        this.#at = Number(slider.value);
+        say();
+        this.#showStep();
+      },
+    });
     say();
     this.steps.replaceChildren(h('label', {}, 'Step ', slider), label);
   }

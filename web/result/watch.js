@@ -3,7 +3,7 @@
 import { Problem, ask, post } from '../api/client.js';
 import { follow } from '../api/events.js';
 import { fetchResult } from '../api/result.js';
-import { byId, h, toast } from '../lib/dom.js';
+import { byId, copy, h, toast } from '../lib/dom.js';
 import { duration, figure } from '../lib/units.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
@@ -55,7 +55,15 @@ export class Watch {
       if (report) this.told.solved(id, report);
       this.#show(last, report);
     } catch (error) {
-      if (!signal.aborted) this.place.replaceChildren(h('div', { class: 'state failed', role: 'alert' }, h('b', {}, 'No answer'), ` ${/** @type {Error} */ (error).message}`));
+      if (!signal.aborted)
+        this.place.replaceChildren(
+          h(
+            'div',
+            { class: 'state failed', role: 'alert' },
+            h('b', {}, 'No answer'),
+            ` ${/** @type {Error} */ (error).message}`,
+          ),
+        );
     }
   }
 
@@ -65,21 +73,31 @@ export class Watch {
     /** @type {JobDocument | undefined} */
     let last;
     let frame = 0;
-    const draw = () => { frame = 0; if (!signal.aborted && history.length) this.told.iterated(history); };
+    const draw = () => {
+      frame = 0;
+      if (!signal.aborted && history.length) this.told.iterated(history);
+    };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued') return;
       const now = await ask(`v1/jobs/${id}`, { signal }).catch(() => undefined);
       if (now?.status === 'queued' && last?.status === 'queued') this.#show(now);
     }, LOOK);
     try {
-      await follow(`v1/jobs/${id}/events`, (event, data) => {
-        if (event === 'iteration') history.push(data);
-        else if (event === 'state') last = /** @type {JobDocument} */ (data);
-        if (event === 'state' && data.status === 'running') history.length = 0;
-        if (last && !finished(last)) this.#show(event === 'iteration' ? { ...last, progress: { iterations: history.length, latest: data } } : last);
-        frame ||= requestAnimationFrame(draw);
-        return last !== undefined && finished(last);
-      }, signal);
+      await follow(
+        `v1/jobs/${id}/events`,
+        (event, data) => {
+          if (event === 'iteration') history.push(data);
+          else if (event === 'state') last = /** @type {JobDocument} */ (data);
+          if (event === 'state' && data.status === 'running') history.length = 0;
+          if (last && !finished(last))
+            this.#show(
+              event === 'iteration' ? { ...last, progress: { iterations: history.length, latest: data } } : last,
+            );
+          frame ||= requestAnimationFrame(draw);
+          return last !== undefined && finished(last);
+        },
+        signal,
+      );
     } finally {
       clearInterval(looking);
       cancelAnimationFrame(frame);
@@ -102,24 +120,35 @@ export class Watch {
   /** @param {JobDocument} document @param {Report} [report] */
   #build(document, report) {
     const { id, status, tags = {} } = document;
-    const cancel = h('button', { type: 'button', onclick: () => this.#cancel(id) }, document.cancel_requested ? 'Stopping…' : 'Cancel');
+    const cancel = h(
+      'button',
+      { type: 'button', onclick: () => this.#cancel(id) },
+      document.cancel_requested ? 'Stopping…' : 'Cancel',
+    );
     cancel.disabled = document.cancel_requested;
-    const link = h('button', { type: 'button', class: 'plain', onclick: () => this.#copy(id) }, 'Copy link');
-    this.place.replaceChildren(h('div', { class: `state ${status}`, role: 'status', 'data-status': status },
-      h('b', {}, NAMES[status]), h('span', { class: 'words' }),
-      Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
-      h('span', { class: 'actions' }, h('code', { class: 'quiet', title: id }, id.slice(-8)), finished(document) ? null : cancel, link,
-        report ? downloads(id, report) : null)));
+    const link = h('button', { type: 'button', class: 'plain', onclick: () => copy(jobLink(id), 'Link') }, 'Copy link');
+    this.place.replaceChildren(
+      h(
+        'div',
+        { class: `state ${status}`, role: finished(document) ? 'status' : null, 'data-status': status },
+        h('b', {}, NAMES[status]),
+        h('span', { class: 'words' }),
+        Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
+        h(
+          'span',
+          { class: 'actions' },
+          h('code', { class: 'quiet', title: id }, id.slice(-8)),
+          finished(document) ? null : cancel,
+          link,
+          report ? downloads(id, report) : null,
+        ),
+      ),
+    );
   }
 
   /** @param {string} id */
   async #cancel(id) {
     await post(`v1/jobs/${id}/cancel`, '').catch((error) => toast(error.message));
-  }
-
-  /** @param {string} id */
-  async #copy(id) {
-    await navigator.clipboard.writeText(jobLink(id)).then(() => toast('Link copied'), () => toast(jobLink(id)));
   }
 }
 
@@ -128,19 +157,36 @@ export const finished = ({ status }) => status !== 'queued' && status !== 'runni
 
 /** @type {Record<import('../types.js').JobState, string>} */
 export const NAMES = {
-  queued: 'Waiting', running: 'Running', succeeded: 'Converged', not_converged: 'Not converged',
-  failed: 'Failed', cancelled: 'Cancelled', timed_out: 'Out of time',
+  queued: 'Waiting',
+  running: 'Running',
+  succeeded: 'Converged',
+  not_converged: 'Not converged',
+  failed: 'Failed',
+  cancelled: 'Cancelled',
+  timed_out: 'Out of time',
 };
 
 /** @param {JobDocument} document @param {Report} [report] @returns {string} */
-function words({ status, queue_position: position, progress, error, created_at: created, started_at: started, finished_at: ended }, report) {
+function words(
+  { status, queue_position: position, progress, error, created_at: created, started_at: started, finished_at: ended },
+  report,
+) {
   const iterations = `${progress.iterations} iteration${progress.iterations === 1 ? '' : 's'}`;
   switch (status) {
-    case 'queued': return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
-    case 'running': return progress.latest ? `${iterations}, out of balance ${figure(progress.latest.equilibrium_residual, 2)}` : 'meshing and factorizing';
-    case 'failed': return `${error?.detail ?? ''} ${(error?.errors ?? []).map(({ pointer, detail }) => `${pointer} ${detail}`).join('; ')}`;
-    case 'succeeded': return `${iterations}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
-    default: return report ? `after ${iterations}; the figures are those of the last one, not an answer` : `after ${iterations}, no result`;
+    case 'queued':
+      return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
+    case 'running':
+      return progress.latest
+        ? `${iterations}, out of balance ${figure(progress.latest.equilibrium_residual, 2)}`
+        : 'meshing and factorizing';
+    case 'failed':
+      return `${error?.detail ?? ''} ${(error?.errors ?? []).map(({ pointer, detail }) => `${pointer} ${detail}`).join('; ')}`;
+    case 'succeeded':
+      return `${iterations}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
+    default:
+      return report
+        ? `after ${iterations}; the figures are those of the last one, not an answer`
+        : `after ${iterations}, no result`;
   }
 }
 
@@ -148,4 +194,5 @@ function words({ status, queue_position: position, progress, error, created_at: 
 const since = (from, to) => (from && to ? Date.parse(to) - Date.parse(from) : 0);
 
 /** @param {string} created @param {string | null} started */
-const waited = (created, started) => (since(created, started) > 500 ? `, waited ${duration(since(created, started))}` : '');
+const waited = (created, started) =>
+  since(created, started) > 500 ? `, waited ${duration(since(created, started))}` : '';

@@ -39,7 +39,10 @@ export class Check {
     const job = structuredClone(this.draft.job);
     try {
       const [validation, hertz] = await Promise.all([
-        post('v1/validate', job, signal).then((answer) => ({ estimate: answer.estimate, problem: undefined }), notAborted),
+        post('v1/validate', job, signal).then(
+          (answer) => ({ estimate: answer.estimate, problem: undefined }),
+          notAborted,
+        ),
         closedForm(job, signal),
       ]);
       if (signal.aborted) return;
@@ -55,7 +58,9 @@ export class Check {
     this.valid = false;
     const others = this.form.complain(problem.errors);
     const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, problem.message)] : [];
-    const rest = others.map(({ pointer, detail }) => h('p', { class: 'error' }, h('code', {}, pointer || '/'), ' ', detail));
+    const rest = others.map(({ pointer, detail }) =>
+      h('p', { class: 'error' }, h('code', {}, pointer || '/'), ' ', detail),
+    );
     byId('check').replaceChildren(...whole, ...rest);
     const { estimate } = problem.body;
     byId('cost').textContent = estimate ? cost(estimate) : '';
@@ -104,16 +109,35 @@ async function closedForm(job, signal) {
 /** @param {import('../types.js').Job} job @param {Hertz} hertz */
 function figures(job, hertz) {
   const units = unitsOf(job);
-  const at = hertz.steps.reduce((a, b) => (b.force > (a?.force ?? 0) ? b : a), /** @type {Hertz['steps'][0] | undefined} */ (undefined));
+  const at = hertz.steps.reduce(
+    (a, b) => (b.force > (a?.force ?? 0) ? b : a),
+    /** @type {Hertz['steps'][0] | undefined} */ (undefined),
+  );
   const row = (/** @type {string} */ name, /** @type {number | null} */ value, /** @type {string} */ unit) =>
     h('div', {}, h('dt', {}, name), h('dd', {}, figure(value), ' ', h('span', { class: 'unit' }, unit)));
   const onset = hertz.yield_onset_force;
-  const verdict = at && onset ? (at.yields
-    ? h('p', { class: 'verdict yields' }, `Yields: the force is ${figure(at.force / onset, 3)} times that of first yield, Hertz no longer holds.`)
-    : h('p', { class: 'verdict' }, `Elastic: ${figure((100 * at.force) / onset, 3)} % of the force of first yield.`)) : null;
-  return h('div', { class: 'hertz' }, h('h3', {}, 'Hertz, elastic'), h('dl', {},
-    at && row('half-width', at.half_width, unit('length', units)),
-    at && row('peak pressure', at.peak_pressure, unit('stress', units)),
-    row('first yield at', onset, unit(forceOf(job), units)),
-    row('effective radius', hertz.effective_radius, unit('length', units))), verdict);
+  const verdict =
+    at && onset
+      ? at.yields
+        ? h(
+            'p',
+            { class: 'verdict yields' },
+            `Yields: the force is ${figure(at.force / onset, 3)} times that of first yield, Hertz no longer holds.`,
+          )
+        : h('p', { class: 'verdict' }, `Elastic: ${figure((100 * at.force) / onset, 3)} % of the force of first yield.`)
+      : null;
+  return h(
+    'div',
+    { class: 'hertz' },
+    h('h3', {}, 'Hertz, elastic'),
+    h(
+      'dl',
+      {},
+      at && row('half-width', at.half_width, unit('length', units)),
+      at && row('peak pressure', at.peak_pressure, unit('stress', units)),
+      row('first yield at', onset, unit(forceOf(job), units)),
+      row('effective radius', hertz.effective_radius, unit('length', units)),
+    ),
+    verdict,
+  );
 }

@@ -55,7 +55,8 @@ function* dimensional(job) {
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)].fields);
   }
   const { field } = LOADS[loadOf(job.load)];
-  if (field) yield* within(job, '/load', [{ ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity }]);
+  if (field)
+    yield* within(job, '/load', [{ ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity }]);
 }
 
 /**
@@ -69,7 +70,8 @@ function* within(job, parent, fields) {
     const place = `${parent}/${field.key}`;
     const value = pointer.get(job, place);
     if (field.pair && Array.isArray(value)) {
-      for (const k of value.keys()) yield* /** @type {[string, Quantity][]} */ (field.pair.map((quantity, j) => [`${place}/${k}/${j}`, quantity]));
+      for (const k of value.keys())
+        yield* /** @type {[string, Quantity][]} */ (field.pair.map((quantity, j) => [`${place}/${k}/${j}`, quantity]));
     } else if (Array.isArray(value)) {
       for (const k of value.keys()) yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];
     } else if (field.quantity) {

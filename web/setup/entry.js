@@ -29,10 +29,21 @@ export function entry(field, change) {
   input.addEventListener(field.kind === 'choice' || field.kind === 'flag' ? 'change' : 'input', () => change(read()));
   const label = h('label', { for: id }, field.label, field.symbol ? [' ', h('i', {}, symbol(field.symbol))] : null);
   return {
-    element: h('div', { class: `entry ${field.kind ?? 'number'}` }, label, h('div', { class: 'value' }, input, unit), hint, error),
+    element: h(
+      'div',
+      { class: `entry ${field.kind ?? 'number'}` },
+      label,
+      h('div', { class: 'value' }, input, unit),
+      hint,
+      error,
+    ),
     input,
-    show: (value) => { if (document.activeElement !== input || field.kind === 'choice') write(value); },
-    setUnit: (text) => { unit.textContent = text; },
+    show: (value) => {
+      if (document.activeElement !== input || field.kind === 'choice') write(value);
+    },
+    setUnit: (text) => {
+      unit.textContent = text;
+    },
     complain: (message) => {
       error.textContent = message;
       error.hidden = !message;
@@ -43,8 +54,11 @@ export function entry(field, change) {
 
 /** @param {string} text with `_x` and `^x` for what is written below and above @returns {(Node | string)[]} */
 export function symbol(text) {
-  return text.split(/([_^][\wσ.]+)/).map((part) =>
-    part[0] === '_' ? h('sub', {}, part.slice(1)) : part[0] === '^' ? h('sup', {}, part.slice(1)) : part);
+  return text
+    .split(/([_^][\wσ.]+)/)
+    .map((part) =>
+      part[0] === '_' ? h('sub', {}, part.slice(1)) : part[0] === '^' ? h('sup', {}, part.slice(1)) : part,
+    );
 }
 
 /**
@@ -56,20 +70,57 @@ function control(field, id) {
   if (field.kind === 'choice') {
     const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
     const input = h('select', { id }, options);
-    return { input, read: () => input.value, write: (value) => { input.value = value ?? ''; } };
+    return {
+      input,
+      read: () => input.value,
+      write: (value) => {
+        input.value = value ?? '';
+      },
+    };
   }
   if (field.kind === 'flag') {
     const input = h('input', { id, type: 'checkbox' });
-    return { input, read: () => input.checked, write: (value) => { input.checked = value === true; } };
+    return {
+      input,
+      read: () => input.checked,
+      write: (value) => {
+        input.checked = value === true;
+      },
+    };
   }
   if (field.kind === 'points' || field.kind === 'tags') {
     const input = h('textarea', { id, rows: field.kind === 'tags' ? 2 : 5, spellcheck: 'false' });
     const [read, write] = field.kind === 'tags' ? [readTags, writeTags] : [readPoints, writePoints];
-    return { input, read: () => read(input.value), write: (value) => { input.value = write(value); } };
+    return {
+      input,
+      read: () => read(input.value),
+      write: (value) => {
+        input.value = write(value);
+      },
+    };
   }
-  const input = h('input', { id, type: 'text', inputmode: field.kind === 'list' ? 'text' : 'decimal', autocomplete: 'off', spellcheck: 'false' });
-  if (field.kind === 'list') return { input, read: () => readList(input.value), write: (value) => { input.value = writeList(value); } };
-  return { input, read: () => readNumber(input.value), write: (value) => { input.value = value === undefined ? '' : String(value); } };
+  const input = h('input', {
+    id,
+    type: 'text',
+    inputmode: field.kind === 'list' ? 'text' : 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+  });
+  if (field.kind === 'list')
+    return {
+      input,
+      read: () => readList(input.value),
+      write: (value) => {
+        input.value = writeList(value);
+      },
+    };
+  return {
+    input,
+    read: () => readNumber(input.value),
+    write: (value) => {
+      input.value = value === undefined ? '' : String(value);
+    },
+  };
 }
 
 /** What is no number goes to the service as it stands, which says what is wrong with it. @param {string} text */
@@ -84,10 +135,14 @@ export function readList(text) {
   const range = /^\s*(\S+?)\s*(?:…|\.\.\.?)\s*(\S+?)\s*\/\s*(\d+)\s*$/.exec(text);
   if (range) {
     const [first, last, many] = [Number(range[1]), Number(range[2]), Math.min(Number(range[3]), 1000)];
-    const at = (/** @type {number} */ k) => Number((first + ((last - first) * k) / Math.max(1, many - 1)).toPrecision(8));
+    const at = (/** @type {number} */ k) =>
+      Number((first + ((last - first) * k) / Math.max(1, many - 1)).toPrecision(8));
     if (Number.isFinite(first + last)) return Array.from({ length: many }, (_, k) => at(k));
   }
-  return text.split(/[\s;]+|,\s+/).filter(Boolean).map(readNumber);
+  return text
+    .split(/[\s;]+|,\s+/)
+    .filter(Boolean)
+    .map(readNumber);
 }
 
 /** @param {any} value */
@@ -95,7 +150,15 @@ const writeList = (value) => (Array.isArray(value) ? value.join(' ') : (value ??
 
 /** @param {string} text */
 const readPoints = (text) =>
-  text.split('\n').filter((line) => line.trim()).map((line) => line.trim().split(/[\s;]+|,\s*/).map(readNumber));
+  text
+    .split('\n')
+    .filter((line) => line.trim())
+    .map((line) =>
+      line
+        .trim()
+        .split(/[\s;]+|,\s*/)
+        .map(readNumber),
+    );
 
 /** @param {any} value */
 const writePoints = (value) =>
@@ -105,11 +168,16 @@ const writePoints = (value) =>
 function readTags(text) {
   const lines = text.split('\n').filter((line) => line.trim());
   if (lines.length === 0) return undefined;
-  return Object.fromEntries(lines.map((line) => {
-    const [name, ...rest] = line.split(':');
-    return [name.trim(), rest.join(':').trim()];
-  }));
+  return Object.fromEntries(
+    lines.map((line) => {
+      const [name, ...rest] = line.split(':');
+      return [name.trim(), rest.join(':').trim()];
+    }),
+  );
 }
 
 /** @param {any} value */
-const writeTags = (value) => Object.entries(value ?? {}).map(([name, text]) => `${name}: ${text}`).join('\n');
+const writeTags = (value) =>
+  Object.entries(value ?? {})
+    .map(([name, text]) => `${name}: ${text}`)
+    .join('\n');

@@ -35,7 +35,14 @@ export const SHAPES = {
   profile: {
     label: 'Profile',
     fields: [
-      { key: 'points', label: 'Points', symbol: 'x, height', kind: 'points', pair: ['length', 'length'], hint: 'One point a line, x rising and passing 0.' },
+      {
+        key: 'points',
+        label: 'Points',
+        symbol: 'x, height',
+        kind: 'points',
+        pair: ['length', 'length'],
+        hint: 'One point a line, x rising and passing 0.',
+      },
       { key: 'depth', label: 'Depth', symbol: 'd', quantity: 'length' },
     ],
   },
@@ -48,7 +55,13 @@ export const LAWS = {
     label: 'Bilinear',
     fields: [
       { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      { key: 'tangent_modulus', label: 'Tangent modulus', symbol: 'E_t', quantity: 'stress', hint: '0 is perfectly plastic.' },
+      {
+        key: 'tangent_modulus',
+        label: 'Tangent modulus',
+        symbol: 'E_t',
+        quantity: 'stress',
+        hint: '0 is perfectly plastic.',
+      },
     ],
   },
   ramberg_osgood: {
@@ -63,7 +76,13 @@ export const LAWS = {
     label: 'Swift',
     fields: [
       { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      { key: 'strain_offset', label: 'Strain offset', symbol: 'ε_0', quantity: 'strain', hint: 'q = σ_y (1 + ε_p/ε_0)^n' },
+      {
+        key: 'strain_offset',
+        label: 'Strain offset',
+        symbol: 'ε_0',
+        quantity: 'strain',
+        hint: 'q = σ_y (1 + ε_p/ε_0)^n',
+      },
       { key: 'exponent', label: 'Exponent', symbol: 'n', quantity: 'number' },
     ],
   },
@@ -79,14 +98,27 @@ export const LAWS = {
     label: 'Voce',
     fields: [
       { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      { key: 'saturation_stress', label: 'Saturation', symbol: 'σ_s', quantity: 'stress', hint: 'q = σ_y + (σ_s − σ_y)(1 − exp(−b ε_p))' },
+      {
+        key: 'saturation_stress',
+        label: 'Saturation',
+        symbol: 'σ_s',
+        quantity: 'stress',
+        hint: 'q = σ_y + (σ_s − σ_y)(1 − exp(−b ε_p))',
+      },
       { key: 'rate', label: 'Rate', symbol: 'b', quantity: 'number' },
     ],
   },
   table: {
     label: 'Table',
     fields: [
-      { key: 'points', label: 'Points', symbol: 'ε_p, q', kind: 'points', pair: ['strain', 'stress'], hint: 'One point a line, from ε_p = 0, never falling.' },
+      {
+        key: 'points',
+        label: 'Points',
+        symbol: 'ε_p, q',
+        kind: 'points',
+        pair: ['strain', 'stress'],
+        hint: 'One point a line, from ε_p = 0, never falling.',
+      },
     ],
   },
   rigid: { label: 'Rigid', fields: [] },
@@ -103,12 +135,26 @@ export const LOADS = {
   force: { label: 'Force', field: { key: 'force', label: 'Force', symbol: 'P', quantity: 'load' } },
   forces: {
     label: 'Sweep of forces',
-    field: { key: 'forces', label: 'Forces', symbol: 'P', quantity: 'load', kind: 'list', hint: 'Separated by spaces; 100…1200/12 makes twelve.' },
+    field: {
+      key: 'forces',
+      label: 'Forces',
+      symbol: 'P',
+      quantity: 'load',
+      kind: 'list',
+      hint: 'Separated by spaces; 100…1200/12 makes twelve.',
+    },
   },
   approach: { label: 'Approach', field: { key: 'approach', label: 'Approach', symbol: 'α', quantity: 'length' } },
   approaches: {
     label: 'Sweep of approaches',
-    field: { key: 'approaches', label: 'Approaches', symbol: 'α', quantity: 'length', kind: 'list', hint: 'Separated by spaces; 0.002…0.02/10 makes ten.' },
+    field: {
+      key: 'approaches',
+      label: 'Approaches',
+      symbol: 'α',
+      quantity: 'length',
+      kind: 'list',
+      hint: 'Separated by spaces; 0.002…0.02/10 makes ten.',
+    },
   },
   onset: { label: 'Onset of yield' },
 };
@@ -124,10 +170,17 @@ export const SUPPORTS = { clamped: 'Clamped', roller: 'Roller' };
 export const SETTINGS = [
   { key: 'mesh/elements_per_half_width', label: 'Elements per half-width', quantity: 'number' },
   {
-    key: 'solver/coupling', label: 'Coupling', kind: 'choice',
+    key: 'solver/coupling',
+    label: 'Coupling',
+    kind: 'choice',
     choices: { accelerated: 'Accelerated', strong: 'Strong', weak: 'Weak', secant_stiffness: 'Secant stiffness' },
   },
-  { key: 'solver/contact', label: 'Contact method', kind: 'choice', choices: { active_set: 'Active set', simplex: 'Simplex' } },
+  {
+    key: 'solver/contact',
+    label: 'Contact method',
+    kind: 'choice',
+    choices: { active_set: 'Active set', simplex: 'Simplex' },
+  },
   { key: 'solver/tolerance', label: 'Tolerance', quantity: 'number' },
   { key: 'solver/max_iterations', label: 'Iterations at most', quantity: 'number' },
   { key: 'output/subsurface', label: 'Stresses over depth', kind: 'flag' },
@@ -157,13 +210,16 @@ export function shapeLike(type, old) {
   const size = Number(old?.radius ?? old?.depth) || 20;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   switch (type) {
-    case 'block': return { type, width: round(8 * size), depth: round(8 * size) };
-    case 'groove': return { type, radius: round(2 * size), width: round(2 * size), depth: round(2 * size) };
+    case 'block':
+      return { type, width: round(8 * size), depth: round(8 * size) };
+    case 'groove':
+      return { type, radius: round(2 * size), width: round(2 * size), depth: round(2 * size) };
     case 'profile': {
-      const at = (/** @type {number} */ t) => [round(t * size), round(-t * t * size / 2)];
+      const at = (/** @type {number} */ t) => [round(t * size), round((-t * t * size) / 2)];
       return { type, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), depth: round(2 * size) };
     }
-    default: return { type, radius: round(size) };
+    default:
+      return { type, radius: round(size) };
   }
 }
 
@@ -179,13 +235,27 @@ export function plasticityLike(law, material) {
   const strength = Number(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   switch (law) {
-    case 'bilinear': return { law, yield_stress: strength, tangent_modulus: round(modulus / 20) };
-    case 'ramberg_osgood': return { law, reference_stress: strength, offset: 0.3, exponent: 5 };
-    case 'swift': return { law, yield_stress: strength, strain_offset: 0.002, exponent: 0.2 };
-    case 'ludwik': return { law, yield_stress: strength, coefficient: strength, exponent: 0.5 };
-    case 'voce': return { law, yield_stress: strength, saturation_stress: round(1.5 * strength), rate: 50 };
-    case 'table': return { law, points: [[0, strength], [0.01, round(1.2 * strength)], [0.05, round(1.5 * strength)]] };
-    default: return undefined;
+    case 'bilinear':
+      return { law, yield_stress: strength, tangent_modulus: round(modulus / 20) };
+    case 'ramberg_osgood':
+      return { law, reference_stress: strength, offset: 0.3, exponent: 5 };
+    case 'swift':
+      return { law, yield_stress: strength, strain_offset: 0.002, exponent: 0.2 };
+    case 'ludwik':
+      return { law, yield_stress: strength, coefficient: strength, exponent: 0.5 };
+    case 'voce':
+      return { law, yield_stress: strength, saturation_stress: round(1.5 * strength), rate: 50 };
+    case 'table':
+      return {
+        law,
+        points: [
+          [0, strength],
+          [0.01, round(1.2 * strength)],
+          [0.05, round(1.5 * strength)],
+        ],
+      };
+    default:
+      return undefined;
   }
 }
 

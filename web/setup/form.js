@@ -5,8 +5,19 @@ import * as pointer from '../lib/pointer.js';
 import { forceOf, unit, unitsOf } from '../lib/units.js';
 import { entry, symbol } from './entry.js';
 import {
-  ANALYSES, DEFAULTS, ELASTIC, LAWS, LOADS, SETTINGS, SHAPES, SUPPORTS, UNIT_SYSTEMS,
-  lawOf, loadOf, plasticityLike, shapeLike,
+  ANALYSES,
+  DEFAULTS,
+  ELASTIC,
+  LAWS,
+  LOADS,
+  SETTINGS,
+  SHAPES,
+  SUPPORTS,
+  UNIT_SYSTEMS,
+  lawOf,
+  loadOf,
+  plasticityLike,
+  shapeLike,
 } from './fields.js';
 import { PRESETS, materialOf, presetOf } from './materials.js';
 
@@ -60,8 +71,12 @@ export class Form {
   #show() {
     const { job } = this.draft;
     const shape = JSON.stringify([
-      lawOf(job.upper?.material), lawOf(job.lower?.material), loadOf(job.load),
-      job.upper?.shape?.type, job.lower?.shape?.type, job.analysis === 'axisymmetric',
+      lawOf(job.upper?.material),
+      lawOf(job.lower?.material),
+      loadOf(job.load),
+      job.upper?.shape?.type,
+      job.lower?.shape?.type,
+      job.analysis === 'axisymmetric',
     ]);
     if (shape !== this.#shape) this.#build();
     this.#shape = shape;
@@ -97,15 +112,32 @@ export class Form {
     const open = this.root.querySelector('details')?.open ?? false;
     this.#fields.clear();
     this.root.replaceChildren(
-      h('div', { class: 'pair' }, this.#choice('/analysis', 'Analysis', ANALYSES), this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) =>
-        this.draft.changeUnits(/** @type {any} */ (units), SOURCE))),
+      h(
+        'div',
+        { class: 'pair' },
+        this.#choice('/analysis', 'Analysis', ANALYSES),
+        this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) =>
+          this.draft.changeUnits(/** @type {any} */ (units), SOURCE),
+        ),
+      ),
       this.#body('upper', 'Upper body'),
       this.#body('lower', 'Lower body'),
       this.#load(),
-      h('details', { open }, h('summary', {}, 'Mesh, solver, output, tags'),
-        h('div', { class: 'grid' }, SETTINGS.map((field) => this.#field('', field)))),
+      h(
+        'details',
+        { open },
+        h('summary', {}, 'Mesh, solver, output, tags'),
+        h(
+          'div',
+          { class: 'grid' },
+          SETTINGS.map((field) => this.#field('', field)),
+        ),
+      ),
     );
-    if (focused) /** @type {HTMLElement | null} */ (this.root.querySelector(`[data-place="${focused}"] :is(input, select, textarea)`))?.focus();
+    if (focused)
+      /** @type {HTMLElement | null} */ (
+        this.root.querySelector(`[data-place="${focused}"] :is(input, select, textarea)`)
+      )?.focus();
   }
 
   /** @param {'upper' | 'lower'} body @param {string} title */
@@ -115,42 +147,84 @@ export class Form {
     const other = body === 'upper' ? 'lower' : 'upper';
     const law = lawOf(job[body]?.material);
     const shape = job[body]?.shape?.type;
-    const preset = h('select', { 'data-preset': body, onchange: (/** @type {Event} */ event) => this.#usePreset(body, event) },
-      h('option', { value: '' }, 'own figures'), PRESETS.map(({ name }) => h('option', {}, name)));
-    const shapes = Object.fromEntries(Object.entries(SHAPES).map(([key, { label }]) =>
-      [key, key === 'cylinder' && job.analysis === 'axisymmetric' ? 'Sphere' : label]));
-    return h('fieldset', {},
-      h('legend', {}, title, h('button', { type: 'button', class: 'plain', onclick: () => this.draft.set(at, structuredClone(job[other]), SOURCE) }, `same as ${other}`)),
-      h('div', { class: 'grid' },
+    const preset = h(
+      'select',
+      { 'data-preset': body, onchange: (/** @type {Event} */ event) => this.#usePreset(body, event) },
+      h('option', { value: '' }, 'own figures'),
+      PRESETS.map(({ name }) => h('option', {}, name)),
+    );
+    const shapes = Object.fromEntries(
+      Object.entries(SHAPES).map(([key, { label }]) => [
+        key,
+        key === 'cylinder' && job.analysis === 'axisymmetric' ? 'Sphere' : label,
+      ]),
+    );
+    return h(
+      'fieldset',
+      {},
+      h(
+        'legend',
+        {},
+        title,
+        h(
+          'button',
+          { type: 'button', class: 'plain', onclick: () => this.draft.set(at, structuredClone(job[other]), SOURCE) },
+          `same as ${other}`,
+        ),
+      ),
+      h(
+        'div',
+        { class: 'grid' },
         this.#choice(`${at}/shape/type`, 'Shape', shapes, (type) =>
-          this.draft.set(`${at}/shape`, shapeLike(String(type), job[body]?.shape), SOURCE)),
+          this.draft.set(`${at}/shape`, shapeLike(String(type), job[body]?.shape), SOURCE),
+        ),
         (SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
         this.#choice(`${at}/support`, 'Support', SUPPORTS),
         h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, preset))),
         h('p', { class: 'source', 'data-source': body }),
         law !== 'rigid' && ELASTIC.map((field) => this.#field(`${at}/material`, field)),
-        this.#choice(`${at}/material/law`, 'Hardening', Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label])), (law) =>
-          this.#useLaw(body, String(law))),
-        LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []));
+        this.#choice(
+          `${at}/material/law`,
+          'Hardening',
+          Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label])),
+          (law) => this.#useLaw(body, String(law)),
+        ),
+        LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? [],
+      ),
+    );
   }
 
   #load() {
     const kind = loadOf(this.draft.job.load);
     const { field } = LOADS[kind];
     const kinds = Object.fromEntries(Object.entries(LOADS).map(([key, { label }]) => [key, label]));
-    return h('fieldset', {}, h('legend', {}, 'Load'), h('div', { class: 'grid' },
-      this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
-      field && this.#field('/load', field)));
+    return h(
+      'fieldset',
+      {},
+      h('legend', {}, 'Load'),
+      h(
+        'div',
+        { class: 'grid' },
+        this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
+        field && this.#field('/load', field),
+      ),
+    );
   }
 
   /** @param {string} parent @param {Field} field */
   #field(parent, field) {
-    return this.#place(`${parent}/${field.key}`, field, (value) => this.draft.set(`${parent}/${field.key}`, value, SOURCE));
+    return this.#place(`${parent}/${field.key}`, field, (value) =>
+      this.draft.set(`${parent}/${field.key}`, value, SOURCE),
+    );
   }
 
   /** @param {string} place @param {string} label @param {Record<string, string>} choices @param {(value: unknown) => void} [change] */
   #choice(place, label, choices, change) {
-    return this.#place(place, { key: '', label, kind: 'choice', choices }, change ?? ((value) => this.draft.set(place, value, SOURCE)));
+    return this.#place(
+      place,
+      { key: '', label, kind: 'choice', choices },
+      change ?? ((value) => this.draft.set(place, value, SOURCE)),
+    );
   }
 
   /** @param {string} place @param {Field} field @param {(value: unknown) => void} change */
@@ -173,7 +247,11 @@ export class Form {
     const old = this.draft.job[body]?.material;
     const elastic = { young_modulus: old?.young_modulus ?? 210000, poisson_ratio: old?.poisson_ratio ?? 0.3 };
     const plasticity = plasticityLike(law, { ...elastic, ...old });
-    this.draft.set(`/${body}/material`, law === 'rigid' ? { rigid: true } : { ...elastic, ...(plasticity && { plasticity }) }, SOURCE);
+    this.draft.set(
+      `/${body}/material`,
+      law === 'rigid' ? { rigid: true } : { ...elastic, ...(plasticity && { plasticity }) },
+      SOURCE,
+    );
   }
 
   /** @param {string} kind */
@@ -181,14 +259,25 @@ export class Form {
     const old = this.draft.job.load ?? {};
     const one = Number(old.force ?? old.forces?.at(-1)) || 600;
     const deep = Number(old.approach ?? old.approaches?.at(-1)) || 0.02;
-    const sweep = (/** @type {number} */ end) => Array.from({ length: 10 }, (_, k) => Number(((end * (k + 1)) / 10).toPrecision(6)));
-    const loads = /** @type {Record<string, unknown>} */ ({ force: one, forces: sweep(one), approach: deep, approaches: sweep(deep), onset: true });
+    const sweep = (/** @type {number} */ end) =>
+      Array.from({ length: 10 }, (_, k) => Number(((end * (k + 1)) / 10).toPrecision(6)));
+    const loads = /** @type {Record<string, unknown>} */ ({
+      force: one,
+      forces: sweep(one),
+      approach: deep,
+      approaches: sweep(deep),
+      onset: true,
+    });
     this.draft.set('/load', { [kind]: loads[kind] }, SOURCE);
   }
 }
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail }) {
-  const part = pointer.slice(place.length + 1).split('/').filter((key) => /^\d+$/.test(key)).map((key) => Number(key) + 1);
+  const part = pointer
+    .slice(place.length + 1)
+    .split('/')
+    .filter((key) => /^\d+$/.test(key))
+    .map((key) => Number(key) + 1);
   return part.length ? `${part.length > 1 ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
 }

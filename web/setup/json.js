@@ -6,7 +6,10 @@ const SOURCE = 'json';
 
 /** @param {import('./draft.js').Draft} draft */
 export function startJson(draft) {
-  const text = byId('json-text') instanceof HTMLTextAreaElement ? /** @type {HTMLTextAreaElement} */ (byId('json-text')) : undefined;
+  const text =
+    byId('json-text') instanceof HTMLTextAreaElement
+      ? /** @type {HTMLTextAreaElement} */ (byId('json-text'))
+      : undefined;
   const state = byId('json-state');
   if (!text) return;
   draft.addEventListener('change', (event) => {
@@ -14,16 +17,19 @@ export function startJson(draft) {
     text.removeAttribute('aria-invalid');
     state.textContent = 'in step';
   });
-  text.addEventListener('input', debounce(() => {
-    try {
-      const job = JSON.parse(text.value);
-      if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
-      draft.replace(job, SOURCE);
-    } catch (error) {
-      text.setAttribute('aria-invalid', 'true');
-      state.textContent = /** @type {Error} */ (error).message;
-    }
-  }, 200));
+  text.addEventListener(
+    'input',
+    debounce(() => {
+      try {
+        const job = JSON.parse(text.value);
+        if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
+        draft.replace(job, SOURCE);
+      } catch (error) {
+        text.setAttribute('aria-invalid', 'true');
+        state.textContent = /** @type {Error} */ (error).message;
+      }
+    }, 200),
+  );
 }
 
 /** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */
@@ -40,7 +46,8 @@ export function print(value, indent = '') {
 
 /** @param {object} value @returns {string} */
 function spaced(value) {
-  const inner = (/** @type {unknown} */ one) => (one !== null && typeof one === 'object' ? spaced(one) : JSON.stringify(one));
+  const inner = (/** @type {unknown} */ one) =>
+    one !== null && typeof one === 'object' ? spaced(one) : JSON.stringify(one);
   if (Array.isArray(value)) return `[${value.map(inner).join(', ')}]`;
   const entries = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${inner(one)}`);
   return entries.length ? `{ ${entries.join(', ')} }` : '{}';

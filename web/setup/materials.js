@@ -32,13 +32,18 @@ export const PRESETS = [
   {
     name: 'Bronze CuSn7Zn2Pb3-C',
     source: 'R_p0.2 130 MPa (EN 1982, sand cast), E 90–96 GPa: Kemper data sheet. ν 0.34 assumed, no hardening.',
-    material: { young_modulus: 93000, poisson_ratio: 0.34, plasticity: { law: 'bilinear', yield_stress: 130, tangent_modulus: 0 } },
+    material: {
+      young_modulus: 93000,
+      poisson_ratio: 0.34,
+      plasticity: { law: 'bilinear', yield_stress: 130, tangent_modulus: 0 },
+    },
   },
   {
     name: 'Aluminium EN AW-6061 T6',
     source: 'f_0 240 MPa, n_p 55: EN 1999-1-1, table 3.2b; a = 0.002 E/f_0. E, ν: EN 1999-1-1, 3.2.5',
     material: {
-      young_modulus: 70000, poisson_ratio: 0.3,
+      young_modulus: 70000,
+      poisson_ratio: 0.3,
       plasticity: { law: 'ramberg_osgood', reference_stress: 240, offset: 0.583333, exponent: 55 },
     },
   },
@@ -46,7 +51,8 @@ export const PRESETS = [
     name: 'Reference problem',
     source: 'Jiang and Shang’s cylinders: σ_y 500 MPa, E_t = E/20.',
     material: {
-      young_modulus: 210000, poisson_ratio: 0.3,
+      young_modulus: 210000,
+      poisson_ratio: 0.3,
       plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
     },
   },
@@ -56,8 +62,14 @@ const STRESSES = new Set(['young_modulus', 'yield_stress', 'tangent_modulus', 'r
 
 /** @param {any} value @param {import('../lib/units.js').Units} units @returns {any} */
 function inUnits(value, units) {
-  const entry = (/** @type {[string, any]} */ [key, figure]) => [key,
-    typeof figure === 'object' ? inUnits(figure, units) : STRESSES.has(key) ? convert(figure, 'stress', 'mm_N_MPa', units) : figure];
+  const entry = (/** @type {[string, any]} */ [key, figure]) => [
+    key,
+    typeof figure === 'object'
+      ? inUnits(figure, units)
+      : STRESSES.has(key)
+        ? convert(figure, 'stress', 'mm_N_MPa', units)
+        : figure,
+  ];
   return Object.fromEntries(Object.entries(value).map(entry));
 }
 

@@ -15,12 +15,26 @@ const STEPS = 48;
 export function outline(shape) {
   const [radius, width, depth] = [shape?.radius, shape?.width, shape?.depth].map(Number);
   switch (shape?.type) {
-    case 'cylinder': return radius > 0 ? { surface: arc(radius, radius, -1), base: -radius } : null;
-    case 'block': return width > 0 && depth > 0 ? { surface: [[-width / 2, 0], [width / 2, 0]], base: -depth } : null;
+    case 'cylinder':
+      return radius > 0 ? { surface: arc(radius, radius, -1), base: -radius } : null;
+    case 'block':
+      return width > 0 && depth > 0
+        ? {
+            surface: [
+              [-width / 2, 0],
+              [width / 2, 0],
+            ],
+            base: -depth,
+          }
+        : null;
     case 'groove':
-      return radius > 0 && width > 0 && width <= 2 * radius && depth > 0 ? { surface: arc(radius, width / 2, 1), base: -depth } : null;
-    case 'profile': return depth > 0 ? profile(shape.points, depth) : null;
-    default: return null;
+      return radius > 0 && width > 0 && width <= 2 * radius && depth > 0
+        ? { surface: arc(radius, width / 2, 1), base: -depth }
+        : null;
+    case 'profile':
+      return depth > 0 ? profile(shape.points, depth) : null;
+    default:
+      return null;
   }
 }
 
@@ -38,7 +52,11 @@ function profile(points, depth) {
   const good = (/** @type {any} */ point) => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
   if (!Array.isArray(points) || points.length < 2 || !points.every(good)) return null;
   const mirrored = points.map(([x, height]) => /** @type {Point} */ ([-x, height])).reverse();
-  const whole = points[0][0] === 0 ? [...mirrored.slice(0, -1), ...points]
-    : points.at(-1)[0] === 0 ? [...points, ...mirrored.slice(1)] : points;
+  const whole =
+    points[0][0] === 0
+      ? [...mirrored.slice(0, -1), ...points]
+      : points.at(-1)[0] === 0
+        ? [...points, ...mirrored.slice(1)]
+        : points;
   return { surface: whole, base: -depth };
 }

@@ -46,7 +46,10 @@ function fit(upper, lower) {
   const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...(body?.surface ?? []).map(([x]) => Math.abs(x)));
   const top = Math.max(-(upper?.base ?? 0), ...(lower?.surface ?? []).map(([, h]) => h));
   const bottom = Math.min(lower?.base ?? 0, ...(upper?.surface ?? []).map(([, h]) => -h));
-  const size = Math.min((WIDTH - 2 * SIDES) / (2 * Math.max(reach(upper), reach(lower)) || 1), (HEIGHT - 2 * MARGIN) / (top - bottom || 1));
+  const size = Math.min(
+    (WIDTH - 2 * SIDES) / (2 * Math.max(reach(upper), reach(lower)) || 1),
+    (HEIGHT - 2 * MARGIN) / (top - bottom || 1),
+  );
   const middle = (top + bottom) / 2;
   return (x, y) => [WIDTH / 2 + x * size, HEIGHT / 2 - (y - middle) * size];
 }
@@ -65,8 +68,12 @@ function drawBody(body, up, of, scale, length) {
   const path = `M${[...points, ...corners].map((point) => point.map((c) => c.toFixed(2)).join(' ')).join('L')}Z`;
   const [[x1, y], [x0]] = corners;
   const type = of?.shape?.type;
-  const size = type === 'cylinder' ? `R ${plain(Number(of.shape.radius))} ${length}`
-    : type === 'groove' ? `groove R ${plain(Number(of.shape.radius))} ${length}` : `${plain(right - left)} × ${plain(-body.base)} ${length}`;
+  const size =
+    type === 'cylinder'
+      ? `R ${plain(Number(of.shape.radius))} ${length}`
+      : type === 'groove'
+        ? `groove R ${plain(Number(of.shape.radius))} ${length}`
+        : `${plain(right - left)} × ${plain(-body.base)} ${length}`;
   return [
     svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
     ...support(x0, x1, y, up, of?.support === 'roller'),
@@ -78,9 +85,11 @@ function drawBody(body, up, of, scale, length) {
 function support(x0, x1, y, up, roller) {
   const many = Math.max(4, Math.round((x1 - x0) / 9));
   const at = (/** @type {number} */ k) => x0 + ((x1 - x0) * (k + 0.5)) / many;
-  const ticks = Array.from({ length: many }, (_, k) => roller
-    ? svg('circle', { class: 'support', cx: at(k), cy: y + up * 3, r: 2.2 })
-    : svg('path', { class: 'support', d: `M${at(k) + 3} ${y}l-6 ${up * 6}` }));
+  const ticks = Array.from({ length: many }, (_, k) =>
+    roller
+      ? svg('circle', { class: 'support', cx: at(k), cy: y + up * 3, r: 2.2 })
+      : svg('path', { class: 'support', d: `M${at(k) + 3} ${y}l-6 ${up * 6}` }),
+  );
   return [svg('line', { class: 'held', x1: x0, x2: x1, y1: y, y2: y }), ...ticks];
 }
 
@@ -92,8 +101,13 @@ function load(job, upper, scale) {
   const kind = loadOf(job.load);
   const value = job.load?.[kind];
   const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
-  const figures = Array.isArray(value) ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}` : plain(Number(value));
-  const text = kind === 'onset' ? 'P = ? (first yield)' : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
+  const figures = Array.isArray(value)
+    ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}`
+    : plain(Number(value));
+  const text =
+    kind === 'onset'
+      ? 'P = ? (first yield)'
+      : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
     svg('text', { x: x + 8, y: y - 9, class: 'load' }, text),
@@ -104,13 +118,17 @@ function load(job, upper, scale) {
 function contact(job, hertz, scale) {
   const width = Math.max(0, ...(hertz?.steps ?? []).map((step) => step.half_width));
   const [x, y] = scale(0, 0);
-  if (width === 0) return [svg('circle', { class: 'contact', cx: x, cy: y, r: 2.500 })];
+  if (width === 0) return [svg('circle', { class: 'contact', cx: x, cy: y, r: 2.5 })];
   const half = Math.max(1.5, scale(width, 0)[0] - x);
   return [
     svg('line', { class: 'contact', x1: x - half, x2: x + half, y1: y, y2: y }),
     svg('path', { class: 'leader', d: `M${x + half + 2} ${y}H${WIDTH - 88}` }),
     svg('text', { x: WIDTH - 4, y: y - 4, class: 'note' }, 'Hertz'),
-    svg('text', { x: WIDTH - 4, y: y + 10, class: 'note' }, `2a ${figure(2 * width, 3)} ${unit('length', unitsOf(job))}`),
+    svg(
+      'text',
+      { x: WIDTH - 4, y: y + 10, class: 'note' },
+      `2a ${figure(2 * width, 3)} ${unit('length', unitsOf(job))}`,
+    ),
   ];
 }
 

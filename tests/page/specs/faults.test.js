@@ -8,8 +8,13 @@ import { launch, serve, visit } from '../browser.js';
 let server;
 /** @type {import('playwright-core').Browser} */
 let browser;
-before(async () => { [server, browser] = await Promise.all([serve(['--workers', '1']), launch()]); });
-after(async () => { await browser?.close(); await server?.stop(); });
+before(async () => {
+  [server, browser] = await Promise.all([serve(['--workers', '1']), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
 
 test('wrong input shows at its field, and goes when it is put right', async () => {
   const { page, faults, close } = await visit(browser, server.url);
@@ -18,9 +23,12 @@ test('wrong input shows at its field, and goes when it is put right', async () =
   const entry = page.locator('[data-place="/lower/material/poisson_ratio"]');
   await entry.getByText('must be at least 0 and less than 0.5, got 0.6').waitFor();
   assert.equal(await ratio.getAttribute('aria-invalid'), 'true');
-  assert.match(await ratio.getAttribute('aria-describedby') ?? '', /-error/);
+  assert.match((await ratio.getAttribute('aria-describedby')) ?? '', /-error/);
   await page.getByLabel('Radius').first().fill('twenty');
-  await page.locator('[data-place="/upper/shape/radius"] .error').getByText(/number/).waitFor();
+  await page
+    .locator('[data-place="/upper/shape/radius"] .error')
+    .getByText(/number/)
+    .waitFor();
   await page.getByLabel('Radius').first().fill('20');
   await ratio.fill('0,3');
   await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
@@ -54,7 +62,9 @@ test('a job is cancelled, and those behind it know their place', async () => {
   const waiting = await page.evaluate(slowJob);
   await page.goto(`${server.url}/#job=${waiting}`);
   await page.locator('[data-status=queued]').getByText('next in line').waitFor();
-  await page.evaluate((id) => { location.hash = `job=${id}`; }, slow);
+  await page.evaluate((id) => {
+    location.hash = `job=${id}`;
+  }, slow);
   await page.locator('[data-status=running]').waitFor();
   await page.locator('#panel-convergence').waitFor();
   await page.getByRole('button', { name: 'Cancel' }).click();
@@ -76,7 +86,15 @@ test('a link to a job that is not here says so', async () => {
 async function slowJob() {
   const { examples } = await (await fetch('v1/examples')).json();
   const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-  const endless = { ...job, solver: { coupling: 'strong', tolerance: 1e-12, max_iterations: 100000 }, mesh: { elements_per_half_width: 40 } };
-  const answer = await fetch('v1/jobs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(endless) });
+  const endless = {
+    ...job,
+    solver: { coupling: 'strong', tolerance: 1e-12, max_iterations: 100000 },
+    mesh: { elements_per_half_width: 40 },
+  };
+  const answer = await fetch('v1/jobs', {
+    method: 'POST',
+    headers: { 'Content-Type': 'application/json' },
+    body: JSON.stringify(endless),
+  });
   return (await answer.json()).id;
 }

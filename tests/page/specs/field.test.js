@@ -15,19 +15,25 @@ const FRAME = 250;
 let server;
 /** @type {import('playwright-core').Browser} */
 let browser;
-before(async () => { [server, browser] = await Promise.all([serve(), launch()]); });
-after(async () => { await browser?.close(); await server?.stop(); });
+before(async () => {
+  [server, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
 
 /** Solves the reference problem with its field on a mesh so fine. @param {import('playwright-core').Page} page @param {number} elements */
-const solved = (page, elements) => page.evaluate(async (elements) => {
-  const { examples } = await (await fetch('v1/examples')).json();
-  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-  const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: elements }, output: { fields: true } });
-  const answer = await fetch('v1/jobs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
-  const { id } = await answer.json();
-  await fetch(`v1/jobs/${id}?wait=60`);
-  return id;
-}, elements);
+const solved = (page, elements) =>
+  page.evaluate(async (elements) => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+    const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: elements }, output: { fields: true } });
+    const answer = await fetch('v1/jobs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
+    const { id } = await answer.json();
+    await fetch(`v1/jobs/${id}?wait=60`);
+    return id;
+  }, elements);
 
 /** Drags the field about. @param {import('playwright-core').Page} page */
 async function pan(page) {
@@ -55,13 +61,22 @@ test('a large field is drawn within a second and moves without stalls', async (c
     location.hash = `job=${id}`;
     for (;;) {
       const [drawn] = performance.getEntriesByName('field-drawn');
-      if (drawn) return { received: performance.getEntriesByName('field-received')[0].startTime - begin, drawn: drawn.startTime - begin };
+      if (drawn)
+        return {
+          received: performance.getEntriesByName('field-received')[0].startTime - begin,
+          drawn: drawn.startTime - begin,
+        };
       await new Promise(requestAnimationFrame);
     }
   }, id);
-  const elements = await page.evaluate(async (id) => (await (await fetch(`v1/jobs/${id}/result`)).json()).mesh.elements, id);
+  const elements = await page.evaluate(
+    async (id) => (await (await fetch(`v1/jobs/${id}/result`)).json()).mesh.elements,
+    id,
+  );
   assert.ok(elements > ELEMENTS, `${elements} elements`);
-  context.diagnostic(`${elements} elements on half models, ${2 * elements} drawn: received after ${Math.round(timed.received)} ms, drawn after ${Math.round(timed.drawn)} ms`);
+  context.diagnostic(
+    `${elements} elements on half models, ${2 * elements} drawn: received after ${Math.round(timed.received)} ms, drawn after ${Math.round(timed.drawn)} ms`,
+  );
   assert.ok(timed.drawn - timed.received < DRAWN, `${timed.drawn - timed.received} ms to draw`);
 
   // Other work on the machine stalls a frame now and then; a stall of the page's own would be there every time.
@@ -70,7 +85,9 @@ test('a large field is drawn within a second and moves without stalls', async (c
     const now = await pan(page);
     if (now.longest < calm.longest) calm = now;
   }
-  context.diagnostic(`while panning: median frame ${Math.round(calm.median)} ms, longest ${Math.round(calm.longest)} ms`);
+  context.diagnostic(
+    `while panning: median frame ${Math.round(calm.median)} ms, longest ${Math.round(calm.longest)} ms`,
+  );
   assert.ok(calm.longest < FRAME, `a frame took ${calm.longest} ms`);
   assert.deepEqual(faults, []);
   await close();
@@ -82,7 +99,10 @@ test('colours, probe and keys of the field', async () => {
   await page.goto(`${server.url}/#job=${id}`);
   const over = page.locator('.stage .over');
   await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
-  assert.match(await over.getAttribute('aria-label') ?? '', /^Field of von Mises stress, from [\d.]+ to 5\d\d\.\d MPa\.$/);
+  assert.match(
+    (await over.getAttribute('aria-label')) ?? '',
+    /^Field of von Mises stress, from [\d.]+ to 5\d\d\.\d MPa\.$/,
+  );
   const box = await over.boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
@@ -91,8 +111,10 @@ test('colours, probe and keys of the field', async () => {
   await page.getByText(/^upper body, /).waitFor();
 
   await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
-  await page.waitForFunction(() => document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of plastic strain'));
-  assert.ok(await page.locator('.colours li').count() > 5);
+  await page.waitForFunction(() =>
+    document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of plastic strain'),
+  );
+  assert.ok((await page.locator('.colours li').count()) > 5);
 
   await over.focus();
   const before = await page.screenshot({ clip: box });

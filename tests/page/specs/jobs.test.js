@@ -9,18 +9,26 @@ import { launch, serve, visit } from '../browser.js';
 let server;
 /** @type {import('playwright-core').Browser} */
 let browser;
-before(async () => { [server, browser] = await Promise.all([serve(), launch()]); });
-after(async () => { await browser?.close(); await server?.stop(); });
+before(async () => {
+  [server, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
 
 /** @param {import('playwright-core').Page} page @param {object} change */
-const solved = (page, change) => page.evaluate(async (change) => {
-  const { examples } = await (await fetch('v1/examples')).json();
-  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-  const answer = await fetch('v1/jobs', {
-    method: 'POST', headers: { 'Content-Type': 'application/json', Prefer: 'wait=60' }, body: JSON.stringify({ ...job, ...change }),
-  });
-  return (answer.headers.get('content-location') ?? '').split('/')[3];
-}, change);
+const solved = (page, change) =>
+  page.evaluate(async (change) => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+    const answer = await fetch('v1/jobs', {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json', Prefer: 'wait=60' },
+      body: JSON.stringify({ ...job, ...change }),
+    });
+    return (answer.headers.get('content-location') ?? '').split('/')[3];
+  }, change);
 
 test('a link shows a job and its definition', async () => {
   const { page, faults, close } = await visit(browser, server.url);
@@ -44,7 +52,9 @@ test('a definition travels in a link by itself', async () => {
   await page.getByText('Link to this definition copied').waitFor();
   const address = await page.evaluate(() => navigator.clipboard.readText());
   const other = await visit(browser, address);
-  await other.page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input'))?.value === '321');
+  await other.page.waitForFunction(
+    () => /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input'))?.value === '321',
+  );
   await other.close();
   await close();
 });
@@ -85,7 +95,10 @@ test('everything can be taken along', async () => {
     assert.ok(file.suggestedFilename().startsWith(id.slice(-8)), file.suggestedFilename());
   }
   for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
-    const [file] = await Promise.all([page.waitForEvent('download'), page.locator(`#panel-${panel}`).getByText('PNG').click()]);
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator(`#panel-${panel}`).getByText('PNG').click(),
+    ]);
     assert.equal(file.suggestedFilename(), `${panel}.png`);
   }
   assert.deepEqual(faults, []);
@@ -95,10 +108,16 @@ test('everything can be taken along', async () => {
 test('the whole way by keyboard', async () => {
   const { page, faults, close } = await visit(browser, server.url);
   await page.getByText('1500.0 MPa').waitFor();
-  const name = () => page.evaluate(() => {
-    const at = /** @type {HTMLElement | null} */ (document.activeElement);
-    return at?.getAttribute('aria-label') ?? /** @type {HTMLInputElement | null} */ (at)?.labels?.[0]?.textContent ?? at?.textContent ?? '';
-  });
+  const name = () =>
+    page.evaluate(() => {
+      const at = /** @type {HTMLElement | null} */ (document.activeElement);
+      return (
+        at?.getAttribute('aria-label') ??
+        /** @type {HTMLInputElement | null} */ (at)?.labels?.[0]?.textContent ??
+        at?.textContent ??
+        ''
+      );
+    });
   /** @param {RegExp} wanted */
   const tabTo = async (wanted) => {
     for (let k = 0; k < 80; k++) {
@@ -130,7 +149,11 @@ test('the whole way by keyboard', async () => {
 test('a service that wants a key is given it', async () => {
   const guarded = await serve(['--require-api-key']);
   try {
-    const key = execFileSync(guarded.binary, ['key', 'create', '--scope', 'write', '--data-dir', guarded.data, 'page'], { encoding: 'utf8' });
+    const key = execFileSync(
+      guarded.binary,
+      ['key', 'create', '--scope', 'write', '--data-dir', guarded.data, 'page'],
+      { encoding: 'utf8' },
+    );
     const token = /brn\S+|[\w.-]{30,}/.exec(key)?.[0] ?? '';
     const { page, close } = await visit(browser, guarded.url);
     await page.getByLabel('Key', { exact: true }).fill(token);
@@ -144,7 +167,10 @@ test('a service that wants a key is given it', async () => {
   }
 });
 
-for (const [name, options] of /** @type {const} */ ([['wide', {}], ['narrow', { viewport: { width: 390, height: 844 } }]])) {
+for (const [name, options] of /** @type {const} */ ([
+  ['wide', {}],
+  ['narrow', { viewport: { width: 390, height: 844 } }],
+])) {
   test(`nothing sticks out of a ${name} page`, async () => {
     const { page, close } = await visit(browser, server.url, options);
     await page.getByText('1500.0 MPa').waitFor();
@@ -153,9 +179,20 @@ for (const [name, options] of /** @type {const} */ ([['wide', {}], ['narrow', { 
     await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
     const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(inner <= outer, `${inner} px in ${outer}`);
-    const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
-      .filter((one) => one.checkVisibility() && !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.textContent?.trim() || /** @type {HTMLInputElement} */ (one).labels?.length))
-      .map((one) => one.outerHTML));
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
+        .filter(
+          (one) =>
+            one.checkVisibility() &&
+            !(
+              one.getAttribute('aria-label') ||
+              one.getAttribute('aria-labelledby') ||
+              one.textContent?.trim() ||
+              /** @type {HTMLInputElement} */ (one).labels?.length
+            ),
+        )
+        .map((one) => one.outerHTML),
+    );
     assert.deepEqual(nameless, [], 'every control has a name');
     await close();
   });

@@ -8,8 +8,13 @@ import { launch, serve, visit } from '../browser.js';
 let server;
 /** @type {import('playwright-core').Browser} */
 let browser;
-before(async () => { [server, browser] = await Promise.all([serve(), launch()]); });
-after(async () => { await browser?.close(); await server?.stop(); });
+before(async () => {
+  [server, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
 
 const SOLVED = '[data-status=succeeded]';
 
@@ -36,7 +41,7 @@ test('what Hertz says and the JSON follow the form, and the form the JSON', asyn
   await page.getByText('1500.0 MPa').waitFor();
   await page.getByLabel('Force P').fill('272.27');
   await page.waitForFunction(() => document.querySelectorAll('.hertz dd')[1]?.textContent?.startsWith('1000'));
-  assert.match(await peak.textContent() ?? '', /MPa$/);
+  assert.match((await peak.textContent()) ?? '', /MPa$/);
   await page.getByRole('button', { name: 'JSON', exact: true }).click();
   const text = page.locator('#json-text');
   const job = JSON.parse(await text.inputValue());
@@ -69,13 +74,17 @@ test('a sweep has its curve, and every step can be seen', async () => {
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
   await page.locator('#panel-sweep').waitFor();
-  assert.match(await page.locator('#panel-sweep .plot').getAttribute('aria-label') ?? '', /6 points up to 600/);
+  assert.match((await page.locator('#panel-sweep .plot').getAttribute('aria-label')) ?? '', /6 points up to 600/);
   const force = page.locator('.steps output');
-  assert.match(await force.textContent() ?? '', /^6 of 6: 600\.00 N\/mm/);
+  assert.match((await force.textContent()) ?? '', /^6 of 6: 600\.00 N\/mm/);
   await page.getByLabel('Step').focus();
   await page.keyboard.press('Home');
-  assert.match(await force.textContent() ?? '', /^1 of 6: 100\.00/);
-  assert.match(await page.locator('#panel-pressure .plot').getAttribute('aria-label') ?? '', /highest 60\d\.\d/, 'elastic below first yield');
+  assert.match((await force.textContent()) ?? '', /^1 of 6: 100\.00/);
+  assert.match(
+    (await page.locator('#panel-pressure .plot').getAttribute('aria-label')) ?? '',
+    /highest 60\d\.\d/,
+    'elastic below first yield',
+  );
   assert.deepEqual(faults, []);
   await close();
 });
@@ -85,8 +94,14 @@ function inkOf(canvas, name) {
   if (!(canvas instanceof HTMLCanvasElement)) return 0;
   const colour = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const wanted = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
-  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, canvas.width, canvas.height);
+  const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
+    0,
+    0,
+    canvas.width,
+    canvas.height,
+  );
   let count = 0;
-  for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 128 && wanted.every((c, j) => Math.abs(data[k + j] - c) < 12)) count += 1;
+  for (let k = 0; k < data.length; k += 4)
+    if (data[k + 3] > 128 && wanted.every((c, j) => Math.abs(data[k + j] - c) < 12)) count += 1;
   return count;
 }
