@@ -117,15 +117,12 @@ impl InitialStressRegion {
         self.softening.is_empty()
     }
 
-    /// Softens elastic element stiffnesses as the load presumes; to be asked for elements in ascending order.
-    pub fn softener(&self) -> impl FnMut(usize, &Quad, &mut ElementStiffness) {
-        let mut softened = self.elements.iter().filter(|element| element.softening.is_some()).peekable();
-        move |index, quad, stiffness| {
-            while softened.next_if(|element| element.index < index).is_some() {}
-            if let Some(k) = softened.next_if(|element| element.index == index).and_then(|e| e.softening) {
-                self.softening[k].apply(quad, stiffness);
-            }
-        }
+    /// The elements whose stiffness is softened, by their index in the mesh, and what that adds to it.
+    pub fn softened_elements(&self) -> impl Iterator<Item = (usize, ElementStiffness)> {
+        self.elements.iter().filter_map(|element| {
+            let softening = &self.softening[element.softening?];
+            Some((element.index, wide(|| softening.stiffness(&element.quad))))
+        })
     }
 
     /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed

@@ -31,14 +31,23 @@ impl StiffnessAssembler<'_> {
         for (element, nodes) in self.mesh.elements.iter().enumerate() {
             let quad = Quad::new(&self.mesh.corners(element), self.kinematics);
             let stiffness = stiffness_of(element, &quad);
-            let equations = nodes.map(|node| self.equations.of_node(node));
-            for (j, columns) in equations.iter().enumerate() {
-                for (b, &column) in columns.iter().enumerate() {
-                    self.add_column(&mut values, column, &equations, |i, a| stiffness[i][j][a][b]);
-                }
-            }
+            self.add_to(&mut values, nodes, &stiffness);
         }
         values
+    }
+
+    /// Adds to the stiffness of one element.
+    pub fn add(&self, values: &mut [f64], element: usize, stiffness: &ElementStiffness) {
+        self.add_to(values, &self.mesh.elements[element], stiffness);
+    }
+
+    fn add_to(&self, values: &mut [f64], nodes: &[u32; 4], stiffness: &ElementStiffness) {
+        let equations = nodes.map(|node| self.equations.of_node(node));
+        for (j, columns) in equations.iter().enumerate() {
+            for (b, &column) in columns.iter().enumerate() {
+                self.add_column(values, column, &equations, |i, a| stiffness[i][j][a][b]);
+            }
+        }
     }
 
     /// Adds the entries of one element column that lie on or below the diagonal.

@@ -35,6 +35,19 @@ pub struct Quad {
 /// Natural coordinates of the corners; Gauss point g lies at `corner g / √3`.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
+/// `SHAPE_AT_POINTS[i][g] = N_i` at Gauss point g: `(1 ± 1/√3)²/4` at the same corner and the opposite one, 1/6 beside.
+pub const SHAPE_AT_POINTS: [PerPoint; 4] = {
+    const SAME: f64 = 0.622_008_467_928_146_2;
+    const OPPOSITE: f64 = 0.044_658_198_738_520_45;
+    const BESIDE: f64 = 1.0 / 6.0;
+    [
+        [SAME, BESIDE, OPPOSITE, BESIDE],
+        [BESIDE, SAME, BESIDE, OPPOSITE],
+        [OPPOSITE, BESIDE, SAME, BESIDE],
+        [BESIDE, OPPOSITE, BESIDE, SAME],
+    ]
+};
+
 impl Quad {
     /// Evaluates the gradients for corner coordinates `[x, y]` \[mm\], counter-clockwise.
     pub fn new(corners: &[[f64; 2]; 4], kinematics: Kinematics) -> Self {
@@ -165,6 +178,16 @@ mod tests {
     use super::*;
 
     const SKEWED: [[f64; 2]; 4] = [[0.0, 0.0], [2.0, 0.3], [2.4, 1.9], [-0.2, 1.5]];
+
+    #[test]
+    fn tabulated_shape_functions_are_those_of_the_points() {
+        for (g, corner) in CORNERS.iter().enumerate() {
+            let [xi, eta] = corner.map(|c| c / 3f64.sqrt());
+            for (tabulated, value) in SHAPE_AT_POINTS.iter().zip(shape_functions(xi, eta)) {
+                assert!((tabulated[g] - value).abs() < 1e-15);
+            }
+        }
+    }
 
     #[test]
     fn linear_displacement_has_constant_strain() {

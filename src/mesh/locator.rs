@@ -14,6 +14,28 @@ pub struct Locator<'a> {
     last: usize,
 }
 
+/// A point in a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Nodes of the element that holds it.
+    pub nodes: [u32; 4],
+    /// Their shape functions there.
+    pub shape: [f64; 4],
+}
+
+impl Place {
+    /// The value of a field given at the nodes of the mesh.
+    pub fn interpolate<const N: usize>(&self, field: &[[f64; N]]) -> [f64; N] {
+        let mut value = [0.0; N];
+        for (&node, weight) in self.nodes.iter().zip(self.shape) {
+            for (sum, v) in value.iter_mut().zip(&field[node as usize]) {
+                *sum += weight * v;
+            }
+        }
+        value
+    }
+}
+
 /// Steps after which a walk goes in circles.
 const MAX_STEPS: usize = 10_000;
 
@@ -37,21 +59,8 @@ impl<'a> Locator<'a> {
         Self { mesh, neighbours, last: 0 }
     }
 
-    /// The value at a point `[x, y]` of a field given at the nodes, by the shape functions of the element it lies in.
-    /// A point a little outside the mesh takes the value at the border.
-    pub fn interpolate<const N: usize>(&mut self, point: [f64; 2], field: &[[f64; N]]) -> [f64; N] {
-        let (element, weights) = self.locate(point);
-        let mut value = [0.0; N];
-        for (&node, weight) in self.mesh.elements[element].iter().zip(weights) {
-            for (sum, v) in value.iter_mut().zip(&field[node as usize]) {
-                *sum += weight * v;
-            }
-        }
-        value
-    }
-
-    /// The element that holds a point, and the shape functions there.
-    fn locate(&mut self, point: [f64; 2]) -> (usize, [f64; 4]) {
+    /// Where a point `[x, y]` lies. A point a little outside the mesh is moved to its border.
+    pub fn locate(&mut self, point: [f64; 2]) -> Place {
         let mut element = self.last;
         for _ in 0..MAX_STEPS {
             match self.way_out(element, point) {
@@ -61,8 +70,9 @@ impl<'a> Locator<'a> {
         }
         self.last = element;
         let [xi, eta] = natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
-        let weights = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        (element, weights.map(|(a, b)| 0.25 * (1.0 + a * xi) * (1.0 + b * eta)))
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let shape = corners.map(|(a, b)| 0.25 * (1.0 + a * xi) * (1.0 + b * eta));
+        Place { nodes: self.mesh.elements[element], shape }
     }
 
     /// The neighbour beyond the side that a point lies farthest outside of, relative to the length of the side.
@@ -136,7 +146,7 @@ mod tests {
             let mut locator = Locator::new(&coarse);
             let surface = |[x, y]: [f64; 2]| x.hypot(y + 20.0) > 19.999 || y > -1e-3;
             for &node in fine.nodes.iter().filter(|node| !surface(**node)) {
-                let (found, expected) = (locator.interpolate(node, &field), linear(node));
+                let (found, expected) = (locator.locate(node).interpolate(&field), linear(node));
                 for (a, b) in found.iter().zip(expected) {
                     assert!((a - b).abs() < 1e-9, "{node:?}: {found:?} for {expected:?}");
                 }
@@ -148,7 +158,7 @@ mod tests {
     fn a_point_beside_the_mesh_takes_the_value_at_the_border() {
         let mesh = mesh(8, true);
         let field: Vec<[f64; 1]> = mesh.nodes.iter().map(|[x, _]| [*x]).collect();
-        let [value] = Locator::new(&mesh).interpolate([-1.0, -3.0], &field);
+        let [value] = Locator::new(&mesh).locate([-1.0, -3.0]).interpolate(&field);
         assert!(value.abs() < 1e-12);
     }
 }

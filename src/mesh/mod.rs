@@ -22,7 +22,7 @@ mod outline;
 mod quality;
 
 pub use half_o_grid::{ContactZone, Refinement};
-pub use locator::Locator;
+pub use locator::{Locator, Place};
 pub use outline::Outline;
 pub use quality::Quality;
 

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::former::{Carrier, FormerField};
+use super::former::{Carried, FormerField};
 use super::phases::{Phase, PhaseTimes};
 use super::{Observer, SolveError};
 use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField};
-use crate::element::{ElementStiffness, Kinematics, QUADRATURE_POINTS, Quad, element_stiffness};
+use crate::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
 use crate::linalg::dense::SymmetricMatrix;
 use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 use crate::mesh::Mesh;
@@ -28,6 +28,8 @@ pub(super) struct BodyModel {
     pub kinematics: Kinematics,
     pub material: Deformable,
     pub equations: Equations,
+    /// The elastic stiffness, entry by entry of its pattern.
+    elastic: Vec<f64>,
     /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`Self::region`] refers to.
     pub factor: Cholesky,
     /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
@@ -36,7 +38,9 @@ pub(super) struct BodyModel {
     pub region: Option<InitialStressRegion>,
     /// Last shell of that region; plastic flow beyond it has not been taken into account.
     pub last_shell: u32,
-    /// Equations that an iteration loads or reads.
+    /// Nodes that an iteration loads or reads.
+    in_window: Vec<bool>,
+    /// Their equations.
     pub window: Vec<u32>,
     /// Supernodes of the window.
     pub reach: Reach,
@@ -83,30 +87,39 @@ impl BodyModel {
             let reach = symbolic.reach(&window);
             (window, reach, symbolic.trailing_reach(mesh.contact_nodes.len()))
         });
+        let elastic = phases.time(Phase::Assembly, observer, || {
+            let (bulk, shear) = (material.elastic().bulk_modulus(), material.elastic().shear_modulus());
+            let pattern = symbolic.pattern();
+            let assembler = StiffnessAssembler { mesh: &mesh, kinematics, equations: &equations, pattern };
+            assembler.assemble(|_, quad| element_stiffness(quad, bulk, &[shear; QUADRATURE_POINTS]))
+        });
         let (region, carried) = phases.time(Phase::Plasticity, observer, || {
             let mut region = InitialStressRegion::new(&mesh, kinematics, &equations, last_shell, material);
             let carried = region.as_mut().zip(former).map(|(region, field)| {
-                let mut carrier = Carrier::new(field, kinematics);
-                region.linearize(|element, _| carrier.strain(&mesh.corners(element)));
-                if region.refers_to_elastic() {
-                    return vec![0.0; equations.len() + 1];
-                }
-                carry(&mut carrier, &mesh, &equations, &window)
+                let carried = Carried::new(field, kinematics, &mesh, &in_window);
+                linearize_by(region, &carried, &mesh, &equations, &window)
             });
             (region, carried)
         });
-        let stiffness =
-            Stiffness { mesh: &mesh, kinematics, material, equations: &equations, region: region.as_ref() };
+        let stiffness = Stiffness {
+            mesh: &mesh,
+            kinematics,
+            equations: &equations,
+            elastic: &elastic,
+            region: region.as_ref(),
+        };
         let (factor, flexibility) = stiffness.factorize(&symbolic, phases, observer)?;
         let model = Self {
             mesh: Arc::new(mesh),
             kinematics,
             material: material.clone(),
             equations,
+            elastic,
             factor,
             flexibility,
             region,
             last_shell,
+            in_window,
             window,
             reach,
             contact_reach,
@@ -141,12 +154,11 @@ impl BodyModel {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Vec<f64>, SolveError> {
-        let Self { mesh, kinematics, equations, region, window, .. } = self;
+        let Self { mesh, kinematics, equations, region, in_window, window, .. } = self;
         let Some(region) = region else { return Ok(self.zeros()) };
         let carried = phases.time(Phase::Plasticity, observer, || {
-            let mut carrier = Carrier::new(former, *kinematics);
-            region.linearize(|element, _| carrier.strain(&mesh.corners(element)));
-            carry(&mut carrier, mesh, equations, window)
+            let carried = Carried::new(former, *kinematics, mesh, in_window);
+            linearize_by(region, &carried, mesh, equations, window)
         });
         self.factorize(phases, observer)?;
         Ok(carried)
@@ -157,8 +169,8 @@ impl BodyModel {
         let stiffness = Stiffness {
             mesh: &self.mesh,
             kinematics: self.kinematics,
-            material: &self.material,
             equations: &self.equations,
+            elastic: &self.elastic,
             region: self.region.as_ref(),
         };
         (self.factor, self.flexibility) = stiffness.factorize(&symbolic, phases, observer)?;
@@ -247,8 +259,8 @@ impl BodyModel {
 struct Stiffness<'a> {
     mesh: &'a Mesh,
     kinematics: Kinematics,
-    material: &'a Deformable,
     equations: &'a Equations,
+    elastic: &'a [f64],
     region: Option<&'a InitialStressRegion>,
 }
 
@@ -260,22 +272,19 @@ impl Stiffness<'_> {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(Cholesky, SymmetricMatrix), SolveError> {
-        let Self { mesh, kinematics, material, equations, region } = *self;
-        let values = phases.time(Phase::Assembly, observer, || {
+        let Self { mesh, kinematics, equations, elastic, region } = *self;
+        let softened = phases.time(Phase::Assembly, observer, || {
+            let region = region.filter(|region| !region.refers_to_elastic())?;
             let assembler = StiffnessAssembler { mesh, kinematics, equations, pattern: symbolic.pattern() };
-            let elastic = material.elastic();
-            let (bulk, shear) = (elastic.bulk_modulus(), [elastic.shear_modulus(); QUADRATURE_POINTS]);
-            let mut soften = region.map(InitialStressRegion::softener);
-            assembler.assemble(|element, quad: &Quad| -> ElementStiffness {
-                let mut stiffness = element_stiffness(quad, bulk, &shear);
-                if let Some(soften) = &mut soften {
-                    soften(element, quad, &mut stiffness);
-                }
-                stiffness
-            })
+            let mut values = elastic.to_vec();
+            for (element, addition) in region.softened_elements() {
+                assembler.add(&mut values, element, &addition);
+            }
+            Some(values)
         });
+        let values = softened.as_deref().unwrap_or(elastic);
         super::checkpoint(observer)?;
-        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(symbolic, &values))?;
+        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(symbolic, values))?;
         super::checkpoint(observer)?;
         let contacts = mesh.contact_nodes.len();
         let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
@@ -283,20 +292,17 @@ impl Stiffness<'_> {
     }
 }
 
-/// Former displacements on the window, by equation.
-fn carry(carrier: &mut Carrier<'_>, mesh: &Mesh, equations: &Equations, window: &[u32]) -> Vec<f64> {
-    let mut carried = vec![0.0; equations.len() + 1];
-    let mut last: Option<(u32, [f64; 2])> = None;
-    for &equation in window {
-        let (node, component) = equations.origin(equation);
-        let displacement = match last {
-            Some((known, displacement)) if known == node => displacement,
-            _ => carrier.displacement(mesh.nodes[node as usize]),
-        };
-        last = Some((node, displacement));
-        carried[equation as usize] = displacement[usize::from(component)];
-    }
-    carried
+/// Takes tangent moduli from a carried field; returns its displacements by equation, zero where nothing yields.
+fn linearize_by(
+    region: &mut InitialStressRegion,
+    carried: &Carried,
+    mesh: &Mesh,
+    equations: &Equations,
+    window: &[u32],
+) -> Vec<f64> {
+    region.linearize(|element, _| carried.strain(&mesh.elements[element]));
+    let start: &[u32] = if region.refers_to_elastic() { &[] } else { window };
+    carried.displacement_on(start, equations)
 }
 
 /// Shells around the expected plastic zone that are kept ready for it to grow into.

@@ -13,6 +13,7 @@
 use super::SolveError;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, Outcome, State};
+use super::phases::Phase;
 use crate::model::Coupling;
 
 /// Runs the coupling that the job asks for.
@@ -39,7 +40,8 @@ fn strong(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Resul
         iteration.count_update();
         let mut image = system.zeros();
         let plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-        let imbalance = system.distance(&image, &loads);
+        let imbalance =
+            iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, &loads));
         let status = iteration.record(&start, &response, plastic_points, imbalance);
         if status.is_some() || iteration.has_stalled() {
             return Ok(iteration.finish(State { response, loads, factors: None }, status));
@@ -47,10 +49,10 @@ fn strong(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Resul
         start = response.displacement;
         match &mut anderson {
             None => loads = image,
-            Some(anderson) => {
+            Some(anderson) => iteration.phases.time(Phase::Plasticity, iteration.observer, || {
                 let next = anderson.next(&system.pack(&loads), system.pack(&image));
                 system.unpack(&next, &mut loads);
-            }
+            }),
         }
     }
 }

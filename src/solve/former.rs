@@ -1,6 +1,7 @@
 //! A former answer on another mesh of the same body: where to start from on this one.
 
-use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::assembly::Equations;
+use crate::element::{Kinematics, QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
 use crate::mesh::{Locator, Mesh};
 
 /// Displacements on a mesh of the same body.
@@ -11,40 +12,54 @@ pub(super) struct FormerField<'a> {
     pub displacement: &'a [[f64; 2]],
 }
 
-/// A former field made ready to be read at any point.
-pub(super) struct Carrier<'a> {
-    locator: Locator<'a>,
-    displacement: &'a [[f64; 2]],
+/// A former field at the nodes of another mesh.
+pub(super) struct Carried {
+    /// `[u_x, u_y]` \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// `[ε_xx, ε_yy, ε_zz, γ_xy]`.
     strain: Vec<[f64; 4]>,
 }
 
-impl<'a> Carrier<'a> {
-    pub fn new(field: FormerField<'a>, kinematics: Kinematics) -> Self {
-        Self {
-            locator: Locator::new(field.mesh),
-            displacement: field.displacement,
-            strain: nodal_strain(field, kinematics),
+impl Carried {
+    /// Carries a field to the nodes of a mesh that are wanted; zero at the others.
+    pub fn new(field: FormerField<'_>, kinematics: Kinematics, mesh: &Mesh, wanted: &[bool]) -> Self {
+        let known = nodal_strain(field, kinematics);
+        let mut locator = Locator::new(field.mesh);
+        let mut carried =
+            Self { displacement: vec![[0.0; 2]; mesh.nodes.len()], strain: vec![[0.0; 4]; mesh.nodes.len()] };
+        for node in (0..mesh.nodes.len()).filter(|&node| wanted[node]) {
+            let place = locator.locate(mesh.nodes[node]);
+            carried.displacement[node] = place.interpolate(field.displacement);
+            carried.strain[node] = place.interpolate(&known);
         }
+        carried
     }
 
-    /// Displacement at a point \[mm\].
-    pub fn displacement(&mut self, point: [f64; 2]) -> [f64; 2] {
-        self.locator.interpolate(point, self.displacement)
-    }
-
-    /// Strains `[ε_xx, ε_yy, ε_zz, γ_xy]` at the Gauss points of an element with these corners.
+    /// Strains at the Gauss points of an element with these nodes, by its shape functions.
     ///
-    /// They are read off a continuous field. The strains of the carried displacements themselves jump at every edge of
-    /// the former mesh, and moduli taken from them cost half as many iterations again.
-    pub fn strain(&mut self, corners: &[[f64; 2]; 4]) -> [[f64; QUADRATURE_POINTS]; 4] {
+    /// They belong to a continuous field. The strains of the carried displacements themselves jump at every edge of the
+    /// former mesh, and moduli taken from them cost twice as many iterations.
+    pub fn strain(&self, nodes: &[u32; 4]) -> [[f64; QUADRATURE_POINTS]; 4] {
         let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
-        for g in 0..QUADRATURE_POINTS {
-            let value = self.locator.interpolate(Quad::point(corners, g), &self.strain);
+        for (&node, shape) in nodes.iter().zip(SHAPE_AT_POINTS.iter()) {
+            let value = self.strain[node as usize];
             for (component, v) in strain.iter_mut().zip(value) {
-                component[g] = v;
+                for (sum, weight) in component.iter_mut().zip(shape) {
+                    *sum += weight * v;
+                }
             }
         }
         strain
+    }
+
+    /// Displacements by equation, on the given ones.
+    pub fn displacement_on(&self, window: &[u32], equations: &Equations) -> Vec<f64> {
+        let mut displacement = vec![0.0; equations.len() + 1];
+        for &equation in window {
+            let (node, component) = equations.origin(equation);
+            displacement[equation as usize] = self.displacement[node as usize][usize::from(component)];
+        }
+        displacement
     }
 }
 

@@ -144,8 +144,10 @@ impl<'a> Iteration<'a> {
     }
 
     /// `‖u - u_start‖ / ‖u‖` on the windows.
-    pub fn displacement_change(&self, start: &PerModel, u: &PerModel) -> f64 {
-        relative(self.system.distance(u, start), self.system.norm(u))
+    pub fn displacement_change(&mut self, start: &PerModel, u: &PerModel) -> f64 {
+        let system = self.system;
+        self.phases
+            .time(Phase::Plasticity, self.observer, || relative(system.distance(u, start), system.norm(u)))
     }
 
     /// Initial-stress loads of given displacements.
