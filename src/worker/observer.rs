@@ -11,6 +11,10 @@ use super::supervise::Message;
 use crate::jobs::{IterationRecord, check_finite};
 use crate::solve::{Interrupt, Observer};
 
+/// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
+/// of its iterations; what a job that ends sooner has to tell comes with its outcome.
+const TELL: Duration = Duration::from_millis(50);
+
 /// The wish that a solve stop, shared between its supervisor and its thread.
 #[derive(Debug, Clone, Default)]
 pub(super) struct StopFlag(Arc<AtomicBool>);
@@ -32,12 +36,36 @@ pub(super) struct JobObserver {
     stop: StopFlag,
     messages: UnboundedSender<Message>,
     interrupt: Option<Interrupt>,
+    untold: Vec<IterationRecord>,
+    told_at: Duration,
 }
 
 impl JobObserver {
     /// Starts the job's clock.
     pub(super) fn start(timeout: Duration, stop: StopFlag, messages: UnboundedSender<Message>) -> Self {
-        Self { started: Instant::now(), timeout, stop, messages, interrupt: None }
+        Self {
+            started: Instant::now(),
+            timeout,
+            stop,
+            messages,
+            interrupt: None,
+            untold: Vec::new(),
+            told_at: Duration::ZERO,
+        }
+    }
+
+    /// The iterations that have not been told.
+    pub(super) fn take_untold(&mut self) -> Vec<IterationRecord> {
+        std::mem::take(&mut self.untold)
+    }
+
+    fn tell(&mut self) {
+        let now = self.started.elapsed();
+        if !self.untold.is_empty() && now.saturating_sub(self.told_at) >= TELL {
+            self.told_at = now;
+            let records = self.take_untold();
+            let _ = self.messages.send(Message::Iterations(records));
+        }
     }
 
     /// Why the solve was told to stop, if it was.
@@ -50,12 +78,13 @@ impl Observer for JobObserver {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         // Progress is for watching: a record that JSON cannot carry is left out, and the report will say why.
         if check_finite(record).is_ok() {
-            let _ = self.messages.send(Message::Iteration(record.clone()));
+            self.untold.push(record.clone());
         }
         self.on_checkpoint()
     }
 
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.tell();
         let interrupt = if self.stop.is_raised() {
             Interrupt::Cancelled
         } else if self.started.elapsed() >= self.timeout {

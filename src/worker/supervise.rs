@@ -36,10 +36,10 @@ const RETRIES: [Duration; 8] = [
 /// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by the job's own
 /// limit, so the channel need not be.
 pub(super) enum Message {
-    /// An iteration was made.
-    Iteration(IterationRecord),
-    /// The solve has ended.
-    Done(Outcome),
+    /// Iterations were made.
+    Iterations(Vec<IterationRecord>),
+    /// The solve has ended, after these last iterations.
+    Done(Vec<IterationRecord>, Outcome),
 }
 
 /// What came of a solve.
@@ -97,7 +97,7 @@ impl Crew {
         self.pool.run(move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone());
             let outcome = attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer);
-            let _ = sender.send(Message::Done(outcome));
+            let _ = sender.send(Message::Done(observer.take_untold(), outcome));
         });
         messages
     }
@@ -132,11 +132,15 @@ impl Crew {
                     }
                     for message in bunch.drain(..) {
                         match message {
-                            Message::Iteration(record) => {
-                                iterations += 1;
-                                records.push(record);
+                            Message::Iterations(more) => {
+                                iterations += more.len();
+                                records.extend(more);
                             }
-                            Message::Done(outcome) => return Followed { records, iterations, outcome },
+                            Message::Done(last, outcome) => {
+                                iterations += last.len();
+                                records.extend(last);
+                                return Followed { records, iterations, outcome };
+                            }
                         }
                     }
                 }
