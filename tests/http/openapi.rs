@@ -112,6 +112,25 @@ fn answers_are_as_documented() {
 }
 
 #[test]
+fn answers_to_those_without_a_key_are_as_documented() {
+    let server = Server::start_with(&["--require-api-key"]);
+    let service = Documented::new(&server.target);
+    let mut refused = 0;
+    for (template, item) in service.document["paths"].as_object().unwrap() {
+        let id = NOBODY.rsplit('/').next().unwrap();
+        let path = template.replace("{id}", id).replace("{name}", "none");
+        for (method, operation) in item.as_object().unwrap() {
+            let url = format!("{}{path}", server.target.url);
+            let answer = curl(&["-X", &method.to_uppercase(), &url]);
+            service.check(method, template, &answer);
+            assert_eq!(answer.status == 401, operation["security"].is_array(), "{method} {template}");
+            refused += usize::from(answer.status == 401);
+        }
+    }
+    assert!(refused > 10);
+}
+
+#[test]
 fn answers_about_troubled_jobs_are_as_documented() {
     let instance = InProcess::start(|_| ());
     let service = Documented::new(&instance.target);

@@ -49,7 +49,7 @@ pub fn document() -> Value {
     for (name, schema) in job::schemas().into_iter().chain(report::schemas()).chain(problems::schemas()) {
         document["components"]["schemas"][name] = schema;
     }
-    problems::declare(&mut document);
+    problems::declare(&mut document, &super::guarded_routes().into_openapi().paths);
     link_jobs(&mut document);
     show_examples(&mut document);
     document["components"]["headers"] = problems::headers();

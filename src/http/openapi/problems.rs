@@ -2,6 +2,7 @@
 //! `x-problems`.
 
 use serde_json::{Map, Value, json};
+use utoipa::openapi::Paths;
 
 use super::schema::{count, field, list_of, named, object, optional, text, words};
 use crate::http::access::HARMLESS;
@@ -69,16 +70,18 @@ pub(super) fn schemas() -> Vec<(&'static str, Value)> {
 }
 
 /// Adds to every operation the errors it can answer with, its security, and the id that every answer carries.
-pub(super) fn declare(document: &mut Value) {
+pub(super) fn declare(document: &mut Value, guarded: &Paths) {
     let Some(paths) = document["paths"].as_object_mut() else { return };
     for (path, item) in paths {
+        let is_guarded = guarded.paths.contains_key(path);
         for method in METHODS {
             let Some(operation) = item.get_mut(method).and_then(Value::as_object_mut) else { continue };
             let mut kinds = implied(path, method, operation);
-            kinds.extend(own(operation));
-            if path.starts_with("/v1/") {
+            if is_guarded {
+                kinds.extend([ProblemType::Unauthorized, ProblemType::StoreUnavailable]);
                 operation.insert("security".to_owned(), json!([{}, {"api_key": []}]));
             }
+            kinds.extend(own(operation));
             for parameter in
                 operation.get_mut("parameters").and_then(Value::as_array_mut).into_iter().flatten()
             {
@@ -117,11 +120,8 @@ fn own(operation: &mut Map<String, Value>) -> Vec<ProblemType> {
 /// The errors of whatever is under this path and takes in what this operation does.
 fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<ProblemType> {
     let mut kinds = vec![ProblemType::Internal];
-    if path.starts_with("/v1/") {
-        kinds.extend([ProblemType::Unauthorized, ProblemType::StoreUnavailable]);
-        if method != "get" && !HARMLESS.contains(&path) {
-            kinds.push(ProblemType::Forbidden);
-        }
+    if method != "get" && !HARMLESS.contains(&path) {
+        kinds.push(ProblemType::Forbidden);
     }
     if path.contains("{id}") {
         kinds.push(ProblemType::JobNotFound);
