@@ -49,12 +49,12 @@ fn laws() -> [(&'static str, Value); 7] {
 /// Every shape with its curvature.
 fn shapes() -> [(&'static str, Value, f64); 4] {
     let points: Vec<[f64; 2]> =
-        (-800..=800).map(|k| f64::from(k) * 0.025).map(|x| [x, -x * x / 80.0]).collect();
+        (-800..=800).map(|k| f64::from(k) * 0.025).map(|x| [x, -x * x / 50.0]).collect();
     [
         ("cylinder", json!({"type": "cylinder", "radius": 20.0}), 1.0 / 20.0),
         ("block", json!({"type": "block", "width": 60.0, "depth": 30.0}), 0.0),
         ("groove", json!({"type": "groove", "radius": 50.0, "width": 60.0, "depth": 30.0}), -1.0 / 50.0),
-        ("profile", json!({"type": "profile", "points": points, "depth": 20.0}), 1.0 / 40.0),
+        ("profile", json!({"type": "profile", "points": points, "depth": 20.0}), 1.0 / 25.0),
     ]
 }
 

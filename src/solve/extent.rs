@@ -41,7 +41,8 @@ impl Extent {
     /// take up more of the surfaces than is solved.
     pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
         let (left, right) = problem.span();
-        let symmetric = problem.is_symmetric();
+        // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
+        let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
         let touching = if symmetric { problem.touching.abs() } else { problem.touching };
         let beside = right - touching;
         let available = if symmetric { beside } else { beside.min(touching - left) };

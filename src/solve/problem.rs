@@ -109,8 +109,12 @@ impl Problem {
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        let symmetric = self.bodies.iter().all(|body| body.outline.is_symmetric());
-        self.kinematics == Kinematics::Axisymmetric || (self.use_symmetry && symmetric)
+        self.kinematics == Kinematics::Axisymmetric || (self.use_symmetry && self.has_symmetric_outlines())
+    }
+
+    /// Whether the answer is symmetric, even if the whole is meshed.
+    pub fn has_symmetric_outlines(&self) -> bool {
+        self.bodies.iter().all(|body| body.outline.is_symmetric())
     }
 
     /// Whether the surfaces may touch away from the zone around the smallest gap.

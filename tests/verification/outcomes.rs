@@ -80,3 +80,52 @@ fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses
         }
     }
 }
+
+/// Every shape with its curvature.
+fn shapes() -> [(Value, f64); 4] {
+    let points: Vec<[f64; 2]> =
+        (-800..=800).map(|k| f64::from(k) * 0.025).map(|x| [x, -x * x / 50.0]).collect();
+    [
+        (json!({"type": "cylinder", "radius": 20.0}), 1.0 / 20.0),
+        (json!({"type": "block", "width": 60.0, "depth": 30.0}), 0.0),
+        (json!({"type": "groove", "radius": 50.0, "width": 60.0, "depth": 30.0}), -1.0 / 50.0),
+        (json!({"type": "profile", "points": points, "depth": 20.0}), 1.0 / 25.0),
+    ]
+}
+
+/// Force of an elastic peak of `ratio` yield stresses between surfaces of this relative curvature.
+fn force_on(analysis: &str, ratio: f64, curvature: f64) -> f64 {
+    let exponent = if analysis == "axisymmetric" { 2 } else { 1 };
+    force(analysis, ratio) * (0.1 / curvature).powi(exponent)
+}
+
+#[test]
+fn every_pair_of_shapes_converges_up_to_five_yield_stresses() {
+    let law = &laws()[0].1;
+    let mut pairs = 0;
+    for (upper, one) in &shapes() {
+        for (lower, other) in &shapes() {
+            if one + other <= 0.0 {
+                continue;
+            }
+            pairs += 1;
+            for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
+                for ratio in [3.0, 5.0] {
+                    let body = |shape: &Value| {
+                        let mut body = cylinder("clamped", law.clone());
+                        body["shape"] = shape.clone();
+                        body
+                    };
+                    let job = json!({"analysis": analysis, "upper": body(upper), "lower": body(lower),
+                        "load": {"force": force_on(analysis, ratio, one + other)},
+                        "mesh": {"elements_per_half_width": 10}});
+                    let step = &solve(&job).steps[0];
+                    let context = format!("{analysis} {ratio}: {upper} on {lower}");
+                    assert_eq!(step.status, SolveStatus::Converged, "{context}");
+                    assert!(step.history.len() <= 25 && !step.reaches_edge, "{context}");
+                }
+            }
+        }
+    }
+    assert_eq!(pairs, 12);
+}

@@ -93,16 +93,12 @@ fn two_equal_bumps_share_the_load() {
         assert_sound(full);
         assert!(half.symmetric && !full.symmetric);
         assert_eq!((half.parts.len(), full.parts.len()), (1, 2));
-        // Wanted are 1e-6. The half model counts the whole of both bumps as one half-width and so has four times
-        // larger elements than the full one, which counts each bump; the peaks are 2.6 % apart.
-        assert_same(half, full, 4e-2);
+        assert_same(half, full, 1e-6);
         let (left, right) = (full.parts[0], full.parts[1]);
-        // Wanted is 1e-9; the full model's zone need not be centred to more than an element.
-        let element = 1.01 * full.spacing;
-        assert!((left.left + right.right).abs() < element && (left.right + right.left).abs() < element);
+        assert!((left.left + right.right).abs() < 1e-9 && (left.right + right.left).abs() < 1e-9);
         let force = |side: f64| full.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>();
-        assert_within(force(-1.0), force(1.0), 1e-3);
-        assert_within(force(1.0), 500.0, 1e-3);
+        assert_within(force(-1.0), force(1.0), 1e-6);
+        assert_within(force(1.0), 500.0, 1e-6);
         // The valley is open.
         assert!(full.pairs.iter().any(|pair| pair.x.abs() < 0.3 && pair.gap > 0.0));
     }

@@ -12,15 +12,20 @@ fn sweep(analysis: &str, load: Value) -> Value {
     job
 }
 
-const CASES: [(&str, [f64; 5]); 3] = [
-    ("plane_strain", [100.0, 200.0, 450.0, 612.6106, 900.0]),
-    ("plane_stress", [60.0, 120.0, 250.0, 400.0, 700.0]),
-    ("axisymmetric", [10.0, 30.0, 100.0, 150.0, 400.0]),
+/// Analysis, loads, and how near a step has to come to a job of its own.
+///
+/// A mesh that serves several loads has other elements than one made for a single load, and the two differ by the error
+/// of the mesh: where between two nodes the contact ends moves the approach, deep in the plastic range in plane
+/// stress by up to 0.27 %, in axisymmetry by 0.20 %. Wanted are 2e-4.
+const CASES: [(&str, [f64; 5], f64); 3] = [
+    ("plane_strain", [100.0, 200.0, 450.0, 612.6106, 900.0], 7e-4),
+    ("plane_stress", [60.0, 120.0, 250.0, 400.0, 700.0], 3e-3),
+    ("axisymmetric", [10.0, 30.0, 100.0, 150.0, 400.0], 2.5e-3),
 ];
 
 #[test]
 fn every_step_equals_a_job_of_its_own() {
-    for (analysis, mut forces) in CASES {
+    for (analysis, mut forces, tolerance) in CASES {
         for rising in [true, false] {
             if !rising {
                 forces.reverse();
@@ -36,30 +41,22 @@ fn every_step_equals_a_job_of_its_own() {
                     step.history.len(),
                     alone.history.len()
                 );
-                assert_within(step.contact.peak_pressure, alone.contact.peak_pressure, MESHES);
-                assert_within(step.approach, alone.approach, MESHES);
+                assert_within(step.contact.peak_pressure, alone.contact.peak_pressure, tolerance);
+                assert_within(step.approach, alone.approach, tolerance);
             }
         }
     }
 }
 
-/// Wanted are 2e-4. A mesh that serves several loads has other elements than one made for a single load, and the
-/// two differ by the error of the mesh: deep in the plastic range the approach depends on where between two nodes the
-/// contact ends, by up to 2e-3.
-const MESHES: f64 = 3e-3;
-
 #[test]
 fn a_sweep_of_approaches_gives_the_forces_back() {
-    for (analysis, forces) in CASES {
+    for (analysis, forces, tolerance) in CASES {
         let by_force = report(&sweep(analysis, json!({"forces": forces}))).steps;
         let approaches: Vec<f64> = by_force.iter().map(|step| step.approach).collect();
         let by_approach = report(&sweep(analysis, json!({"approaches": approaches}))).steps;
         for (step, force) in by_approach.iter().zip(forces) {
             assert_eq!(step.status, SolveStatus::Converged, "{analysis} {force}");
-            assert_within(step.contact.force, force, INVERSE);
+            assert_within(step.contact.force, force, 1.5 * tolerance);
         }
     }
 }
-
-/// Wanted are 1e-4; again the meshes differ, by up to 1.5e-3.
-const INVERSE: f64 = 4e-3;
