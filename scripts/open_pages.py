@@ -3,11 +3,11 @@
 
 usage: scripts/open_pages.py [--pages 50] [--rounds 6] [--seconds 5] [--elements 8] [--release target/release]
 Needs wrk and `cargo build --release`. Every page does over the wire what web/ does: it fetches all files, follows a job
-that waits by server-sent events, asks for its place in the queue every second, and lists the jobs every five. The
-pages are opened and closed again each round; each figure is the median of the rounds. Beside the rate by the clock
-stands that by the server's processor time, which other work on the machine does not disturb.
+of its own that waits, by server-sent events, asks for its place in the queue every two seconds, and lists the jobs
+every five. Opening them is not measured. Beside the change by the clock, which other work on the machine disturbs,
+stands the processor time that the server takes beyond the cost of its jobs, as a share of all cores.
 """
-import argparse, asyncio, json, os, re, statistics, subprocess, tempfile, threading
+import argparse, asyncio, json, os, re, statistics, subprocess, tempfile, threading, time
 from pathlib import Path
 
 parser = argparse.ArgumentParser()
@@ -25,10 +25,10 @@ wrk.body = io.open("{job}"):read("*a")
 """
 
 
-async def ask(address, path, method="GET", body=b""):
+async def ask(address, path, method="GET", body=b"", coding="gzip"):
     """One request on a connection of its own; status and body."""
     reader, writer = await asyncio.open_connection(*address)
-    head = f"{method} {path} HTTP/1.1\r\nHost: page\r\nAccept-Encoding: gzip\r\nConnection: close\r\n"
+    head = f"{method} {path} HTTP/1.1\r\nHost: page\r\nAccept-Encoding: {coding}\r\nConnection: close\r\n"
     writer.write(f"{head}Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body)
     answer = await reader.read()
     writer.close()
@@ -55,10 +55,13 @@ async def every(seconds, address, path):
 
 
 async def page(address, job):
+    status, body = await ask(address, "/v1/jobs?priority=-100", "POST", job, "identity")
+    assert status == 202, body
+    job = json.loads(body)["links"]["self"]
     for path in FILES:
         status, _ = await ask(address, path)
         assert status == 200, (path, status)
-    await asyncio.gather(stream(address, f"{job}/events"), every(1, address, job),
+    await asyncio.gather(stream(address, f"{job}/events"), every(2, address, job),
                          every(5, address, "/v1/jobs?limit=30"))
 
 
@@ -72,11 +75,8 @@ class Pages(threading.Thread):
         self.work = self.loop.create_task(self.open(address, job))
 
     async def open(self, address, job):
-        # The solvers are busy by now, and this job has the lowest priority: it waits, and the pages with it.
+        # The solvers are busy by now, and these jobs have the lowest priority: they wait, and the pages with them.
         await asyncio.sleep(0.3)
-        status, body = await ask(address, "/v1/jobs?priority=-100", "POST", job)
-        assert status == 202, body
-        job = json.loads(body)["links"]["self"]
         await asyncio.gather(*(page(address, job) for _ in range(args.pages)))
 
     def run(self):
@@ -94,19 +94,27 @@ class Pages(threading.Thread):
             raise self.fault
 
 
+async def cancel_queued(address):
+    """The jobs that closed pages have left behind."""
+    while jobs := json.loads((await ask(address, "/v1/jobs?status=queued&limit=100", coding="identity"))[1])["jobs"]:
+        for job in jobs:
+            await ask(address, job["links"]["cancel"], "POST")
+
+
 def processor_time(pid):
     fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def load(pid, url, lua):
-    """Jobs a second, by the clock and by the server's processor time."""
-    before = processor_time(pid)
-    command = ["wrk", "-t1", "-c8", f"-d{args.seconds}s", "--timeout", "30s", "-s", str(lua), f"{url}/v1/solve"]
+def load(pid, url, lua, seconds=args.seconds):
+    """Jobs and processor time of the server, both a second."""
+    before, begin = processor_time(pid), time.perf_counter()
+    command = ["wrk", "-t1", "-c8", f"-d{seconds}s", "--timeout", "30s", "-s", str(lua), f"{url}/v1/solve"]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     assert "Non-2xx" not in text and "Socket errors" not in text, text
     jobs = int(re.search(r"(\d+) requests in", text)[1])
-    return float(re.search(r"Requests/sec:\s+([\d.]+)", text)[1]), jobs / (processor_time(pid) - before)
+    took = time.perf_counter() - begin
+    return jobs / took, (processor_time(pid) - before) / took
 
 
 with tempfile.TemporaryDirectory(dir=".") as folder:
@@ -129,16 +137,22 @@ with tempfile.TemporaryDirectory(dir=".") as folder:
             measured = {}
             for opened in (number % 2 == 0, number % 2 == 1):
                 if opened:
+                    # Opening is not measured: two seconds of the same load go before.
                     pages.start()
+                    load(server.pid, url, lua, 2)
                 measured[opened] = load(server.pid, url, lua)
                 if opened:
                     pages.close()
-            rows.append([*measured[False], *measured[True]])
-            print("  round {}: {:.1f} jobs/s alone, {:.1f} with pages; by processor time {:.1f} and {:.1f}".format(
-                number + 1, rows[-1][0], rows[-1][2], rows[-1][1], rows[-1][3]), flush=True)
-        ratio = lambda k: 100 * (statistics.median(row[k + 2] / row[k] for row in rows) - 1)
-        print(f"{args.pages} open pages: {ratio(0):+.1f} % jobs a second by the clock, {ratio(1):+.1f} % by the server's "
-              f"processor time (medians of {args.rounds} rounds)")
+                    asyncio.run(cancel_queued(address))
+            (alone, cost), (opened, used) = measured[False], measured[True]
+            # What the server used beyond what its jobs cost without pages.
+            rows.append((alone, opened, used - opened * cost / alone))
+            print(f"  round {number + 1}: {alone:.1f} jobs/s alone, {opened:.1f} with pages, "
+                  f"which took {1000 * rows[-1][2]:.0f} ms of processor time a second", flush=True)
+        change = 100 * (statistics.median(opened / alone for alone, opened, _ in rows) - 1)
+        taken = statistics.median(row[2] for row in rows)
+        print(f"{args.pages} open pages: {change:+.1f} % jobs a second by the clock; {1000 * taken:.0f} ms of processor time a "
+              f"second, {100 * taken / os.cpu_count():.1f} % of {os.cpu_count()} cores (medians of {args.rounds} rounds)")
     finally:
         server.terminate()
         server.wait()

@@ -61,7 +61,7 @@ function figures(job, report, step) {
       step.contact_stiffness,
       unit(stiffnessOf(report), units),
       undefined,
-      'dP/dα without further flow',
+      'dP/dα, slope of load over approach',
     ),
     ...(step.yield_onset
       ? [

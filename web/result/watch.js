@@ -13,7 +13,7 @@ import { downloads } from './downloads.js';
 /** @typedef {import('../types.js').Report} Report */
 
 /** Time between two looks at the place in the queue, of which no event tells. */
-const LOOK = 1000;
+const LOOK = 2000;
 
 /**
  * @typedef {object} Told
@@ -78,7 +78,7 @@ export class Watch {
       if (!signal.aborted && history.length) this.told.iterated(history);
     };
     const looking = setInterval(async () => {
-      if (last?.status !== 'queued') return;
+      if (last?.status !== 'queued' || document.hidden) return;
       const now = await ask(`v1/jobs/${id}`, { signal }).catch(() => undefined);
       if (now?.status === 'queued' && last?.status === 'queued') this.#show(now);
     }, LOOK);
