@@ -51,7 +51,9 @@ fn worst_status(solution: &Solution) -> SolveStatus {
 fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
     let bodies = PerBody { upper: &step.bodies[0], lower: &step.bodies[1] };
     let peak = contact::peak_abscissa(step);
-    let subsurface = job.output.subsurface.then(|| {
+    // Who stops a job wants its core back, not its stresses.
+    let is_stopped = matches!(step.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
+    let subsurface = (job.output.subsurface && !is_stopped).then(|| {
         bodies.each(|body| body.as_ref().map(|body| subsurface::profile(body, step.symmetric, peak, write)))
     });
     let reference = ElasticReference::of(job, contact::force(step));
@@ -81,7 +83,7 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         validity: validity::notes(step, radius, &depths),
         yield_onset: onset::onset(job, step, write),
         estimated_error: error_bars::estimate(step),
-        fields: job.output.fields.then(|| fields::fields(step, write)),
+        fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
 }

@@ -49,9 +49,9 @@ pub struct StepReport {
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
     /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
-    /// 0 where nothing touches.
+    /// 0 where nothing touches and where the step was stopped.
     pub contact_stiffness: f64,
-    /// Stresses over depth; absent when not asked for.
+    /// Stresses over depth; absent when not asked for, and where the step was stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
     /// Plastic zone of each body; `null` for a rigid one.

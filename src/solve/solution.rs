@@ -49,7 +49,8 @@ pub struct StepSolution {
     pub patch: Option<ContactPatch>,
     /// Its connected parts, from outermost node to outermost node.
     pub parts: Vec<ContactPatch>,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load \[N/mm per mm\].
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; 0 for a step that was
+    /// stopped \[N/mm per mm\].
     pub contact_stiffness: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
@@ -155,7 +156,12 @@ pub(super) fn finish(
 ) -> Finished {
     let fields = std::mem::take(&mut pass.fields);
     let (system, outcome) = (&pass.system, &pass.outcome);
-    let contact_stiffness = contact_stiffness(system, &outcome.state, pass.patch, phases, observer);
+    let is_stopped = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
+    let contact_stiffness = if is_stopped {
+        0.0
+    } else {
+        contact_stiffness(system, &outcome.state, pass.patch, phases, observer)
+    };
     phases.time(Phase::Output, observer, || judge(pass, fields, contact_stiffness, load, tolerance))
 }
 

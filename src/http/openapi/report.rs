@@ -79,7 +79,7 @@ fn step() -> Value {
                 "contact_stiffness",
                 signed(
                     Stiffness,
-                    "dP/dα, the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches.",
+                    "dP/dα, the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches and where the step was stopped.",
                     61_000.0,
                 ),
             ),
