@@ -43,7 +43,7 @@ fn main() {
         return print_memory(elements.parse().unwrap());
     }
     let has = |flag: &str| std::env::args().any(|argument| argument == flag);
-    let meshes = if has("--quick") { &MESHES[..4] } else { &MESHES[..] };
+    let meshes = if has("--quick") { &MESHES[..5] } else { &MESHES[..] };
     let mut text = HEAD.to_owned();
     write_floor(&mut text, meshes).unwrap();
     write_memory(&mut text, meshes).unwrap();
