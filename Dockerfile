@@ -7,7 +7,8 @@ ENV CARGO_PROFILE_RELEASE_STRIP=symbols
 # The libraries by themselves: this layer lasts until Cargo.lock changes.
 COPY Cargo.toml Cargo.lock ./
 RUN mkdir src benches \
- && echo 'fn main() {}' | tee src/main.rs benches/paper_tables.rs benches/solve.rs >/dev/null \
+ && benches=$(sed -n '/^\[\[bench\]\]/{n;s/name = "\(.*\)"/benches\/\1.rs/p}' Cargo.toml) \
+ && echo 'fn main() {}' | tee src/main.rs $benches >/dev/null \
  && touch src/lib.rs \
  && cargo build --release --locked --bin brinell \
  && rm -r src benches
