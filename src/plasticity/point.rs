@@ -206,11 +206,12 @@ pub(super) fn deviator(strain: [f64; 4]) -> [f64; 4] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::model::{Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
 
-    fn law(out_of_plane: OutOfPlane) -> PointLaw {
+    /// Steel with a straight hardening curve.
+    pub(in crate::plasticity) fn law(out_of_plane: OutOfPlane) -> PointLaw {
         let positive = |value| PositiveF64::new(value).unwrap();
         let elastic =
             Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };

@@ -99,18 +99,7 @@ fn deviatoric_softening(lost_shear: f64, kappa: f64, direction: [f64; 4]) -> Mod
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Deformable, Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
-
-    fn law(out_of_plane: OutOfPlane) -> PointLaw {
-        let positive = |value| PositiveF64::new(value).unwrap();
-        let elastic =
-            Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
-        let hardening = Hardening::Bilinear {
-            yield_stress: positive(500.0),
-            tangent_modulus: NonNegativeF64::new(10_500.0).unwrap(),
-        };
-        PointLaw::new(&Deformable::new(elastic, Some(hardening)).unwrap(), out_of_plane)
-    }
+    use crate::plasticity::point::tests::law;
 
     /// The elastic moduli, condensed in plane stress.
     fn elastic(out_of_plane: OutOfPlane) -> Moduli {

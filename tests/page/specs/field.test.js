@@ -6,7 +6,7 @@ import { launch, serve, visit } from '../browser.js';
 
 /** Elements that are drawn, both halves of both bodies. */
 const ELEMENTS = 40_000;
-/** Longest time [ms] from the click on a solved job to its field on the screen. */
+/** Longest time [ms] from the arrival of a result to its field on the screen. */
 const DRAWN = 1000;
 /** Longest time [ms] between two frames while moving. A stall is what one notices. */
 const FRAME = 250;
