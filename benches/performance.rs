@@ -346,8 +346,7 @@ impl Floor {
 
 impl FloorBody {
     fn factor_bytes(&self) -> usize {
-        let nowhere = vec![false; self.mesh.nodes.len()];
-        let order = EliminationOrder::new(&self.graph, &self.mesh.lattice, &nowhere, &[]);
+        let order = EliminationOrder::new(&self.graph, &self.mesh.lattice, &[]);
         let pattern = Equations::new(&order, &self.restraint, 0).pattern(&self.graph);
         SymbolicCholesky::new(pattern).unwrap().factor_entries() * size_of::<f64>()
     }
@@ -356,9 +355,8 @@ impl FloorBody {
     /// assembly are not counted: they are the matrix.
     fn factorize(&self) -> f64 {
         let Self { mesh, graph, restraint, .. } = self;
-        let nowhere = vec![false; mesh.nodes.len()];
         let clock = Instant::now();
-        let order = EliminationOrder::new(graph, &mesh.lattice, &nowhere, &[]);
+        let order = EliminationOrder::new(graph, &mesh.lattice, &[]);
         let ordering = clock.elapsed();
 
         let equations = Equations::new(&order, restraint, 0);

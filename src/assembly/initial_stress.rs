@@ -43,42 +43,28 @@ struct RegionElement {
     index: usize,
     /// Where the moduli are by which its reference stiffness is softened, if it is.
     softening: Option<usize>,
-    /// Whether the element lies at the rim of the region.
-    at_rim: bool,
-}
-
-/// What an evaluation found.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct PlasticUpdate {
-    /// Gauss points beyond yield.
-    pub plastic_points: usize,
-    /// Whether one of them lies in the outermost shell of the region, so that flow may have left it.
-    pub reached_rim: bool,
 }
 
 impl InitialStressRegion {
-    /// Takes the elements whose shell is at most `last_shell`; `None` for a material that cannot yield.
+    /// Takes the elements of the mesh that are `inside`; `None` for a material that cannot yield.
     pub fn new(
         mesh: &Mesh,
         kinematics: Kinematics,
         equations: &Equations,
-        last_shell: u32,
+        inside: &[bool],
         material: &Deformable,
     ) -> Option<Self> {
         let law = PointLaw::new(material, out_of_plane(kinematics));
         if !law.can_yield() {
             return None;
         }
-        let rim = if last_shell >= mesh.ring_count() { u32::MAX } else { last_shell };
-        let inside = |element: &usize| mesh.shells[*element] <= last_shell;
         let elements = (0..mesh.elements.len())
-            .filter(inside)
+            .filter(|&element| inside[element])
             .map(|element| RegionElement {
                 quad: Quad::new(&mesh.corners(element), kinematics),
                 equations: mesh.elements[element].map(|node| equations.of_node(node)),
                 index: element,
                 softening: None,
-                at_rim: mesh.shells[element] == rim,
             })
             .collect();
         Some(Self { elements, law, softening: Vec::new() })
@@ -127,23 +113,23 @@ impl InitialStressRegion {
 
     /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed
     /// by equation number and have one entry more than there are equations, for the held components; that entry
-    /// of `load` is left zero.
-    pub fn evaluate(&self, u: &[f64], load: &mut [f64]) -> PlasticUpdate {
+    /// of `load` is left zero. Returns the Gauss points beyond yield.
+    pub fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize {
         load.fill(0.0);
-        let mut update = PlasticUpdate::default();
+        let mut plastic_points = 0;
         wide(|| {
             for element in &self.elements {
-                self.add_element(element, u, load, &mut update);
+                plastic_points += self.add_element(element, u, load);
             }
         });
         if let Some(held) = load.last_mut() {
             *held = 0.0;
         }
-        update
+        plastic_points
     }
 
     #[inline(always)]
-    fn add_element(&self, element: &RegionElement, u: &[f64], load: &mut [f64], update: &mut PlasticUpdate) {
+    fn add_element(&self, element: &RegionElement, u: &[f64], load: &mut [f64]) -> usize {
         let displacement = element.equations.map(|e| e.map(|k| u[k as usize]));
         let mut stress = element.quad.strain(&displacement);
         let softened = element.softening.map(|k| self.softening[k].stress(&stress));
@@ -152,14 +138,10 @@ impl InitialStressRegion {
             OutOfPlane::Free => self.initial_stress_of_a_sheet(&mut stress),
         };
         match (yielded, softened) {
-            (None, None) => return,
+            (None, None) => return 0,
             (Some(_), None) => {}
             (None, Some(softened)) => stress = softened.map(|component| component.map(|s| -s)),
             (Some(_), Some(softened)) => subtract(&mut stress, &softened),
-        }
-        if let Some(yielded) = yielded {
-            update.plastic_points += yielded;
-            update.reached_rim |= element.at_rim;
         }
         let forces = element.quad.nodal_forces(&stress);
         for (equations, force) in element.equations.iter().zip(forces) {
@@ -167,6 +149,7 @@ impl InitialStressRegion {
                 load[k as usize] += f;
             }
         }
+        yielded.unwrap_or(0)
     }
 
     /// Turns strains into initial stresses; returns the points that have yielded, or `None` where all are elastic.

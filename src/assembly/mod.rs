@@ -10,7 +10,7 @@ use crate::element::Kinematics;
 use crate::plasticity::OutOfPlane;
 
 pub use equations::{Equations, Restraint};
-pub use initial_stress::{InitialStressRegion, PlasticUpdate};
+pub use initial_stress::InitialStressRegion;
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 

@@ -26,7 +26,7 @@ pub struct GaussPoint {
 }
 
 /// All Gauss points of a body and the nodal forces of their stresses.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct StressField {
     /// Points of each element.
     pub points: Vec<[GaussPoint; QUADRATURE_POINTS]>,

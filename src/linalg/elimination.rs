@@ -8,15 +8,6 @@
 use super::nested_dissection::nested_dissection;
 use super::{Graph, LatticePoint};
 
-/// Which part of a graph a node belongs to, from first eliminated to last.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Stage {
-    Outside,
-    WindowInterior,
-    WindowBoundary,
-    Trailing,
-}
-
 /// A fill-reducing, postordered numbering of nodes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EliminationOrder {
@@ -25,40 +16,22 @@ pub struct EliminationOrder {
 }
 
 impl EliminationOrder {
-    /// Orders the nodes of a graph: outside the window by nested dissection, then the window's interior
-    /// likewise, then the window's boundary, then the trailing nodes in the order given.
+    /// Orders the nodes of a graph by nested dissection, but for the trailing nodes, which come last in the order given.
     ///
-    /// The trailing nodes belong to the window. Afterwards the order is replaced by a postorder of its
-    /// elimination tree, which changes no fill but puts the columns of each supernode side by side.
+    /// Afterwards the order is replaced by a postorder of its elimination tree, which changes no fill but puts the
+    /// columns of each supernode side by side.
     ///
     /// # Invariants
-    /// The trailing nodes come last, in the order given: eliminating everything before them joins them all, so
-    /// that they form a chain at the root of the tree, provided that the rest of the graph is connected.
-    pub fn new(graph: &Graph, lattice: &[LatticePoint], in_window: &[bool], trailing: &[u32]) -> Self {
-        let n = graph.len();
-        let mut stage: Vec<Stage> = (0u32..)
-            .zip(in_window)
-            .map(|(node, &inside)| {
-                if !inside {
-                    Stage::Outside
-                } else if graph.neighbours(node).iter().any(|&m| !in_window[m as usize]) {
-                    Stage::WindowBoundary
-                } else {
-                    Stage::WindowInterior
-                }
-            })
-            .collect();
+    /// Eliminating everything before them joins the trailing nodes all, so that they form a chain at the root of the
+    /// tree and keep their order, provided that the rest of the graph is connected.
+    pub fn new(graph: &Graph, lattice: &[LatticePoint], trailing: &[u32]) -> Self {
+        let mut is_trailing = vec![false; graph.len()];
         for &node in trailing {
-            stage[node as usize] = Stage::Trailing;
+            is_trailing[node as usize] = true;
         }
-        let mut node_at = Vec::with_capacity(n);
-        for wanted in [Stage::Outside, Stage::WindowInterior, Stage::WindowBoundary] {
-            let first = node_at.len();
-            node_at.extend((0u32..).take(n).filter(|&node| stage[node as usize] == wanted));
-            if wanted != Stage::WindowBoundary {
-                nested_dissection(&mut node_at[first..], lattice, graph);
-            }
-        }
+        let mut node_at: Vec<u32> =
+            (0u32..).zip(&is_trailing).filter(|(_, last)| !**last).map(|(node, _)| node).collect();
+        nested_dissection(&mut node_at, lattice, graph);
         node_at.extend_from_slice(trailing);
         let order = postorder(&node_at, graph);
         Self { node_at: order.into_iter().map(|position| node_at[position as usize]).collect() }
@@ -162,21 +135,17 @@ mod tests {
     fn trailing_nodes_stay_last_and_in_order() {
         let (graph, lattice) = strip(12, 9);
         let trailing: Vec<u32> = (3..8).map(|i| i * 9).collect();
-        let window: Vec<bool> = lattice.iter().map(|p| (2..9).contains(&p.i) && p.j < 5).collect();
-        let order = EliminationOrder::new(&graph, &lattice, &window, &trailing);
+        let order = EliminationOrder::new(&graph, &lattice, &trailing);
         let mut sorted = order.nodes().to_vec();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..108).collect::<Vec<u32>>());
         assert_eq!(&order.nodes()[103..], trailing);
-        // Everything outside the window comes before the last window node that touches it.
-        let last_outside = order.nodes().iter().rposition(|&n| !window[n as usize]);
-        assert!(last_outside.is_some_and(|k| k < 108 - 5));
     }
 
     #[test]
     fn postorder_numbers_children_before_parents_without_gaps() {
         let (graph, lattice) = strip(10, 10);
-        let order = EliminationOrder::new(&graph, &lattice, &[false; 100], &[]);
+        let order = EliminationOrder::new(&graph, &lattice, &[]);
         let parent = elimination_tree(order.nodes(), &graph);
         // In a postorder a node that is not a leaf directly follows its last child.
         for k in 1..100u32 {

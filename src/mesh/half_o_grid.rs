@@ -129,7 +129,6 @@ impl<'a> Builder<'a> {
         let mesh = Mesh {
             nodes: Vec::new(),
             elements: Vec::new(),
-            shells: Vec::new(),
             contact_nodes: Vec::new(),
             support_nodes: Vec::new(),
             axis_nodes: Vec::new(),
@@ -161,7 +160,6 @@ impl<'a> Builder<'a> {
                 let [a, b] = [self.block_node(i, j), self.block_node(i, j + 1)];
                 let [d, c] = [self.block_node(i + 1, j), self.block_node(i + 1, j + 1)];
                 self.mesh.elements.push([a, b, c, d]);
-                self.mesh.shells.push(0);
             }
         }
     }
@@ -291,7 +289,6 @@ impl<'a> Builder<'a> {
             }
             for s in 0..last {
                 self.mesh.elements.push([previous[s], previous[s + 1], current[s + 1], current[s]]);
-                self.mesh.shells.push(k as u32 + 1);
             }
             previous = current;
         }

@@ -66,8 +66,6 @@ pub struct Mesh {
     pub nodes: Vec<[f64; 2]>,
     /// Nodes of each element, counter-clockwise.
     pub elements: Vec<[u32; 4]>,
-    /// Ring of each element: 0 in the block under the contact zone, `k` in the k-th ring around it.
-    pub shells: Vec<u32>,
     /// Candidate contact nodes in order of x.
     pub contact_nodes: Vec<u32>,
     /// Nodes of the far boundary.
@@ -103,10 +101,5 @@ impl Mesh {
     /// Coordinates of the four corners of an element \[mm\].
     pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
         self.elements[element].map(|node| self.nodes[node as usize])
-    }
-
-    /// Number of rings around the block.
-    pub fn ring_count(&self) -> u32 {
-        self.shells.iter().copied().max().unwrap_or(0)
     }
 }

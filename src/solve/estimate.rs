@@ -2,6 +2,7 @@
 
 use super::SolveError;
 use super::extent::Extent;
+use super::plastic_reach::PlasticOutline;
 use super::problem::Problem;
 use super::run::{loads, refinement};
 use crate::mesh::estimated_nodes;
@@ -49,7 +50,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
 /// Where the load is yet to be found: a contact of a hundredth of the surface.
 fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let half_width = 0.01 * problem.span().1;
-    let extent = Extent { centre: 0.0, half_width, smallest_part: half_width, plastic_radius: 0.0 };
+    let extent = Extent { centre: 0.0, half_width, smallest_part: half_width, plastic: PlasticOutline::NONE };
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem.is_symmetric(), 1.0, spacing);
     let nodes = |outline| estimated_nodes(outline, zone, refinement(half_width / spacing));

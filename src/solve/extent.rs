@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::SolveError;
 use super::pass::Pass;
+use super::plastic_reach::PlasticOutline;
 use super::problem::Problem;
 use crate::contact::ContactLoad;
 use crate::element::Kinematics;
@@ -25,8 +26,8 @@ pub(super) struct Extent {
     pub half_width: f64,
     /// Half-width of the smallest connected part \[mm\].
     pub smallest_part: f64,
-    /// Distance from the middle up to which material yields \[mm\].
-    pub plastic_radius: f64,
+    /// Where material yields.
+    pub plastic: PlasticOutline,
 }
 
 impl Extent {
@@ -81,7 +82,7 @@ impl Extent {
 
     fn around(touching: f64, a: f64, symmetric: bool) -> Self {
         let (centre, half_width) = if symmetric { (0.0, touching + a) } else { (touching, a) };
-        Self { centre, half_width, smallest_part: a, plastic_radius: 0.0 }
+        Self { centre, half_width, smallest_part: a, plastic: PlasticOutline::NONE }
     }
 
     /// The extent that a pass found; `self` where nothing touched.
@@ -102,7 +103,7 @@ impl Extent {
             centre: 0.5 * (patch.left + patch.right),
             half_width: patch.half_width(),
             smallest_part: smallest.max(0.5 * zone.spacing()),
-            plastic_radius: pass.plastic_radius(),
+            plastic: pass.plastic_outline(),
         }
     }
 
@@ -112,7 +113,7 @@ impl Extent {
             centre: self.centre,
             half_width: factor * self.half_width,
             smallest_part: factor * self.smallest_part,
-            plastic_radius: factor * self.plastic_radius,
+            plastic: self.plastic.scaled(factor),
         }
     }
 

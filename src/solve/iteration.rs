@@ -35,8 +35,6 @@ pub(super) struct Outcome {
     pub state: State,
     pub status: SolveStatus,
     pub history: Vec<IterationRecord>,
-    /// Whether plastic flow reached the rim of its region, beyond which nobody looks.
-    pub left_region: bool,
     /// Whether it ended because patience did.
     pub stalled: bool,
 }
@@ -74,7 +72,6 @@ pub(super) struct Iteration<'a> {
     start: Option<PerModel>,
     /// Contact of the last iteration.
     previous: Option<ContactSolution>,
-    left_region: bool,
 }
 
 impl<'a> Iteration<'a> {
@@ -95,7 +92,6 @@ impl<'a> Iteration<'a> {
             history: beginning.history,
             start: beginning.displacement,
             previous: None,
-            left_region: false,
         }
     }
 
@@ -153,10 +149,7 @@ impl<'a> Iteration<'a> {
     /// Initial-stress loads of given displacements.
     pub fn initial_stress(&mut self, displacement: &PerModel, loads: &mut PerModel) -> usize {
         let system = self.system;
-        let update =
-            self.phases.time(Phase::Plasticity, self.observer, || system.initial_stress(displacement, loads));
-        self.left_region |= update.reached_rim;
-        update.plastic_points
+        self.phases.time(Phase::Plasticity, self.observer, || system.initial_stress(displacement, loads))
     }
 
     /// Counts one initial-stress load, or set of secant moduli, put into effect.
@@ -238,7 +231,6 @@ impl<'a> Iteration<'a> {
             state,
             status: status.unwrap_or(SolveStatus::NotConverged),
             history: self.history,
-            left_region: self.left_region,
             stalled: status.is_none(),
         }
     }

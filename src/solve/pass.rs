@@ -2,11 +2,12 @@
 
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
-use super::body::{BodyModel, PlasticReach};
+use super::body::BodyModel;
 use super::former::FormerField;
 use super::iteration::{Beginning, Controls, Iteration, Outcome};
 use super::patch::ContactPatch;
 use super::phases::{Phase, PhaseTimes};
+use super::plastic_reach::{PlasticOutline, PlasticReach};
 use super::problem::Problem;
 use super::solution::CoarseFigures;
 use super::system::{Design, PerModel, System};
@@ -33,8 +34,8 @@ pub(super) struct PassRequest<'a> {
 /// A discretized problem, and the displacements that the last loads left on it.
 pub(super) struct Prepared {
     pub system: System,
-    /// Load and displacements, the latest last; at most two.
-    pub states: Vec<(f64, PerModel)>,
+    /// Load and displacements of the whole models, the latest last; at most two.
+    states: Vec<(f64, PerModel)>,
     /// Displacements of all nodes under the last load, for each model; empty where nobody needs them again.
     nodal: Vec<Vec<[f64; 2]>>,
 }
@@ -43,7 +44,7 @@ impl Prepared {
     /// The last answer, to start from on another mesh.
     pub fn fields(&self) -> Vec<FormerField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.nodal);
-        fields.map(|(body, displacement)| FormerField { mesh: &body.mesh, displacement }).collect()
+        fields.map(|(body, displacement)| FormerField { mesh: &body.elastic.mesh, displacement }).collect()
     }
 
     /// The system, its former states, and where the load of a request starts; linearized there if the coupling wants it.
@@ -55,6 +56,7 @@ impl Prepared {
     ) -> Result<Resumed, SolveError> {
         let mut start = self.start(request.load.magnitude());
         let Self { mut system, states, .. } = self;
+        phases.time(Phase::Plasticity, observer, || system.watch(request.plastic_reach));
         if let Some(former) = request.former {
             start = Some(system.linearize_by(former, phases, observer)?);
         } else if request.solver.coupling == Coupling::Accelerated {
@@ -110,18 +112,25 @@ pub(super) struct Pass {
 }
 
 impl Pass {
-    /// Distance from the middle of the contact up to which material yields \[mm\]; 0 if none does.
-    pub fn plastic_radius(&self) -> f64 {
-        let centre = self.system.zone.centre();
+    /// Where material yields.
+    pub fn plastic_outline(&self) -> PlasticOutline {
         let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
-        let yielded = points.filter(|point| point.yielded);
-        yielded.map(|point| (point.position[0] - centre).hypot(point.position[1])).fold(0.0, f64::max)
+        let yielded = points.filter(|point| point.yielded).map(|point| point.position);
+        PlasticOutline::around(self.system.zone.centre(), yielded)
+    }
+
+    /// Whether the material yields where nobody has looked.
+    fn yields_unwatched(&self) -> bool {
+        let mut bodies = self.system.bodies.iter().zip(&self.fields);
+        bodies.any(|(body, field)| body.yields_unwatched(&field.stress))
     }
 
     /// The answer, to start from on another mesh.
     pub fn former(&self) -> Vec<FormerField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.fields);
-        fields.map(|(body, field)| FormerField { mesh: &body.mesh, displacement: &field.nodal }).collect()
+        fields
+            .map(|(body, field)| FormerField { mesh: &body.elastic.mesh, displacement: &field.nodal })
+            .collect()
     }
 
     /// Headline figures.
@@ -142,11 +151,12 @@ impl Pass {
 
     /// What the next load may start from.
     pub fn into_prepared(self, load: ContactLoad) -> Prepared {
+        let (displacement, nodal) =
+            self.fields.into_iter().map(|field| (field.displacement, field.nodal)).unzip();
         let mut states = self.former_states;
-        states.push((load.magnitude(), self.outcome.state.response.displacement));
+        states.push((load.magnitude(), displacement));
         let surplus = states.len().saturating_sub(2);
         states.drain(..surplus);
-        let nodal = self.fields.into_iter().map(|field| field.nodal).collect();
         Prepared { system: self.system, states, nodal }
     }
 }
@@ -156,8 +166,11 @@ const ENLARGEMENT: f64 = 1.5;
 /// Enlargements after which the contact is taken to be wider than the body.
 const MAX_ENLARGEMENTS: usize = 12;
 
-/// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond
-/// it, and with the whole body as plastic region where plastic flow leaves the one that was prepared.
+/// How much farther than it was found plastic flow is looked for when it had not been expected there.
+const WIDENING: f64 = 1.3;
+
+/// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond it.
+/// Where plastic flow turns up outside the part of the bodies that is watched, goes on with a larger part.
 pub(super) fn run(
     problem: &Problem,
     request: &PassRequest<'_>,
@@ -166,14 +179,15 @@ pub(super) fn run(
     observer: &mut dyn Observer,
 ) -> Result<Pass, SolveError> {
     let mut request = *request;
+    let former = request.former;
     let mut available = prepared;
-    let (mut enlargements, mut meshes) = (0, 0);
+    let (mut enlargements, mut meshes, mut widenings) = (0, 0, 0);
     loop {
         let (mut system, states, start) = if let Some(prepared) = available.take() {
             prepared.resume(&request, phases, observer)?
         } else {
             meshes += 1;
-            let PassRequest { zone, refinement, plastic_reach, former, .. } = request;
+            let PassRequest { zone, refinement, plastic_reach, .. } = request;
             let design = Design { zone, refinement, plastic_reach };
             let (system, start) = System::build(problem, design, former, phases, observer)?;
             (system, Vec::new(), start)
@@ -181,26 +195,13 @@ pub(super) fn run(
         let zone = system.zone;
         let outcome = iterate(&mut system, &request, start, phases, observer)?;
         let interrupted = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
-        let whole = system.bodies.iter().all(BodyModel::covers_whole_body);
-        if !interrupted && outcome.left_region && !whole {
-            request.plastic_reach = PlasticReach::WholeBody;
-            request.zone = zone;
-            continue;
-        }
         let fields = phases.time(Phase::Output, observer, || fields(&system, &outcome));
         let reaches_edge = reaches_edge(&system, &outcome)
             || (problem.may_touch_elsewhere() && meets_beyond_zone(problem, &system, &outcome, &fields));
-        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
-            let wider = enlarge(zone);
-            if fits(problem, &wider) {
-                enlargements += 1;
-                request.zone = wider;
-                continue;
-            }
-        }
         let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
         let patch = ContactPatch::find(&x, &pressures, zone.symmetric);
-        return Ok(Pass {
+        let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
+        let pass = Pass {
             system,
             outcome,
             fields,
@@ -209,7 +210,26 @@ pub(super) fn run(
             enlargements,
             meshes,
             former_states: states,
-        });
+        };
+        if !interrupted && is_watched_in_part && pass.yields_unwatched() {
+            let outline = pass.plastic_outline().scaled(WIDENING);
+            request.plastic_reach =
+                if widenings == 0 { PlasticReach::Within(outline) } else { PlasticReach::WholeBody };
+            widenings += 1;
+            // From here, not from the former answer.
+            request.former = None;
+            available = Some(pass.into_prepared(request.load));
+            continue;
+        }
+        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
+            let wider = enlarge(zone);
+            if fits(problem, &wider) {
+                enlargements += 1;
+                request.zone = wider;
+                continue;
+            }
+        }
+        return Ok(pass);
     }
 }
 
@@ -218,11 +238,12 @@ fn fields(system: &System, outcome: &Outcome) -> Vec<ModelField> {
     let state = &outcome.state;
     let field = |(k, body): (usize, &BodyModel)| {
         let mut displacement = state.loads[k].clone();
-        body.press(&state.response.contact.force, &mut displacement);
+        body.elastic.press(&state.response.contact.force, &mut displacement);
         let factor = state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
         factor.solve(&mut displacement);
-        let nodal = body.nodal(&displacement);
-        let stress = StressField::evaluate(&body.mesh, body.kinematics, &body.material, &nodal);
+        let elastic = &body.elastic;
+        let nodal = elastic.nodal(&displacement);
+        let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics, &body.material, &nodal);
         ModelField { displacement, nodal, stress }
     };
     system.bodies.iter().enumerate().map(field).collect()
@@ -303,7 +324,7 @@ fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fiel
     let contact = &outcome.state.response.contact;
     let bodies = system.bodies.iter().zip(fields);
     let surfaces: Vec<Vec<[f64; 2]>> =
-        bodies.map(|(body, field)| body.free_surface(&field.displacement)).collect();
+        bodies.map(|(body, field)| body.elastic.free_surface(&field.displacement)).collect();
     let (left, right) = problem.span();
     let inward = |x: f64| -> f64 {
         surfaces

@@ -3,13 +3,13 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use super::body::PlasticReach;
 use super::extent::Extent;
 use super::onset;
 use super::pass::{self, Pass, PassRequest, Prepared};
 use super::phases::PhaseTimes;
+use super::plastic_reach::PlasticReach;
 use super::problem::Problem;
-use super::solution::{self, Finished, Solution, StepSolution};
+use super::solution::{self, Solution, StepSolution};
 use super::{Interrupt, Observer, SolveError, SolveStatus};
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
 use crate::element::Kinematics;
@@ -22,9 +22,8 @@ const SIZING_ELEMENTS: usize = 6;
 const SIZING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
-/// Distance up to which the plastic region is prepared, over the distance that plastic flow reached on the
-/// coarser mesh.
-const PLASTIC_MARGIN: f64 = 1.15;
+/// How far the plastic region is prepared, over how far plastic flow reached on the coarser mesh.
+const PLASTIC_MARGIN: f64 = 1.1;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 /// Range of half-widths that one mesh of a sweep serves.
@@ -179,15 +178,15 @@ impl<'a> Runner<'a> {
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
         request.former = (self.job.solver.coupling == Coupling::Accelerated).then_some(&former);
-        let (mut pass, mut found, mut finished) = self.fine(&request, extent, fine, solution, observer)?;
-        if finished.left_region {
-            request.plastic_reach = PlasticReach::WholeBody;
-            (pass, found, finished) = self.fine(&request, extent, None, solution, observer)?;
-        }
-        finished.step.coarse = figures;
+        let mut pass = pass::run(self.problem, &request, fine, &mut solution.phases, observer)?;
+        solution.passes += pass.meshes;
+        let found = extent.found_by(&pass);
+        let tolerance = request.solver.tolerance.get();
+        let mut step = solution::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
+        step.coarse = figures;
         let (coarse, fine) = (coarse.into_prepared(load), pass.into_prepared(load));
         self.last = Some(LastStep { load, extent: found, coarse, fine });
-        Ok(finished.step)
+        Ok(step)
     }
 
     /// By how much the contact of an elastic body grows from one load to another.
@@ -204,15 +203,8 @@ impl<'a> Runner<'a> {
     fn serves(&self, last: &LastStep, extent: Extent) -> bool {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let zone = &last.fine.system.zone;
-        let same_reach = last
-            .fine
-            .system
-            .bodies
-            .iter()
-            .all(|body| body.prepared_for(PLASTIC_MARGIN * extent.plastic_radius));
         zone.half_width() >= ZONE_MARGIN * extent.half_width
             && zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements)
-            && same_reach
     }
 
     /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
@@ -248,23 +240,6 @@ impl<'a> Runner<'a> {
         Ok((extent, last))
     }
 
-    /// The pass that the job asked for, what it found of the extent that it was sized by, and the judgement on it.
-    fn fine(
-        &self,
-        request: &PassRequest<'_>,
-        extent: Extent,
-        prepared: Option<Prepared>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<(Pass, Extent, Finished), SolveError> {
-        let mut pass = pass::run(self.problem, request, prepared, &mut solution.phases, observer)?;
-        solution.passes += pass.meshes;
-        let found = extent.found_by(&pass);
-        let tolerance = request.solver.tolerance.get();
-        let finished = solution::finish(&mut pass, request.load, tolerance, &mut solution.phases, observer);
-        Ok((pass, found, finished))
-    }
-
     fn quietly(
         &self,
         request: &PassRequest<'_>,
@@ -287,7 +262,7 @@ impl<'a> Runner<'a> {
         solver: SolverSettings,
     ) -> PassRequest<'a> {
         let spacing = extent.spacing(elements) / reserve.resolution;
-        let reach = PLASTIC_MARGIN * reserve.width * extent.plastic_radius;
+        let reach = extent.plastic.scaled(PLASTIC_MARGIN);
         PassRequest {
             contact: &ActiveSetSolver,
             zone: extent.zone(self.problem.is_symmetric(), reserve.width, spacing),

@@ -27,10 +27,10 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {
             super::checkpoint(iteration.observer)?;
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
-                body.stiffness(|element| field.secant_shear(element))
+                body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
             *factor = iteration.phases.time(Phase::Numeric, iteration.observer, || {
-                Cholesky::factor(body.factor.symbolic(), &values)
+                Cholesky::factor(&body.elastic.symbolic, &values)
             })?;
         }
         iteration.count_factorizations();
@@ -48,9 +48,9 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantSta
     let system = iteration.system;
     let (mut fields, mut plastic_points, mut squares) = (Vec::new(), 0, 0.0);
     for ((body, x), &copies) in system.bodies.iter().zip(&response.displacement).zip(&system.multiplicity) {
-        let nodal = body.nodal(x);
+        let nodal = body.elastic.nodal(x);
         let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
-            StressField::evaluate(&body.mesh, body.kinematics, &body.material, &nodal)
+            StressField::evaluate(&body.elastic.mesh, body.elastic.kinematics, &body.material, &nodal)
         });
         plastic_points += copies * field.plastic_points();
         squares += copies as f64 * body.imbalance(&field, &response.contact.force).powi(2);
@@ -76,8 +76,8 @@ fn respond(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Respon
     let contact = iteration.solve_contact(&problem)?;
     let displacement = iteration.phases.time(Phase::Solves, iteration.observer, || {
         let solve = |(body, factor): (&BodyModel, &Cholesky)| {
-            let mut x = body.zeros();
-            body.press(&contact.force, &mut x);
+            let mut x = body.elastic.zeros();
+            body.elastic.press(&contact.force, &mut x);
             factor.solve(&mut x);
             x
         };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_stiffness::contact_stiffness;
 use super::iteration::relative;
-use super::pass::{ModelField, Pass};
+use super::pass::Pass;
 use super::patch::ContactPatch;
 use super::phases::{Phase, PhaseTimes};
 use super::{Interrupt, IterationRecord, Observer, SolveStatus};
@@ -139,22 +139,15 @@ const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
-/// A finished step, and whether plastic flow was found where the iteration had not looked.
-pub(super) struct Finished {
-    pub step: StepSolution,
-    pub left_region: bool,
-}
-
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
-/// believed is taken over. Takes the fields out of the pass.
+/// believed is taken over. Takes stresses and nodal displacements out of the pass.
 pub(super) fn finish(
     pass: &mut Pass,
     load: ContactLoad,
     tolerance: f64,
     phases: &mut PhaseTimes,
     observer: &dyn Observer,
-) -> Finished {
-    let fields = std::mem::take(&mut pass.fields);
+) -> StepSolution {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let is_stopped = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
     let contact_stiffness = if is_stopped {
@@ -162,41 +155,29 @@ pub(super) fn finish(
     } else {
         contact_stiffness(system, &outcome.state, pass.patch, phases, observer)
     };
-    phases.time(Phase::Output, observer, || judge(pass, fields, contact_stiffness, load, tolerance))
+    phases.time(Phase::Output, observer, || judge(pass, contact_stiffness, load, tolerance))
 }
 
-fn judge(
-    pass: &Pass,
-    fields: Vec<ModelField>,
-    contact_stiffness: f64,
-    load: ContactLoad,
-    tolerance: f64,
-) -> Finished {
+fn judge(pass: &mut Pass, contact_stiffness: f64, load: ContactLoad, tolerance: f64) -> StepSolution {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
-    let mut left_region = false;
     let mut squares = 0.0;
     // Equivalent gap that makes the solver's own gap the one of the displacement fields.
     let mut gap = system.initial_gap.clone();
     let mut models = Vec::with_capacity(system.bodies.len());
-    for ((body, field), &copies) in system.bodies.iter().zip(fields).zip(&system.multiplicity) {
-        let ModelField { displacement, nodal, stress } = field;
+    for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.multiplicity) {
+        let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
         let copies = copies as f64;
         squares += copies * body.imbalance(&stress, &contact.force).powi(2);
-        for (g, w) in gap.iter_mut().zip(body.contact_displacement(&displacement)) {
+        for (g, w) in gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
             *g += copies * w;
         }
-        left_region |=
-            body.region.is_some()
-                && stress.points.iter().zip(&body.mesh.shells).any(|(points, &shell)| {
-                    shell > body.last_shell && points.iter().any(|point| point.yielded)
-                });
         models.push(Arc::new(BodySolution {
-            quality: Quality::of(&body.mesh),
-            mesh: Arc::clone(&body.mesh),
+            quality: body.elastic.quality(),
+            mesh: Arc::clone(&body.elastic.mesh),
             displacement: nodal,
             stress,
-            equations: body.equations.len(),
+            equations: body.elastic.equations.len(),
         }));
     }
     let contact_check = check_contact(system, &gap, &contact.force, contact.approach, system.part_of(load));
@@ -209,7 +190,7 @@ fn judge(
         status => status,
     };
     let pairs = pair_states(system, &contact.force, &gap, contact.approach);
-    let step = StepSolution {
+    StepSolution {
         status,
         load,
         approach: contact.approach,
@@ -230,8 +211,7 @@ fn judge(
         reaches_edge: pass.reaches_edge,
         enlargements: pass.enlargements,
         coarse: None,
-    };
-    Finished { step, left_region }
+    }
 }
 
 /// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.

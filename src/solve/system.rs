@@ -1,17 +1,19 @@
 //! Two bodies and the contact between them.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::axis;
-use super::body::{BodyModel, BodyParts, PlasticReach};
+use super::body::BodyModel;
+use super::elastic_body::ElasticBody;
 use super::former::FormerField;
 use super::phases::{Phase, PhaseTimes};
+use super::plastic_reach::PlasticReach;
 use super::problem::Problem;
 use super::{Observer, SolveError};
-use crate::assembly::{InitialStressRegion, PlasticUpdate};
+use crate::assembly::InitialStressRegion;
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::element::Kinematics;
-use crate::linalg::Cholesky;
 use crate::linalg::dense::SymmetricMatrix;
 use crate::mesh::{ContactZone, Mesh, Refinement};
 
@@ -77,15 +79,13 @@ impl System {
             let mesh =
                 phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
             model_of[side] = Some(bodies.len());
-            let parts = BodyParts {
-                kinematics: problem.kinematics,
-                material,
-                support: body.support,
-                plastic_reach,
-                former: former.and_then(|fields| fields.get(bodies.len()).copied()),
-            };
-            let (model, start) = BodyModel::build(mesh, parts, phases, observer)?;
-            carried.push(start.or_else(|| former.map(|_| model.zeros())));
+            let constants = material.elastic();
+            let elastic =
+                ElasticBody::new(mesh, problem.kinematics, constants, body.support, phases, observer)?;
+            let former = former.and_then(|fields| fields.get(bodies.len()).copied());
+            let (model, start) =
+                BodyModel::new(Arc::new(elastic), material, plastic_reach, former, phases, observer)?;
+            carried.push(start);
             bodies.push(model);
             multiplicity.push(1);
         }
@@ -134,9 +134,19 @@ impl System {
         Ok(carried)
     }
 
+    /// Watches another part of each body. The factors have to be made anew before the next iteration with tangent
+    /// moduli.
+    pub fn watch(&mut self, plastic_reach: PlasticReach) {
+        for body in &mut self.bodies {
+            body.watch(plastic_reach);
+        }
+    }
+
     /// Whether the stiffness in force is the elastic one.
     pub fn is_elastic(&self) -> bool {
-        self.bodies.iter().all(|body| body.region.as_ref().is_none_or(InitialStressRegion::refers_to_elastic))
+        self.bodies
+            .iter()
+            .all(|body| body.watch.region.as_ref().is_none_or(InitialStressRegion::refers_to_elastic))
     }
 
     fn sum_flexibility(&mut self) {
@@ -164,7 +174,7 @@ impl System {
 
     /// Initial-stress loads that are all zero.
     pub fn zeros(&self) -> PerModel {
-        self.bodies.iter().map(BodyModel::zeros).collect()
+        self.bodies.iter().map(|body| body.elastic.zeros()).collect()
     }
 
     /// Solves contact and equilibrium for given initial-stress loads:
@@ -193,10 +203,10 @@ impl System {
         let mut forward = loads.clone();
         let mut growth = vec![0.0; self.initial_gap.len()];
         for ((body, x), count) in self.bodies.iter().zip(&mut forward).zip(&self.multiplicity) {
-            body.factor.forward(&body.reach, x);
+            body.factor.forward(&body.watch.reach, x);
             let mut plastic = x.clone();
-            body.factor.backward(&body.contact_reach, &mut plastic);
-            for (g, w) in growth.iter_mut().zip(body.contact_displacement(&plastic)) {
+            body.factor.backward(&body.elastic.contact_reach, &mut plastic);
+            for (g, w) in growth.iter_mut().zip(body.elastic.contact_displacement(&plastic)) {
                 *g += *count as f64 * w;
             }
         }
@@ -206,7 +216,13 @@ impl System {
     /// The second half: `K⁻¹ (P_e + R)` on the windows.
     pub fn substitute(&self, mut forward: PerModel, force: &[f64]) -> PerModel {
         for (body, x) in self.bodies.iter().zip(&mut forward) {
-            body.add_contact_response(&body.factor, force, x);
+            let mut contact = vec![0.0; x.len()];
+            body.elastic.press(force, &mut contact);
+            body.factor.forward(&body.elastic.contact_reach, &mut contact);
+            for (value, addition) in x.iter_mut().zip(&contact) {
+                *value += addition;
+            }
+            body.factor.backward(&body.watch.reach, x);
         }
         forward
     }
@@ -215,8 +231,8 @@ impl System {
     pub fn displacement(&self, loads: &PerModel, force: &[f64]) -> PerModel {
         let solve = |(body, load): (&BodyModel, &Vec<f64>)| {
             let mut x = load.clone();
-            body.press(force, &mut x);
-            body.factor.solve_restricted(&body.reach, &mut x);
+            body.elastic.press(force, &mut x);
+            body.factor.solve_restricted(&body.watch.reach, &mut x);
             x
         };
         self.bodies.iter().zip(loads).map(solve).collect()
@@ -227,8 +243,8 @@ impl System {
         let mut growth = vec![0.0; self.initial_gap.len()];
         for ((body, load), count) in self.bodies.iter().zip(loads).zip(&self.multiplicity) {
             let mut x = load.clone();
-            body.factor.solve_restricted(&body.reach, &mut x);
-            for (g, w) in growth.iter_mut().zip(body.contact_displacement(&x)) {
+            body.factor.solve_restricted(&body.watch.reach, &mut x);
+            for (g, w) in growth.iter_mut().zip(body.elastic.contact_displacement(&x)) {
                 *g += *count as f64 * w;
             }
         }
@@ -236,28 +252,31 @@ impl System {
     }
 
     /// Initial-stress loads of given displacements, summed into `loads`.
-    pub fn initial_stress(&self, displacement: &PerModel, loads: &mut PerModel) -> PlasticUpdate {
-        let mut total = PlasticUpdate::default();
-        for (k, body) in self.bodies.iter().enumerate() {
-            let Some(region) = &body.region else { continue };
-            let update = region.evaluate(&displacement[k], &mut loads[k]);
-            total.plastic_points += update.plastic_points * self.multiplicity[k];
-            total.reached_rim |= update.reached_rim;
-        }
-        total
+    ///
+    /// Returns the Gauss points beyond yield.
+    pub fn initial_stress(&self, displacement: &PerModel, loads: &mut PerModel) -> usize {
+        let evaluate = |(k, body): (usize, &BodyModel)| {
+            let points = body
+                .watch
+                .region
+                .as_ref()
+                .map_or(0, |region| region.evaluate(&displacement[k], &mut loads[k]));
+            points * self.multiplicity[k]
+        };
+        self.bodies.iter().enumerate().map(evaluate).sum()
     }
 
     /// The entries on the windows, one model after the other.
     pub fn pack(&self, vectors: &PerModel) -> Vec<f64> {
         let parts = self.bodies.iter().zip(vectors);
-        parts.flat_map(|(body, v)| body.window.iter().map(|&e| v[e as usize])).collect()
+        parts.flat_map(|(body, v)| body.watch.window.iter().map(|&e| v[e as usize])).collect()
     }
 
     /// Writes entries on the windows back to where [`Self::pack`] took them from.
     pub fn unpack(&self, packed: &[f64], vectors: &mut PerModel) {
         let mut values = packed.iter();
         for (body, v) in self.bodies.iter().zip(vectors) {
-            for (&e, value) in body.window.iter().zip(&mut values) {
+            for (&e, value) in body.watch.window.iter().zip(&mut values) {
                 v[e as usize] = *value;
             }
         }
@@ -316,7 +335,7 @@ impl System {
     /// `Σ v·w` over both bodies on the windows.
     pub fn inner(&self, v: &PerModel, w: &PerModel) -> f64 {
         let sum = self.bodies.iter().enumerate().map(|(k, body)| {
-            let products = body.window.iter().map(|&e| v[k][e as usize] * w[k][e as usize]);
+            let products = body.watch.window.iter().map(|&e| v[k][e as usize] * w[k][e as usize]);
             self.multiplicity[k] as f64 * products.sum::<f64>()
         });
         sum.sum()
@@ -324,26 +343,13 @@ impl System {
 
     fn distance_or_norm(&self, v: &PerModel, w: Option<&PerModel>) -> f64 {
         let sum = self.bodies.iter().enumerate().map(|(k, body)| {
-            let squares = body.window.iter().map(|&e| {
+            let squares = body.watch.window.iter().map(|&e| {
                 let e = e as usize;
                 (v[k][e] - w.map_or(0.0, |w| w[k][e])).powi(2)
             });
             self.multiplicity[k] as f64 * squares.sum::<f64>()
         });
         sum.sum::<f64>().sqrt()
-    }
-}
-
-impl BodyModel {
-    /// Completes `x = L⁻¹ P` to `K⁻¹ (P + R)` on the window, with the contact forces R of both bodies' pairs.
-    fn add_contact_response(&self, factor: &Cholesky, force: &[f64], x: &mut [f64]) {
-        let mut contact = vec![0.0; x.len()];
-        self.press(force, &mut contact);
-        factor.forward(&self.contact_reach, &mut contact);
-        for (value, addition) in x.iter_mut().zip(&contact) {
-            *value += addition;
-        }
-        factor.backward(&self.reach, x);
     }
 }
 

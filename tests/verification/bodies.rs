@@ -25,7 +25,6 @@ pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Me
         cells.map(|(i, j)| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]).collect();
     Mesh {
         nodes: points().map(|(i, j)| place(i, j)).collect(),
-        shells: vec![0; elements.len()],
         elements,
         contact_nodes: Vec::new(),
         support_nodes: Vec::new(),
@@ -52,8 +51,7 @@ pub fn load(
     max_iterations: usize,
 ) -> Loaded {
     let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
-    let window = vec![true; mesh.nodes.len()];
-    let order = EliminationOrder::new(&graph, &mesh.lattice, &window, &[]);
+    let order = EliminationOrder::new(&graph, &mesh.lattice, &[]);
     let equations = Equations::new(&order, &Restraint::from(held), 0);
     let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
     let assembler =
@@ -63,7 +61,8 @@ pub fn load(
         element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
     });
     let factor = Cholesky::factor(&symbolic, &values).unwrap();
-    let region = InitialStressRegion::new(mesh, kinematics, &equations, 0, material);
+    let region =
+        InitialStressRegion::new(mesh, kinematics, &equations, &vec![true; mesh.elements.len()], material);
 
     let mut external = vec![0.0; equations.len() + 1];
     for (node, f) in (0u32..).zip(force) {

@@ -1,0 +1,155 @@
+//! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
+
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
+
+use super::phases::{Phase, PhaseTimes};
+use super::{Observer, SolveError};
+use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler};
+use crate::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use crate::linalg::dense::SymmetricMatrix;
+use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
+use crate::mesh::{Mesh, Quality};
+use crate::model::{Elastic, Support};
+
+/// What depends on mesh, elastic constants and supports alone.
+pub(super) struct ElasticBody {
+    pub mesh: Arc<Mesh>,
+    pub kinematics: Kinematics,
+    pub equations: Equations,
+    pub symbolic: Arc<SymbolicCholesky>,
+    /// Supernodes of the contact normals.
+    pub contact_reach: Reach,
+    bulk_modulus: f64,
+    /// The elastic stiffness, entry by entry of its pattern.
+    stiffness: Vec<f64>,
+    quality: OnceLock<Quality>,
+}
+
+impl ElasticBody {
+    /// Orders and analyses the equations and assembles the stiffness.
+    pub fn new(
+        mesh: Mesh,
+        kinematics: Kinematics,
+        constants: &Elastic,
+        support: Support,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, SolveError> {
+        let contacts = mesh.contact_nodes.len();
+        let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+            let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+            let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
+            (Equations::new(&order, &Restraint::new(&mesh, support), contacts), graph)
+        });
+        super::checkpoint(observer)?;
+        let symbolic =
+            phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
+        super::checkpoint(observer)?;
+        let mut body = Self {
+            mesh: Arc::new(mesh),
+            kinematics,
+            contact_reach: symbolic.trailing_reach(contacts),
+            equations,
+            symbolic,
+            bulk_modulus: constants.bulk_modulus(),
+            stiffness: Vec::new(),
+            quality: OnceLock::new(),
+        };
+        let shear = constants.shear_modulus();
+        body.stiffness =
+            phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
+        Ok(body)
+    }
+
+    /// The stiffness with other shear moduli at the points of each element.
+    pub fn stiffness_with(&self, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+        let bulk = self.bulk_modulus;
+        self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
+    }
+
+    /// Factorizes the elastic stiffness, softened where a region says so; with it comes the contact flexibility.
+    pub fn factorize(
+        &self,
+        region: Option<&InitialStressRegion>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(Cholesky, SymmetricMatrix), SolveError> {
+        let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
+        super::checkpoint(observer)?;
+        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(&self.symbolic, &values))?;
+        super::checkpoint(observer)?;
+        let contacts = self.mesh.contact_nodes.len();
+        let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
+        Ok((factor, flexibility))
+    }
+
+    fn softened_by(&self, region: Option<&InitialStressRegion>) -> Cow<'_, [f64]> {
+        let Some(region) = region.filter(|region| !region.refers_to_elastic()) else {
+            return Cow::Borrowed(&self.stiffness);
+        };
+        let assembler = self.assembler();
+        let mut values = self.stiffness.clone();
+        for (element, addition) in region.softened_elements() {
+            assembler.add(&mut values, element, &addition);
+        }
+        Cow::Owned(values)
+    }
+
+    fn assembler(&self) -> StiffnessAssembler<'_> {
+        StiffnessAssembler {
+            mesh: &self.mesh,
+            kinematics: self.kinematics,
+            equations: &self.equations,
+            pattern: self.symbolic.pattern(),
+        }
+    }
+
+    /// Quality of the mesh.
+    pub fn quality(&self) -> Quality {
+        *self.quality.get_or_init(|| Quality::of(&self.mesh))
+    }
+
+    /// A vector over the equations, zero, with the extra entry that stands for held components.
+    pub fn zeros(&self) -> Vec<f64> {
+        vec![0.0; self.equations.len() + 1]
+    }
+
+    /// Displacements `[u_x, u_y]` of every node \[mm\].
+    pub fn nodal(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        (0u32..)
+            .take(self.mesh.nodes.len())
+            .map(|node| self.equations.of_node(node).map(|k| x[k as usize]))
+            .collect()
+    }
+
+    /// Adds contact forces that press on the body to a load vector.
+    pub fn press(&self, force: &[f64], load: &mut [f64]) {
+        let start = self.equations.contact_start();
+        for (entry, r) in load[start..].iter_mut().zip(force) {
+            *entry -= r;
+        }
+    }
+
+    /// Inward normal displacements of the contact nodes \[mm\].
+    pub fn contact_displacement<'a>(&self, x: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+        let start = self.equations.contact_start();
+        x[start..start + self.mesh.contact_nodes.len()].iter().map(|u| -u)
+    }
+
+    /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
+    pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        let last_ray = self.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
+        let is_left_end = |ray: i32| !self.mesh.zone.symmetric && Some(ray) == last_ray;
+        let mut surface: Vec<[f64; 2]> = (0u32..)
+            .zip(&self.mesh.lattice)
+            .filter(|(_, p)| if p.patch == 0 { p.j == 0 } else { p.i == 0 || is_left_end(p.i) })
+            .map(|(node, _)| {
+                let [_, normal] = self.equations.of_node(node);
+                [self.mesh.nodes[node as usize][0], -x[normal as usize]]
+            })
+            .collect();
+        surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        surface
+    }
+}
