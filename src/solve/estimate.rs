@@ -4,7 +4,7 @@ use super::SolveError;
 use super::extent::Extent;
 use super::plastic_reach::PlasticOutline;
 use super::problem::Problem;
-use super::run::{loads, refinement};
+use super::run::{loads, refinement, resolution_reserve};
 use crate::mesh::estimated_nodes;
 use crate::model::Job;
 
@@ -12,8 +12,6 @@ use crate::model::Job;
 const FACTOR_BYTES: f64 = 40.0;
 /// Bytes of everything else for each equation.
 const OTHER_BYTES: f64 = 2000.0;
-/// A mesh of a sweep is made to serve for neighbouring loads.
-const SWEEP_RESERVE: f64 = 1.35;
 
 /// What a job will cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,11 +31,10 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let elements = job.mesh.elements_per_half_width as usize;
     let mut worst = Estimate { equations: 0, bytes: 0 };
     let Some(loads) = loads(&job.load) else { return Ok(nominal(&problem, elements)) };
-    let reserve = if loads.len() > 1 { SWEEP_RESERVE } else { 1.0 };
-    for &load in &loads {
+    for (k, &load) in loads.iter().enumerate() {
         let extent = Extent::expected(&problem, load)?;
-        let spacing = extent.spacing(elements);
-        let zone = extent.zone(problem.is_symmetric(), reserve, spacing);
+        let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
+        let zone = extent.zone(problem.is_symmetric(), spacing);
         let refinement = refinement(extent.half_width / spacing);
         let nodes = |outline| estimated_nodes(outline, zone, refinement);
         let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
@@ -52,7 +49,7 @@ fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let half_width = 0.01 * problem.span().1;
     let extent = Extent { centre: 0.0, half_width, smallest_part: half_width, plastic: PlasticOutline::NONE };
     let spacing = extent.spacing(elements);
-    let zone = extent.zone(problem.is_symmetric(), 1.0, spacing);
+    let zone = extent.zone(problem.is_symmetric(), spacing);
     let nodes = |outline| estimated_nodes(outline, zone, refinement(half_width / spacing));
     cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
 }

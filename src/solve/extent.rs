@@ -124,9 +124,9 @@ impl Extent {
         resolved / (elements as f64 + 0.5)
     }
 
-    /// A zone that covers the contact and `headroom` times more, with elements of a given size.
-    pub fn zone(&self, symmetric: bool, headroom: f64, spacing: f64) -> ContactZone {
-        let columns = (ZONE * headroom * self.half_width / spacing).round().max(4.0);
+    /// A zone that covers the contact and more, with elements of a given size.
+    pub fn zone(&self, symmetric: bool, spacing: f64) -> ContactZone {
+        let columns = (ZONE * self.half_width / spacing).round().max(4.0);
         let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]

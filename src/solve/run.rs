@@ -26,8 +26,8 @@ const SIZING_TRUST: f64 = 0.4;
 const PLASTIC_MARGIN: f64 = 1.1;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
-/// Range of half-widths that one mesh of a sweep serves.
-const SWEEP_RANGE: f64 = 1.2;
+/// How much finer than asked a mesh is made where the loads that follow are smaller.
+const FALLING_RESERVE: f64 = 1.2;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for.
@@ -128,13 +128,6 @@ struct LastStep {
     fine: Prepared,
 }
 
-/// How far the zone reaches beyond the contact, and how much finer than asked its elements are.
-#[derive(Clone, Copy)]
-struct Reserve {
-    width: f64,
-    resolution: f64,
-}
-
 impl<'a> Runner<'a> {
     pub fn new(problem: &'a Problem, job: &'a Job, contact: &'a dyn ContactSolver) -> Self {
         Self { problem, job, contact, last: None }
@@ -148,7 +141,7 @@ impl<'a> Runner<'a> {
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<StepSolution, SolveError> {
-        let reserve = reserve(load, next);
+        let reserve = resolution_reserve(load, next);
         let last = self.last.take();
         let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
         let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, extent));
@@ -221,7 +214,7 @@ impl<'a> Runner<'a> {
                 load,
                 extent,
                 SIZING_ELEMENTS,
-                Reserve { width: 1.0, resolution: 1.0 },
+                1.0,
                 auxiliary(1e-4),
             );
             request.plastic_reach = PlasticReach::WholeBody;
@@ -258,14 +251,14 @@ impl<'a> Runner<'a> {
         load: ContactLoad,
         extent: Extent,
         elements: usize,
-        reserve: Reserve,
+        reserve: f64,
         solver: SolverSettings,
     ) -> PassRequest<'a> {
-        let spacing = extent.spacing(elements) / reserve.resolution;
+        let spacing = extent.spacing(elements) / reserve;
         let reach = extent.plastic.scaled(PLASTIC_MARGIN);
         PassRequest {
             contact: &ActiveSetSolver,
-            zone: extent.zone(self.problem.is_symmetric(), reserve.width, spacing),
+            zone: extent.zone(self.problem.is_symmetric(), spacing),
             refinement: refinement(extent.half_width / spacing),
             plastic_reach: PlasticReach::Within(reach),
             load,
@@ -275,12 +268,12 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// What a mesh is given so that it serves for the next load of a sweep too.
-fn reserve(load: ContactLoad, next: Option<ContactLoad>) -> Reserve {
-    match next.map(|next| next.magnitude() / load.magnitude()) {
-        Some(ratio) if ratio > 1.0 => Reserve { width: SWEEP_RANGE, resolution: 1.0 },
-        Some(ratio) if ratio < 1.0 => Reserve { width: 1.0, resolution: SWEEP_RANGE },
-        _ => Reserve { width: 1.0, resolution: 1.0 },
+/// How much finer than asked a mesh is made, so that it serves for the next load too. A larger contact finds room
+/// enough as it is, in the zone that is made wider than the contact anyway.
+pub(super) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
+    match next {
+        Some(next) if next.magnitude() < load.magnitude() => FALLING_RESERVE,
+        _ => 1.0,
     }
 }
 
