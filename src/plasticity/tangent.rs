@@ -29,6 +29,8 @@ pub struct Softened {
 const RANGE: f64 = 0.07;
 /// Part of κ that is left out.
 const STIFFENING: f64 = 0.1;
+/// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
+const SOFTEST: f64 = 1e-3;
 
 impl PointLaw {
     /// By how much the tangent moduli at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]` fall short of the elastic ones,
@@ -54,7 +56,7 @@ impl PointLaw {
         let triple_secant = 0.5 * (below / (1.0 - RANGE) + above / (1.0 + RANGE)) / equivalent;
         let kappa = 4.0 / 9.0 * (1.0 - STIFFENING) * (triple_secant - tangent) / (equivalent * equivalent);
         let direction = [x, y, z, 0.5 * g];
-        let shear = triple_secant / 3.0;
+        let shear = (triple_secant / 3.0).max(SOFTEST * self.shear_modulus());
         let moduli = match self.out_of_plane() {
             OutOfPlane::Strained => deviatoric_softening(self.shear_modulus() - shear, kappa, direction),
             OutOfPlane::Free => {

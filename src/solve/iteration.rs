@@ -16,8 +16,8 @@ pub(super) struct Controls<'a> {
     pub load: ContactLoad,
     pub tolerance: f64,
     pub max_iterations: usize,
-    /// Iterations after which a linearization is worth renewing; `None` to go on with it.
-    pub patience: Option<usize>,
+    /// Whether to stop where another linearization would pay.
+    pub renewable: bool,
 }
 
 /// The state an iteration ended in.
@@ -35,7 +35,7 @@ pub(super) struct Outcome {
     pub state: State,
     pub status: SolveStatus,
     pub history: Vec<IterationRecord>,
-    /// Whether it ended because patience did.
+    /// Whether it ended because another linearization would pay.
     pub stalled: bool,
 }
 
@@ -49,6 +49,13 @@ pub(super) struct Beginning {
     /// Factorizations made for this one, to be told with its first iteration.
     pub factorizations: usize,
 }
+
+/// Iterations on one linearization before its pace is judged.
+const TRIAL: usize = 8;
+/// Iterations that the pace is taken from.
+const PACE_SPAN: usize = 7;
+/// Iterations to go that cost about as much as another linearization.
+const MAX_REMAINING: f64 = 12.0;
 
 /// Work done since the last record.
 #[derive(Debug, Clone, Copy, Default)]
@@ -220,9 +227,17 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Whether patience with the present linearization has ended.
+    /// Whether, at the pace of late, so many more iterations are needed that another linearization would pay.
     pub fn has_stalled(&self) -> bool {
-        self.controls.patience.is_some_and(|patience| self.history.len() - self.begun >= patience)
+        let residual = |k: usize| self.history[k].equilibrium_residual;
+        let now = self.history.len();
+        if !self.controls.renewable || now - self.begun < TRIAL {
+            return false;
+        }
+        let pace = (residual(now - PACE_SPAN) / residual(now - 1)).ln() / (PACE_SPAN - 1) as f64;
+        let way = (residual(now - 1) / self.controls.tolerance).ln();
+        // A pace of zero or backwards, too.
+        !(way < MAX_REMAINING * pace)
     }
 
     /// Closes the iteration; without a status it is one that has stalled.

@@ -261,9 +261,6 @@ fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
 }
 
-/// Iterations after which the elastic stiffness gives way to a tangent, and that to another.
-const ELASTIC_PATIENCE: usize = 8;
-const TANGENT_PATIENCE: usize = 15;
 /// Linearizations at most.
 const MAX_LINEARIZATIONS: usize = 8;
 /// Part of its first residual that a linearization must have come down to if another is to start from where it ended.
@@ -281,14 +278,13 @@ fn iterate(
     let mut beginning = Beginning { displacement: start, ..Beginning::default() };
     let mut linearizations = 0;
     loop {
-        let patience = if system.is_elastic() { ELASTIC_PATIENCE } else { TANGENT_PATIENCE };
         let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
         let controls = Controls {
             contact: request.contact,
             load: system.part_of(request.load),
             tolerance: request.solver.tolerance.get(),
             max_iterations: request.solver.max_iterations as usize,
-            patience: renewable.then_some(patience),
+            renewable,
         };
         let begun = beginning.history.len();
         let outcome = coupling::run(Iteration::new(system, controls, beginning, observer, phases), coupling)?;

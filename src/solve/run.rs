@@ -210,13 +210,7 @@ impl<'a> Runner<'a> {
         let mut extent = Extent::expected(self.problem, load)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {
-            let mut request = self.request(
-                load,
-                extent,
-                SIZING_ELEMENTS,
-                1.0,
-                auxiliary(1e-4),
-            );
+            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary(1e-4));
             request.plastic_reach = PlasticReach::WholeBody;
             let pass = self.quietly(&request, None, solution, observer)?;
             let found = extent.found_by(&pass);
