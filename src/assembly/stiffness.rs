@@ -65,10 +65,16 @@ impl StiffnessAssembler<'_> {
         let start = self.pattern.column_start(column as usize);
         let rows = self.pattern.column(column as usize);
         for (i, components) in equations.iter().enumerate() {
+            let mut next = 0;
             for (a, &row) in components.iter().enumerate() {
                 if (column..held).contains(&row) {
-                    let place = rows.partition_point(|&r| r < row);
+                    // The components of a node mostly follow each other.
+                    let place = match rows.get(next) {
+                        Some(&found) if found == row => next,
+                        _ => rows.partition_point(|&r| r < row),
+                    };
                     values[start + place] += entry(i, a);
+                    next = place + 1;
                 }
             }
         }

@@ -48,53 +48,68 @@ pub const SHAPE_AT_POINTS: [PerPoint; 4] = {
     ]
 };
 
+/// `[∂N_i/∂ξ, ∂N_i/∂η][i][g]` at Gauss point g.
+const NATURAL_GRADIENTS: [[PerPoint; 4]; 2] = {
+    const OVER_ROOT_3: f64 = 0.577_350_269_189_625_8;
+    let mut gradients = [[[0.0; QUADRATURE_POINTS]; 4]; 2];
+    let mut i = 0;
+    while i < 4 {
+        let [a, b] = CORNERS[i];
+        let mut g = 0;
+        while g < QUADRATURE_POINTS {
+            let [xi, eta] = CORNERS[g];
+            gradients[0][i][g] = 0.25 * a * (1.0 + b * eta * OVER_ROOT_3);
+            gradients[1][i][g] = 0.25 * b * (1.0 + a * xi * OVER_ROOT_3);
+            g += 1;
+        }
+        i += 1;
+    }
+    gradients
+};
+
 impl Quad {
     /// Evaluates the gradients for corner coordinates `[x, y]` \[mm\], counter-clockwise.
+    #[inline(always)]
     pub fn new(corners: &[[f64; 2]; 4], kinematics: Kinematics) -> Self {
-        let mut quad = Self {
-            gradient_x: [[0.0; 4]; 4],
-            gradient_y: [[0.0; 4]; 4],
-            over_radius: [[0.0; 4]; 4],
-            weight: [0.0; 4],
-            kinematics,
-        };
-        for (g, corner) in CORNERS.iter().enumerate() {
-            let [xi, eta] = corner.map(|c| c / 3f64.sqrt());
-            let natural: [[f64; 2]; 4] =
-                CORNERS.map(|[a, b]| [0.25 * a * (1.0 + b * eta), 0.25 * b * (1.0 + a * xi)]);
-            // Jacobian J = [[x_ξ, y_ξ], [x_η, y_η]].
-            let mut j = [[0.0; 2]; 2];
-            for (n, c) in natural.iter().zip(corners) {
-                for (row, derivative) in j.iter_mut().zip(n) {
-                    row[0] += derivative * c[0];
-                    row[1] += derivative * c[1];
-                }
+        let zero = [0.0; QUADRATURE_POINTS];
+        let [along_xi, along_eta] = &NATURAL_GRADIENTS;
+        // Jacobian [[x_ξ, y_ξ], [x_η, y_η]].
+        let [mut x_xi, mut y_xi, mut x_eta, mut y_eta] = [zero; 4];
+        for (i, [x, y]) in corners.iter().enumerate() {
+            for g in 0..QUADRATURE_POINTS {
+                x_xi[g] += along_xi[i][g] * x;
+                y_xi[g] += along_xi[i][g] * y;
+                x_eta[g] += along_eta[i][g] * x;
+                y_eta[g] += along_eta[i][g] * y;
             }
-            let determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-            for (i, n) in natural.iter().enumerate() {
-                quad.gradient_x[i][g] = (j[1][1] * n[0] - j[0][1] * n[1]) / determinant;
-                quad.gradient_y[i][g] = (j[0][0] * n[1] - j[1][0] * n[0]) / determinant;
+        }
+        let (mut gradient_x, mut gradient_y, mut over_radius) = ([zero; 4], [zero; 4], [zero; 4]);
+        let mut weight: PerPoint = std::array::from_fn(|g| x_xi[g] * y_eta[g] - y_xi[g] * x_eta[g]);
+        for i in 0..4 {
+            for g in 0..QUADRATURE_POINTS {
+                gradient_x[i][g] = (y_eta[g] * along_xi[i][g] - y_xi[g] * along_eta[i][g]) / weight[g];
+                gradient_y[i][g] = (x_xi[g] * along_eta[i][g] - x_eta[g] * along_xi[i][g]) / weight[g];
             }
-            quad.weight[g] = determinant;
-            if kinematics == Kinematics::Axisymmetric {
-                let shape = shape_functions(xi, eta);
-                let radius: f64 = shape.iter().zip(corners).map(|(n, c)| n * c[0]).sum();
-                quad.weight[g] *= 2.0 * std::f64::consts::PI * radius;
-                for (over_radius, n) in quad.over_radius.iter_mut().zip(shape) {
-                    over_radius[g] = n / radius;
+        }
+        if kinematics == Kinematics::Axisymmetric {
+            for g in 0..QUADRATURE_POINTS {
+                let [radius, _] = Self::point(corners, g);
+                weight[g] *= 2.0 * std::f64::consts::PI * radius;
+                for (over_radius, shape) in over_radius.iter_mut().zip(&SHAPE_AT_POINTS) {
+                    over_radius[g] = shape[g] / radius;
                 }
             }
         }
-        quad
+        Self { gradient_x, gradient_y, over_radius, weight, kinematics }
     }
 
     /// Position `[x, y]` of point g \[mm\] in an element with these corners.
+    #[inline(always)]
     pub fn point(corners: &[[f64; 2]; 4], g: usize) -> [f64; 2] {
-        let [xi, eta] = CORNERS[g].map(|c| c / 3f64.sqrt());
         let mut position = [0.0; 2];
-        for (shape, corner) in shape_functions(xi, eta).iter().zip(corners) {
-            position[0] += shape * corner[0];
-            position[1] += shape * corner[1];
+        for (shape, corner) in SHAPE_AT_POINTS.iter().zip(corners) {
+            position[0] += shape[g] * corner[0];
+            position[1] += shape[g] * corner[1];
         }
         position
     }
@@ -168,11 +183,6 @@ impl Quad {
     }
 }
 
-/// Bilinear shape functions at natural coordinates.
-fn shape_functions(xi: f64, eta: f64) -> [f64; 4] {
-    CORNERS.map(|[a, b]| 0.25 * (1.0 + a * xi) * (1.0 + b * eta))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -183,8 +193,8 @@ mod tests {
     fn tabulated_shape_functions_are_those_of_the_points() {
         for (g, corner) in CORNERS.iter().enumerate() {
             let [xi, eta] = corner.map(|c| c / 3f64.sqrt());
-            for (tabulated, value) in SHAPE_AT_POINTS.iter().zip(shape_functions(xi, eta)) {
-                assert!((tabulated[g] - value).abs() < 1e-15);
+            for (tabulated, [a, b]) in SHAPE_AT_POINTS.iter().zip(CORNERS) {
+                assert!((tabulated[g] - 0.25 * (1.0 + a * xi) * (1.0 + b * eta)).abs() < 1e-15);
             }
         }
     }

@@ -14,7 +14,7 @@ use crate::linalg::dense::DenseCholesky;
 /// Steps at most; a factor of the elastic stiffness takes about 12, one of tangent moduli 3.
 const MAX_STEPS: usize = 40;
 /// Part of the stiffness that the last step may have changed it by.
-const TOLERANCE: f64 = 1e-5;
+const TOLERANCE: f64 = 1e-4;
 /// Step of the finite difference, relative to the displacements.
 const DIFFERENCE: f64 = 1e-6;
 
@@ -32,12 +32,12 @@ pub(super) fn contact_stiffness(
     let closing = Closing { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
-    let (v, force) = closing.solve(&system.zeros(), 1.0, phases, observer);
+    let (v, force) = closing.close(phases, observer);
     let mut residual = tangent.softening(&v, phases, observer);
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(PerModel, PerModel, f64)> = None;
     for _ in 0..MAX_STEPS {
-        let (mut direction, _) = closing.solve(&residual, 0.0, phases, observer);
+        let mut direction = closing.solve(&residual, phases, observer);
         let product = system.inner(&residual, &direction);
         // `load` is K times the direction, but for contact forces, which do no work on it.
         let mut load = residual.clone();
@@ -120,24 +120,31 @@ struct Closing<'a> {
 }
 
 impl Closing<'_> {
-    /// Displacements under loads, and the contact forces that close every active pair by `approach`.
-    fn solve(
-        &self,
-        loads: &PerModel,
-        approach: f64,
-        phases: &mut PhaseTimes,
-        observer: &dyn Observer,
-    ) -> (PerModel, Vec<f64>) {
+    /// The contact forces that close every active pair by 1, and the displacements under them.
+    fn close(&self, phases: &mut PhaseTimes, observer: &dyn Observer) -> (PerModel, Vec<f64>) {
+        phases.time(Phase::Solves, observer, || {
+            let force = self.forces(|_| 1.0);
+            (self.system.substitute(self.system.zeros(), &force), force)
+        })
+    }
+
+    /// Displacements under loads, with contact forces that keep every active pair as it is.
+    fn solve(&self, loads: &PerModel, phases: &mut PhaseTimes, observer: &dyn Observer) -> PerModel {
         phases.time(Phase::Solves, observer, || {
             let (forward, growth) = self.system.eliminate(loads);
-            let mut tied: Vec<f64> = self.active.iter().map(|&k| approach - growth[k]).collect();
-            self.factor.solve_in_place(&mut tied);
-            let mut force = vec![0.0; growth.len()];
-            for (&k, r) in self.active.iter().zip(tied) {
-                force[k] = r;
-            }
-            (self.system.substitute(forward, &force), force)
+            self.system.substitute(forward, &self.forces(|k| -growth[k]))
         })
+    }
+
+    /// Contact forces of all pairs that close each active one by so much.
+    fn forces(&self, closing: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut tied: Vec<f64> = self.active.iter().map(|&k| closing(k)).collect();
+        self.factor.solve_in_place(&mut tied);
+        let mut force = vec![0.0; self.system.initial_gap.len()];
+        for (&k, r) in self.active.iter().zip(tied) {
+            force[k] = r;
+        }
+        force
     }
 }
 
