@@ -224,11 +224,25 @@ impl Cholesky {
     }
 
     /// Overwrites `x` by `L⁻ᵀ x` on the reach.
+    ///
+    /// The panels come from last to first, which memory is slow at. So they are taken in groups that fit the cache, and
+    /// each group is read once forward before it is used.
     pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
         let mut below = Vec::new();
+        let mut rest = reach.supernodes.as_slice();
+        let offsets = self.symbolic.structure.col_ptr_for_val();
         wide(|| {
-            for &s in reach.supernodes.iter().rev() {
-                backward_panel(&self.panel(s as usize), x, &mut below);
+            while let Some(&last) = rest.last() {
+                let end = offsets[last as usize + 1] as usize;
+                let first = rest.partition_point(|&s| offsets[s as usize] as usize + GROUP < end).min(rest.len() - 1);
+                let (before, group) = rest.split_at(first);
+                if self.values.len() > CACHED {
+                    group.iter().for_each(|&s| touch(self.panel(s as usize).values));
+                }
+                for &s in group.iter().rev() {
+                    backward_panel(&self.panel(s as usize), x, &mut below);
+                }
+                rest = before;
             }
         });
     }
@@ -320,6 +334,18 @@ fn forward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
     for (&row, y) in panel.rows.iter().zip(below.iter()) {
         x[row as usize] -= y;
     }
+}
+
+/// Entries of a factor that stays in the cache between two solves.
+const CACHED: usize = 1 << 20;
+/// Entries of the panels in a group.
+const GROUP: usize = 1 << 15;
+
+/// Brings values into the cache.
+#[inline(always)]
+fn touch(values: &[f64]) {
+    let sum: f64 = values.iter().step_by(8).sum();
+    std::hint::black_box(sum);
 }
 
 /// Back substitution with one panel.
