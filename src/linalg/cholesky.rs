@@ -10,18 +10,17 @@
     reason = "equations are numbered by u32, so that there are fewer than 2^32 of them"
 )]
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::SymbolicSupernodalParams;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Par, Spec};
+use faer::sparse::SymbolicSparseColMatRef;
 use thiserror::Error;
 
 use super::dense::SymmetricMatrix;
+use super::factorization::{Supernode, factorize};
 use super::{SymmetricPattern, dot, wide};
 
 /// Why a matrix has no Cholesky factor.
@@ -36,6 +35,9 @@ pub enum FactorizationError {
         /// Position in elimination order.
         equation: usize,
     },
+    /// The caller wanted no more of it.
+    #[error("the factorization was stopped")]
+    Stopped,
     /// The factor has more entries than can be indexed, or memory is short.
     #[error("the factor is too large")]
     TooLarge,
@@ -129,6 +131,24 @@ impl SymbolicCholesky {
         Reach { supernodes: (first..self.parent.len() as u32).collect() }
     }
 
+    pub(super) fn supernode_count(&self) -> usize {
+        self.parent.len()
+    }
+
+    pub(super) fn supernode(&self, s: usize) -> Supernode<'_> {
+        let offsets = self.structure.col_ptr_for_val();
+        Supernode {
+            columns: columns_of(&self.structure, s),
+            rows: self.structure.supernode(s).pattern(),
+            values: offsets[s] as usize..offsets[s + 1] as usize,
+        }
+    }
+
+    /// The supernode that holds an equation.
+    pub(super) fn supernode_of(&self, equation: u32) -> usize {
+        self.supernode_of[equation as usize] as usize
+    }
+
     /// All supernodes: a reach for ordinary solves.
     pub fn full_reach(&self) -> Reach {
         Reach { supernodes: (0..self.parent.len() as u32).collect() }
@@ -155,38 +175,27 @@ pub struct Cholesky {
 impl Cholesky {
     /// Factorizes the matrix with the given lower-triangle values, in the order of its pattern.
     ///
-    /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
-    ///
     /// # Errors
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
     pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
+        Self::factor_unless_stopped(symbolic, values, &mut || ControlFlow::Continue(()))
+    }
+
+    /// As [`Self::factor`]; asks `checkpoint` every few milliseconds whether to go on.
+    ///
+    /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
+    ///
+    /// # Errors
+    /// As [`Self::factor`], and [`FactorizationError::Stopped`].
+    pub fn factor_unless_stopped(
+        symbolic: &Arc<SymbolicCholesky>,
+        values: &[f64],
+        checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, FactorizationError> {
         if values.iter().any(|v| !v.is_finite()) {
             return Err(FactorizationError::NotFinite);
         }
-        let (n, pattern) = (symbolic.order(), &symbolic.pattern);
-        let lower = SparseColMatRef::new(
-            SymbolicSparseColMatRef::new_checked(n, n, pattern.column_offsets(), None, pattern.rows()),
-            values,
-        );
-        let mut factor = vec![0.0; symbolic.factor_entries()];
-        let request: StackReq = supernodal::factorize_supernodal_numeric_llt_scratch::<u32, f64>(
-            &symbolic.structure,
-            Par::Seq,
-            Spec::default(),
-        );
-        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorizationError::TooLarge)?;
-        supernodal::factorize_supernodal_numeric_llt(
-            &mut factor,
-            lower,
-            LltRegularization::default(),
-            &symbolic.structure,
-            Par::Seq,
-            MemStack::new(&mut memory),
-            Spec::default(),
-        )
-        .map_err(|LltError::NonPositivePivot { index }| FactorizationError::NotPositiveDefinite {
-            equation: index,
-        })?;
+        let factor = factorize(symbolic, values, checkpoint)?;
         Ok(Self { symbolic: Arc::clone(symbolic), values: factor })
     }
 
@@ -286,15 +295,8 @@ impl Cholesky {
     }
 
     fn panel(&self, s: usize) -> Panel<'_> {
-        let structure = &self.symbolic.structure;
-        let columns = columns_of(structure, s);
-        let offsets = structure.col_ptr_for_val();
-        Panel {
-            start: columns.start,
-            width: columns.len(),
-            rows: structure.supernode(s).pattern(),
-            values: &self.values[offsets[s] as usize..offsets[s + 1] as usize],
-        }
+        let Supernode { columns, rows, values } = self.symbolic.supernode(s);
+        Panel { start: columns.start, width: columns.len(), rows, values: &self.values[values] }
     }
 }
 

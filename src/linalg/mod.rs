@@ -13,6 +13,7 @@
 mod cholesky;
 pub mod dense;
 mod elimination;
+mod factorization;
 mod graph;
 mod nested_dissection;
 mod pattern;

@@ -10,7 +10,7 @@ use super::{
 use crate::contact::ContactLoad;
 use crate::model::{Body, Job, Material, Named, Quantity, Shape};
 use crate::solve::{
-    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
+    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution,
     SolveStatus, StepSolution,
 };
 
@@ -40,10 +40,7 @@ fn worst_status(solution: &Solution) -> SolveStatus {
         SolveStatus::TimedOut => 2,
         SolveStatus::Cancelled => 3,
     };
-    let interrupted = solution.interrupted.map(|interrupt| match interrupt {
-        Interrupt::Cancelled => SolveStatus::Cancelled,
-        Interrupt::TimedOut => SolveStatus::TimedOut,
-    });
+    let interrupted = solution.interrupted.map(SolveStatus::from);
     let statuses = solution.steps.iter().map(|step| step.status).chain(interrupted);
     statuses.max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
 }

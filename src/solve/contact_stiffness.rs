@@ -5,10 +5,12 @@
 //! Conjugate gradients find it with the factor K that is there already as preconditioner. K_T itself is not formed:
 //! `(K - K_T) v` is the derivative of the initial-stress load in the direction of v.
 
+use std::ops::ControlFlow;
+
 use super::iteration::State;
 use super::phases::{Phase, PhaseTimes};
 use super::system::{PerModel, System};
-use super::{ContactPatch, Observer};
+use super::{ContactPatch, Interrupt, Observer};
 use crate::linalg::dense::DenseCholesky;
 
 /// Steps at most; a factor of the elastic stiffness takes about 12, one of tangent moduli 3.
@@ -18,17 +20,18 @@ const TOLERANCE: f64 = 1e-4;
 /// Step of the finite difference, relative to the displacements.
 const DIFFERENCE: f64 = 1e-6;
 
-/// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches.
+/// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches. The observer can
+/// stop it.
 pub(super) fn contact_stiffness(
     system: &System,
     state: &State,
     patch: Option<ContactPatch>,
     phases: &mut PhaseTimes,
-    observer: &dyn Observer,
-) -> f64 {
+    observer: &mut dyn Observer,
+) -> Result<f64, Interrupt> {
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
     let block = system.flexibility.principal_block(&active);
-    let Ok(factor) = DenseCholesky::factor(active.len(), block) else { return 0.0 };
+    let Ok(factor) = DenseCholesky::factor(active.len(), block) else { return Ok(0.0) };
     let closing = Closing { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
@@ -37,6 +40,9 @@ pub(super) fn contact_stiffness(
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(PerModel, PerModel, f64)> = None;
     for _ in 0..MAX_STEPS {
+        if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
+            return Err(interrupt);
+        }
         let mut direction = closing.solve(&residual, phases, observer);
         let product = system.inner(&residual, &direction);
         // `load` is K times the direction, but for contact forces, which do no work on it.
@@ -59,9 +65,8 @@ pub(super) fn contact_stiffness(
         add(&mut residual, -step, &tangent_load);
         last = Some((direction, load, product));
     }
-    system.copies() as f64
-        * stiffness
-        * patch.map_or(1.0, |patch| edge_correction(system, &closing.active, patch))
+    let correction = patch.map_or(1.0, |patch| edge_correction(system, &closing.active, patch));
+    Ok(system.copies() as f64 * stiffness * correction)
 }
 
 /// Part of an element by which active pairs reach beyond the outermost of them. With it the stiffness of elastic

@@ -1,6 +1,7 @@
 //! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
 
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 use super::phases::{Phase, PhaseTimes};
@@ -77,11 +78,27 @@ impl ElasticBody {
     ) -> Result<(Cholesky, SymmetricMatrix), SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
         super::checkpoint(observer)?;
-        let factor = phases.time(Phase::Numeric, observer, || Cholesky::factor(&self.symbolic, &values))?;
+        let factor =
+            phases.time_observed(Phase::Numeric, observer, |observer| self.factor(&values, observer))?;
         super::checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
         let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
         Ok((factor, flexibility))
+    }
+
+    /// Factorizes a stiffness of this body; the observer can stop it.
+    pub fn factor(&self, values: &[f64], observer: &mut dyn Observer) -> Result<Cholesky, SolveError> {
+        let mut interrupt = None;
+        let factor = Cholesky::factor_unless_stopped(&self.symbolic, values, &mut || {
+            match observer.on_checkpoint() {
+                ControlFlow::Continue(()) => ControlFlow::Continue(()),
+                ControlFlow::Break(wish) => {
+                    interrupt = Some(wish);
+                    ControlFlow::Break(())
+                }
+            }
+        });
+        interrupt.map_or_else(|| Ok(factor?), |interrupt| Err(SolveError::Interrupted(interrupt)))
     }
 
     fn softened_by(&self, region: Option<&InitialStressRegion>) -> Cow<'_, [f64]> {

@@ -210,10 +210,8 @@ impl<'a> Iteration<'a> {
     }
 
     fn status_after(&self, record: &IterationRecord, verdict: ControlFlow<Interrupt>) -> Option<SolveStatus> {
-        match verdict {
-            ControlFlow::Break(Interrupt::Cancelled) => return Some(SolveStatus::Cancelled),
-            ControlFlow::Break(Interrupt::TimedOut) => return Some(SolveStatus::TimedOut),
-            ControlFlow::Continue(()) => {}
+        if let ControlFlow::Break(interrupt) = verdict {
+            return Some(interrupt.into());
         }
         let tolerance = self.controls.tolerance;
         let residual = record.equilibrium_residual;

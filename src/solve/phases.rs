@@ -46,6 +46,19 @@ impl PhaseTimes {
         outcome
     }
 
+    /// Runs work that asks the observer itself, and books its time.
+    pub fn time_observed<T>(
+        &mut self,
+        phase: Phase,
+        observer: &mut dyn Observer,
+        work: impl FnOnce(&mut dyn Observer) -> T,
+    ) -> T {
+        let start = observer.elapsed();
+        let outcome = work(observer);
+        self.spent[phase as usize] += observer.elapsed().saturating_sub(start);
+        outcome
+    }
+
     /// Time of one kind of work.
     pub fn spent(&self, phase: Phase) -> Duration {
         self.spent[phase as usize]

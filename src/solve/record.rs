@@ -29,6 +29,15 @@ pub enum Interrupt {
     TimedOut,
 }
 
+impl From<Interrupt> for SolveStatus {
+    fn from(interrupt: Interrupt) -> Self {
+        match interrupt {
+            Interrupt::Cancelled => Self::Cancelled,
+            Interrupt::TimedOut => Self::TimedOut,
+        }
+    }
+}
+
 /// One outer iteration. Counts are of this iteration alone.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IterationRecord {

@@ -29,8 +29,8 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
-            *factor = iteration.phases.time(Phase::Numeric, iteration.observer, || {
-                Cholesky::factor(&body.elastic.symbolic, &values)
+            *factor = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
+                body.elastic.factor(&values, observer)
             })?;
         }
         iteration.count_factorizations();

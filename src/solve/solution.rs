@@ -146,14 +146,19 @@ pub(super) fn finish(
     load: ContactLoad,
     tolerance: f64,
     phases: &mut PhaseTimes,
-    observer: &dyn Observer,
+    observer: &mut dyn Observer,
 ) -> StepSolution {
-    let (system, outcome) = (&pass.system, &pass.outcome);
-    let is_stopped = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
+    let is_stopped = matches!(pass.outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
     let contact_stiffness = if is_stopped {
         0.0
     } else {
-        contact_stiffness(system, &outcome.state, pass.patch, phases, observer)
+        match contact_stiffness(&pass.system, &pass.outcome.state, pass.patch, phases, observer) {
+            Ok(stiffness) => stiffness,
+            Err(interrupt) => {
+                pass.outcome.status = interrupt.into();
+                0.0
+            }
+        }
     };
     phases.time(Phase::Output, observer, || judge(pass, contact_stiffness, load, tolerance))
 }
