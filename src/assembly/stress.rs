@@ -2,12 +2,13 @@
 
 use super::out_of_plane;
 use crate::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::linalg::wide;
 use crate::mesh::Mesh;
 use crate::model::Deformable;
 use crate::plasticity::PointLaw;
 
 /// State of one Gauss point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct GaussPoint {
     /// `[x, y]` \[mm\].
     pub position: [f64; 2],
@@ -47,30 +48,36 @@ impl StressField {
             points: Vec::with_capacity(mesh.elements.len()),
             internal_force: vec![[0.0; 2]; mesh.nodes.len()],
         };
-        for (element, nodes) in mesh.elements.iter().enumerate() {
-            let corners = mesh.corners(element);
-            let quad = Quad::new(&corners, kinematics);
-            let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
-            let dilatation = quad.mean_dilatation(&strain);
-            let points = std::array::from_fn(|g| {
-                let state = law.respond(strain.map(|component| component[g]), dilatation);
-                GaussPoint {
-                    position: Quad::point(&corners, g),
-                    weight: quad.weight[g],
-                    area: quad.area(&corners, g),
-                    stress: state.stress,
-                    equivalent_plastic_strain: state.equivalent_plastic_strain,
-                    secant_shear: state.secant_shear,
-                    yielded: state.yielded,
+        wide(|| {
+            for (element, nodes) in mesh.elements.iter().enumerate() {
+                let corners = mesh.corners(element);
+                let quad = Quad::new(&corners, kinematics);
+                let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
+                let dilatation = quad.mean_dilatation(&strain);
+                let mut points = [GaussPoint::default(); QUADRATURE_POINTS];
+                let mut stress = [[0.0; QUADRATURE_POINTS]; 4];
+                for (g, point) in points.iter_mut().enumerate() {
+                    let state = law.respond(strain.map(|component| component[g]), dilatation);
+                    for (component, value) in stress.iter_mut().zip(state.stress) {
+                        component[g] = value;
+                    }
+                    *point = GaussPoint {
+                        position: Quad::point(&corners, g),
+                        weight: quad.weight[g],
+                        area: quad.area(&corners, g),
+                        stress: state.stress,
+                        equivalent_plastic_strain: state.equivalent_plastic_strain,
+                        secant_shear: state.secant_shear,
+                        yielded: state.yielded,
+                    };
                 }
-            });
-            let stress = std::array::from_fn(|c| std::array::from_fn(|g| points[g].stress[c]));
-            for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
-                let total = &mut field.internal_force[*node as usize];
-                *total = [total[0] + force[0], total[1] + force[1]];
+                for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
+                    let total = &mut field.internal_force[*node as usize];
+                    *total = [total[0] + force[0], total[1] + force[1]];
+                }
+                field.points.push(points);
             }
-            field.points.push(points);
-        }
+        });
         field
     }
 

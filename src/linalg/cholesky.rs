@@ -178,25 +178,32 @@ impl Cholesky {
     /// # Errors
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
     pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
-        Self::factor_unless_stopped(symbolic, values, &mut || ControlFlow::Continue(()))
+        let mut factor = Self::empty(symbolic);
+        factor.refactor(values, &mut || ControlFlow::Continue(()))?;
+        Ok(factor)
     }
 
-    /// As [`Self::factor`]; asks `checkpoint` every few milliseconds whether to go on.
+    /// The factor of no matrix yet.
+    pub fn empty(symbolic: &Arc<SymbolicCholesky>) -> Self {
+        Self { symbolic: Arc::clone(symbolic), values: vec![0.0; symbolic.factor_entries()] }
+    }
+
+    /// Becomes the factor of another matrix of the same pattern; asks `checkpoint` every few milliseconds whether to go
+    /// on. After an error it is the factor of none.
     ///
     /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
     ///
     /// # Errors
     /// As [`Self::factor`], and [`FactorizationError::Stopped`].
-    pub fn factor_unless_stopped(
-        symbolic: &Arc<SymbolicCholesky>,
+    pub fn refactor(
+        &mut self,
         values: &[f64],
         checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<Self, FactorizationError> {
+    ) -> Result<(), FactorizationError> {
         if values.iter().any(|v| !v.is_finite()) {
             return Err(FactorizationError::NotFinite);
         }
-        let factor = factorize(symbolic, values, checkpoint)?;
-        Ok(Self { symbolic: Arc::clone(symbolic), values: factor })
+        factorize(&self.symbolic, values, &mut self.values, checkpoint)
     }
 
     /// Structure of the factor.

@@ -27,14 +27,15 @@ const WORK_BETWEEN_CHECKPOINTS: usize = 1 << 28;
 /// End of a list.
 const NONE: u32 = u32::MAX;
 
-/// Factorizes the matrix with the given lower-triangle values. Asks `checkpoint` now and then whether to go on.
+/// Factorizes the matrix with the given lower-triangle values into `factor`, whatever that holds. What lies above the
+/// diagonal in the panels is of no meaning. Asks `checkpoint` now and then whether to go on.
 pub(super) fn factorize(
     symbolic: &SymbolicCholesky,
     matrix: &[f64],
+    factor: &mut [f64],
     checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Vec<f64>, FactorizationError> {
+) -> Result<(), FactorizationError> {
     let count = symbolic.supernode_count();
-    let mut factor = vec![0.0; symbolic.factor_entries()];
     let mut workspace = Workspace::new(symbolic)?;
     // First contributor of each supernode, next one in the same list, and how many of its rows a contributor has given.
     let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
@@ -75,7 +76,7 @@ pub(super) fn factorize(
             }
         }
     }
-    Ok(factor)
+    Ok(())
 }
 
 /// Columns of the factor that share one set of rows below.
@@ -142,6 +143,7 @@ impl Workspace {
     /// The columns of the matrix.
     fn scatter(&self, symbolic: &SymbolicCholesky, matrix: &[f64], node: &Supernode<'_>, panel: &mut [f64]) {
         let pattern = symbolic.pattern();
+        panel.fill(0.0);
         for (column, target) in node.columns.clone().zip(panel.chunks_exact_mut(node.height())) {
             let rows = pattern.column(column);
             let values = &matrix[pattern.column_start(column)..];

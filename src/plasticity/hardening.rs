@@ -95,12 +95,18 @@ impl HardeningLaw for UniaxialCurve {
         self.law().yield_stress()
     }
 
+    // The next two are called in innermost loops: a closed form is worth inlining.
+
+    #[inline]
     fn has_yielded(&self, equivalent_stress: f64, plastic_strain: f64) -> bool {
-        self.law().has_yielded(equivalent_stress, plastic_strain)
+        match self {
+            Self::Bilinear(law) => law.has_yielded(equivalent_stress, plastic_strain),
+            other => other.law().has_yielded(equivalent_stress, plastic_strain),
+        }
     }
 
+    #[inline]
     fn equivalent_stress(&self, equivalent_strain: f64) -> f64 {
-        // Not through `law()`: this is the innermost loop, and the closed form is worth inlining.
         match self {
             Self::Bilinear(law) => law.equivalent_stress(equivalent_strain),
             other => other.law().equivalent_stress(equivalent_strain),

@@ -26,6 +26,7 @@ pub use point::{OutOfPlane, PointLaw, PointState};
 pub use tangent::{Moduli, Softened};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
+#[inline]
 pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {
     let [x, y, z, g] = deviator;
     (2.0 / 3.0 * (x * x + y * y + z * z + 0.5 * g * g)).sqrt()

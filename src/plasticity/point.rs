@@ -18,6 +18,8 @@ pub struct PointLaw {
     bulk_modulus: f64,
     shear_modulus: f64,
     curve: Option<UniaxialCurve>,
+    /// Infinite without a curve \[MPa\].
+    yield_stress: f64,
     out_of_plane: OutOfPlane,
 }
 
@@ -45,10 +47,12 @@ pub(super) struct Secant {
 impl PointLaw {
     /// The law of a material.
     pub fn new(material: &Deformable, out_of_plane: OutOfPlane) -> Self {
+        let curve = UniaxialCurve::of(material);
         Self {
             bulk_modulus: material.elastic().bulk_modulus(),
             shear_modulus: material.elastic().shear_modulus(),
-            curve: UniaxialCurve::of(material),
+            yield_stress: curve.as_ref().map_or(f64::INFINITY, HardeningLaw::yield_stress),
+            curve,
             out_of_plane,
         }
     }
@@ -77,11 +81,12 @@ impl PointLaw {
 
     /// Equivalent strain up to which a point with known ε_zz is elastic; infinite without a hardening curve.
     pub fn elastic_limit(&self) -> f64 {
-        self.curve.as_ref().map_or(f64::INFINITY, |curve| curve.yield_stress() / (3.0 * self.shear_modulus))
+        self.yield_stress / (3.0 * self.shear_modulus)
     }
 
     /// State at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`. The dilatation is given apart, because B-bar elements take
     /// it from the whole element; with a free thickness both it and ε_zz are found here instead.
+    #[inline]
     pub fn respond(&self, strain: [f64; 4], dilatation: f64) -> PointState {
         match self.out_of_plane {
             OutOfPlane::Strained => {
@@ -128,11 +133,11 @@ impl PointLaw {
         (2.0 * (self.shear_modulus - secant.shear), secant.yielded)
     }
 
-    #[inline]
+    #[inline(always)]
     fn secant(&self, equivalent_strain: f64) -> Secant {
         let elastic = 3.0 * self.shear_modulus * equivalent_strain;
         match &self.curve {
-            Some(curve) if elastic > curve.yield_stress() => {
+            Some(curve) if elastic > self.yield_stress => {
                 let q = curve.equivalent_stress(equivalent_strain);
                 let plastic_strain = (elastic - q) / (3.0 * self.shear_modulus);
                 Secant {
@@ -145,6 +150,7 @@ impl PointLaw {
         }
     }
 
+    #[inline(always)]
     fn state(&self, deviator: [f64; 4], dilatation: f64, secant: Secant) -> PointState {
         let pressure = self.bulk_modulus * dilatation;
         let [x, y, z, g] = deviator.map(|e| 2.0 * secant.shear * e);
@@ -199,6 +205,7 @@ impl PointLaw {
     }
 }
 
+#[inline(always)]
 pub(super) fn deviator(strain: [f64; 4]) -> [f64; 4] {
     let [x, y, z, g] = strain;
     let mean = (x + y + z) / 3.0;

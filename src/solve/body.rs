@@ -56,7 +56,8 @@ impl BodyModel {
             let carried = former.map(|field| watch.linearize_by(field, &elastic));
             (watch, carried)
         });
-        let (factor, flexibility) = elastic.factorize(watch.region.as_ref(), phases, observer)?;
+        let mut factor = Cholesky::empty(&elastic.symbolic);
+        let flexibility = elastic.factorize(&mut factor, watch.region.as_ref(), phases, observer)?;
         let is_softened = watch.is_softened();
         Ok((Self { elastic, material: material.clone(), watch, factor, flexibility, is_softened }, carried))
     }
@@ -103,7 +104,7 @@ impl BodyModel {
         let is_softened = self.watch.is_softened();
         if is_softened || self.is_softened {
             let region = self.watch.region.as_ref();
-            (self.factor, self.flexibility) = self.elastic.factorize(region, phases, observer)?;
+            self.flexibility = self.elastic.factorize(&mut self.factor, region, phases, observer)?;
             self.is_softened = is_softened;
         }
         Ok(())

@@ -69,36 +69,21 @@ impl ElasticBody {
         self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
     }
 
-    /// Factorizes the elastic stiffness, softened where a region says so; with it comes the contact flexibility.
+    /// Factorizes the elastic stiffness, softened where a region says so, in place of what the factor was of. Returns the
+    /// contact flexibility that belongs to it.
     pub fn factorize(
         &self,
+        factor: &mut Cholesky,
         region: Option<&InitialStressRegion>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
-    ) -> Result<(Cholesky, SymmetricMatrix), SolveError> {
+    ) -> Result<SymmetricMatrix, SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
         super::checkpoint(observer)?;
-        let factor =
-            phases.time_observed(Phase::Numeric, observer, |observer| self.factor(&values, observer))?;
+        phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, &values, observer))?;
         super::checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
-        let flexibility = phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts));
-        Ok((factor, flexibility))
-    }
-
-    /// Factorizes a stiffness of this body; the observer can stop it.
-    pub fn factor(&self, values: &[f64], observer: &mut dyn Observer) -> Result<Cholesky, SolveError> {
-        let mut interrupt = None;
-        let factor = Cholesky::factor_unless_stopped(&self.symbolic, values, &mut || {
-            match observer.on_checkpoint() {
-                ControlFlow::Continue(()) => ControlFlow::Continue(()),
-                ControlFlow::Break(wish) => {
-                    interrupt = Some(wish);
-                    ControlFlow::Break(())
-                }
-            }
-        });
-        interrupt.map_or_else(|| Ok(factor?), |interrupt| Err(SolveError::Interrupted(interrupt)))
+        Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
 
     fn softened_by(&self, region: Option<&InitialStressRegion>) -> Cow<'_, [f64]> {
@@ -169,4 +154,21 @@ impl ElasticBody {
         surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
         surface
     }
+}
+
+/// Factorizes a stiffness in place of the last one; the observer can stop it.
+pub(super) fn refactor(
+    factor: &mut Cholesky,
+    values: &[f64],
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    let mut interrupt = None;
+    let outcome = factor.refactor(values, &mut || match observer.on_checkpoint() {
+        ControlFlow::Continue(()) => ControlFlow::Continue(()),
+        ControlFlow::Break(wish) => {
+            interrupt = Some(wish);
+            ControlFlow::Break(())
+        }
+    });
+    interrupt.map_or_else(|| Ok(outcome?), |interrupt| Err(SolveError::Interrupted(interrupt)))
 }

@@ -3,6 +3,7 @@
 
 use super::SolveError;
 use super::body::BodyModel;
+use super::elastic_body::refactor;
 use super::iteration::{Iteration, Outcome, State};
 use super::phases::Phase;
 use super::system::{Response, total_flexibility};
@@ -29,8 +30,8 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
-            *factor = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
-                body.elastic.factor(&values, observer)
+            iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
+                refactor(factor, &values, observer)
             })?;
         }
         iteration.count_factorizations();
