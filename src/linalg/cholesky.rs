@@ -14,9 +14,9 @@ use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SymbolicSupernodalParams;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
-use faer::sparse::SymbolicSparseColMatRef;
 use thiserror::Error;
 
 use super::dense::SymmetricMatrix;
@@ -250,7 +250,8 @@ impl Cholesky {
         wide(|| {
             while let Some(&last) = rest.last() {
                 let end = offsets[last as usize + 1] as usize;
-                let first = rest.partition_point(|&s| offsets[s as usize] as usize + GROUP < end).min(rest.len() - 1);
+                let first =
+                    rest.partition_point(|&s| offsets[s as usize] as usize + GROUP < end).min(rest.len() - 1);
                 let (before, group) = rest.split_at(first);
                 if self.values.len() > CACHED {
                     group.iter().for_each(|&s| touch(self.panel(s as usize).values));

@@ -54,7 +54,8 @@ pub(super) fn factorize(
             let source = symbolic.supernode(d);
             let begin = given[d] as usize;
             let end = begin + source.rows[begin..].partition_point(|&row| (row as usize) < node.columns.end);
-            let contribution = Contribution { values: &finished[source.values.clone()], node: source, begin, end };
+            let contribution =
+                Contribution { values: &finished[source.values.clone()], node: source, begin, end };
             work += contribution.work();
             workspace.subtract(&contribution, &node, panel);
             given[d] = end as u32;

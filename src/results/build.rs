@@ -10,8 +10,8 @@ use super::{
 use crate::contact::ContactLoad;
 use crate::model::{Body, Job, Material, Named, Quantity, Shape};
 use crate::solve::{
-    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution,
-    SolveStatus, StepSolution,
+    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
+    StepSolution,
 };
 
 /// Writes the report, last of all its own time.

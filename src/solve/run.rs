@@ -18,6 +18,8 @@ use crate::model::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettin
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
+/// Tolerance of the auxiliary passes. It leaves their figures wrong by a few hundredths of the mesh's own error.
+const AUXILIARY_TOLERANCE: f64 = 1e-4;
 /// Sizing passes at most; each is made on the answer of the one before.
 const SIZING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
@@ -161,7 +163,7 @@ impl<'a> Runner<'a> {
             (None, None) => Vec::new(),
         };
         let elements = self.job.mesh.elements_per_half_width as usize;
-        let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary(1e-5));
+        let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.former = (!former.is_empty()).then_some(&former);
         let coarse = self.quietly(&request, coarse, solution, observer)?;
         let extent = extent.found_by(&coarse);
@@ -210,7 +212,7 @@ impl<'a> Runner<'a> {
         let mut extent = Extent::expected(self.problem, load)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {
-            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary(1e-4));
+            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
             request.plastic_reach = PlasticReach::WholeBody;
             let pass = self.quietly(&request, None, solution, observer)?;
             let found = extent.found_by(&pass);
@@ -272,12 +274,12 @@ pub(super) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -
 }
 
 /// How the auxiliary passes are iterated, whatever the job asks for.
-fn auxiliary(tolerance: f64) -> SolverSettings {
+fn auxiliary() -> SolverSettings {
     let default = SolverSettings::default();
     SolverSettings {
         coupling: Coupling::Accelerated,
         contact: ContactMethod::ActiveSet,
-        tolerance: PositiveF64::new(tolerance).unwrap_or(default.tolerance),
+        tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
         max_iterations: 200,
     }
 }
