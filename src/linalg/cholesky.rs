@@ -185,7 +185,7 @@ impl Cholesky {
 
     /// The factor of no matrix yet.
     pub fn empty(symbolic: &Arc<SymbolicCholesky>) -> Self {
-        Self { symbolic: Arc::clone(symbolic), values: vec![0.0; symbolic.factor_entries()] }
+        Self { symbolic: Arc::clone(symbolic), values: Vec::new() }
     }
 
     /// Becomes the factor of another matrix of the same pattern; asks `checkpoint` every few milliseconds whether to go
@@ -254,7 +254,9 @@ impl Cholesky {
                     rest.partition_point(|&s| offsets[s as usize] as usize + GROUP < end).min(rest.len() - 1);
                 let (before, group) = rest.split_at(first);
                 if self.values.len() > CACHED {
-                    group.iter().for_each(|&s| touch(self.panel(s as usize).values));
+                    for &s in group {
+                        touch(self.panel(s as usize).values);
+                    }
                 }
                 for &s in group.iter().rev() {
                     backward_panel(&self.panel(s as usize), x, &mut below);

@@ -32,10 +32,12 @@ const NONE: u32 = u32::MAX;
 pub(super) fn factorize(
     symbolic: &SymbolicCholesky,
     matrix: &[f64],
-    factor: &mut [f64],
+    factor: &mut Vec<f64>,
     checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<(), FactorizationError> {
     let count = symbolic.supernode_count();
+    factor.clear();
+    factor.try_reserve_exact(symbolic.factor_entries()).map_err(|_| FactorizationError::TooLarge)?;
     let mut workspace = Workspace::new(symbolic)?;
     // First contributor of each supernode, next one in the same list, and how many of its rows a contributor has given.
     let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
@@ -43,8 +45,9 @@ pub(super) fn factorize(
     let mut work = 0;
     for s in 0..count {
         let node = symbolic.supernode(s);
-        let (finished, rest) = factor.split_at_mut(node.values.start);
-        let panel = &mut rest[..node.values.len()];
+        // Zeros for this panel alone, so that they are still in the cache when it is filled.
+        factor.resize(node.values.end, 0.0);
+        let (finished, panel) = factor.split_at_mut(node.values.start);
         workspace.locate(&node);
         workspace.scatter(symbolic, matrix, &node, panel);
         let mut contributor = first[s];
@@ -144,7 +147,6 @@ impl Workspace {
     /// The columns of the matrix.
     fn scatter(&self, symbolic: &SymbolicCholesky, matrix: &[f64], node: &Supernode<'_>, panel: &mut [f64]) {
         let pattern = symbolic.pattern();
-        panel.fill(0.0);
         for (column, target) in node.columns.clone().zip(panel.chunks_exact_mut(node.height())) {
             let rows = pattern.column(column);
             let values = &matrix[pattern.column_start(column)..];

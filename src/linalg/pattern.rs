@@ -42,14 +42,6 @@ impl SymmetricPattern {
         self.column_offsets[j] as usize
     }
 
-    pub(super) fn column_offsets(&self) -> &[u32] {
-        &self.column_offsets
-    }
-
-    pub(super) fn rows(&self) -> &[u32] {
-        &self.rows
-    }
-
     /// Offsets and indices of the upper triangle by columns, that is, of the lower one by rows.
     pub(super) fn transposed(&self) -> (Vec<u32>, Vec<u32>) {
         let n = self.order();

@@ -8,7 +8,6 @@
 use std::ops::ControlFlow;
 
 use super::iteration::State;
-use super::phases::{Phase, PhaseTimes};
 use super::system::{PerModel, System};
 use super::{ContactPatch, Interrupt, Observer};
 use crate::linalg::dense::DenseCholesky;
@@ -26,7 +25,6 @@ pub(super) fn contact_stiffness(
     system: &System,
     state: &State,
     patch: Option<ContactPatch>,
-    phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
@@ -35,15 +33,15 @@ pub(super) fn contact_stiffness(
     let closing = Closing { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
-    let (v, force) = closing.close(phases, observer);
-    let mut residual = tangent.softening(&v, phases, observer);
+    let (v, force) = closing.close();
+    let mut residual = tangent.softening(&v);
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(PerModel, PerModel, f64)> = None;
     for _ in 0..MAX_STEPS {
         if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
             return Err(interrupt);
         }
-        let mut direction = closing.solve(&residual, phases, observer);
+        let mut direction = closing.solve(&residual);
         let product = system.inner(&residual, &direction);
         // `load` is K times the direction, but for contact forces, which do no work on it.
         let mut load = residual.clone();
@@ -52,7 +50,7 @@ pub(super) fn contact_stiffness(
             add(&mut load, product / last_product, last_load);
         }
         let mut tangent_load = load.clone();
-        add(&mut tangent_load, -1.0, &tangent.softening(&direction, phases, observer));
+        add(&mut tangent_load, -1.0, &tangent.softening(&direction));
         let energy = system.inner(&direction, &tangent_load);
         if !(product > 0.0 && energy > 0.0) {
             break;
@@ -126,19 +124,15 @@ struct Closing<'a> {
 
 impl Closing<'_> {
     /// The contact forces that close every active pair by 1, and the displacements under them.
-    fn close(&self, phases: &mut PhaseTimes, observer: &dyn Observer) -> (PerModel, Vec<f64>) {
-        phases.time(Phase::Solves, observer, || {
-            let force = self.forces(|_| 1.0);
-            (self.system.substitute(self.system.zeros(), &force), force)
-        })
+    fn close(&self) -> (PerModel, Vec<f64>) {
+        let force = self.forces(|_| 1.0);
+        (self.system.substitute(self.system.zeros(), &force), force)
     }
 
     /// Displacements under loads, with contact forces that keep every active pair as it is.
-    fn solve(&self, loads: &PerModel, phases: &mut PhaseTimes, observer: &dyn Observer) -> PerModel {
-        phases.time(Phase::Solves, observer, || {
-            let (forward, growth) = self.system.eliminate(loads);
-            self.system.substitute(forward, &self.forces(|k| -growth[k]))
-        })
+    fn solve(&self, loads: &PerModel) -> PerModel {
+        let (forward, growth) = self.system.eliminate(loads);
+        self.system.substitute(forward, &self.forces(|k| -growth[k]))
     }
 
     /// Contact forces of all pairs that close each active one by so much.
@@ -169,18 +163,16 @@ impl<'a> Tangent<'a> {
     }
 
     /// `(K - K_T) v`.
-    fn softening(&self, v: &PerModel, phases: &mut PhaseTimes, observer: &dyn Observer) -> PerModel {
-        phases.time(Phase::Plasticity, observer, || {
-            let step = DIFFERENCE * self.size / self.system.norm(v).max(f64::MIN_POSITIVE);
-            let mut beyond = self.displacement.clone();
-            add(&mut beyond, step, v);
-            let mut load = self.system.zeros();
-            self.system.initial_stress(&beyond, &mut load);
-            add(&mut load, -1.0, &self.load);
-            for value in load.iter_mut().flatten() {
-                *value /= step;
-            }
-            load
-        })
+    fn softening(&self, v: &PerModel) -> PerModel {
+        let step = DIFFERENCE * self.size / self.system.norm(v).max(f64::MIN_POSITIVE);
+        let mut beyond = self.displacement.clone();
+        add(&mut beyond, step, v);
+        let mut load = self.system.zeros();
+        self.system.initial_stress(&beyond, &mut load);
+        add(&mut load, -1.0, &self.load);
+        for value in load.iter_mut().flatten() {
+            *value /= step;
+        }
+        load
     }
 }

@@ -234,8 +234,8 @@ impl<'a> Iteration<'a> {
         }
         let pace = (residual(now - PACE_SPAN) / residual(now - 1)).ln() / (PACE_SPAN - 1) as f64;
         let way = (residual(now - 1) / self.controls.tolerance).ln();
-        // A pace of zero or backwards, too.
-        !(way < MAX_REMAINING * pace)
+        // So does a pace of zero, or backwards.
+        way >= MAX_REMAINING * pace
     }
 
     /// Closes the iteration; without a status it is one that has stalled.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::extent::Extent;
 use super::onset;
 use super::pass::{self, Pass, PassRequest, Prepared};
-use super::phases::PhaseTimes;
+use super::phases::{Phase, PhaseTimes};
 use super::plastic_reach::PlasticReach;
 use super::problem::Problem;
 use super::solution::{self, Solution, StepSolution};
@@ -166,7 +166,7 @@ impl<'a> Runner<'a> {
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.former = (!former.is_empty()).then_some(&former);
         let coarse = self.quietly(&request, coarse, solution, observer)?;
-        let extent = extent.found_by(&coarse);
+        let extent = solution.phases.time(Phase::Output, observer, || extent.found_by(&coarse));
         let figures = coarse.figures();
 
         let former = coarse.former();
@@ -175,12 +175,23 @@ impl<'a> Runner<'a> {
         request.former = (self.job.solver.coupling == Coupling::Accelerated).then_some(&former);
         let mut pass = pass::run(self.problem, &request, fine, &mut solution.phases, observer)?;
         solution.passes += pass.meshes;
-        let found = extent.found_by(&pass);
+        // Before the stresses are handed over.
+        let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
         let tolerance = request.solver.tolerance.get();
         let mut step = solution::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
         step.coarse = figures;
-        let (coarse, fine) = (coarse.into_prepared(load), pass.into_prepared(load));
-        self.last = Some(LastStep { load, extent: found, coarse, fine });
+        // What nobody needs any more goes here, because giving memory back takes its time.
+        self.last = solution.phases.time(Phase::Output, observer, move || {
+            drop((sizing, outgrown));
+            let (coarse, fine) = (coarse, pass);
+            let extent = found?;
+            Some(LastStep {
+                load,
+                extent,
+                coarse: coarse.into_prepared(load),
+                fine: fine.into_prepared(load),
+            })
+        });
         Ok(step)
     }
 
@@ -215,7 +226,7 @@ impl<'a> Runner<'a> {
             let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
             request.plastic_reach = PlasticReach::WholeBody;
             let pass = self.quietly(&request, None, solution, observer)?;
-            let found = extent.found_by(&pass);
+            let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
             let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
             extent = found;
             last = Some(pass);

@@ -152,7 +152,10 @@ pub(super) fn finish(
     let contact_stiffness = if is_stopped {
         0.0
     } else {
-        match contact_stiffness(&pass.system, &pass.outcome.state, pass.patch, phases, observer) {
+        let Pass { system, outcome, patch, .. } = &*pass;
+        match phases.time_observed(Phase::Solves, observer, |observer| {
+            contact_stiffness(system, &outcome.state, *patch, observer)
+        }) {
             Ok(stiffness) => stiffness,
             Err(interrupt) => {
                 pass.outcome.status = interrupt.into();
