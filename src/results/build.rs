@@ -49,7 +49,7 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
     let bodies = PerBody { upper: &step.bodies[0], lower: &step.bodies[1] };
     let peak = contact::peak_abscissa(step);
     // Who stops a job wants its core back, not its stresses.
-    let is_stopped = matches!(step.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
+    let is_stopped = step.status.is_stopped();
     let subsurface = (job.output.subsurface && !is_stopped).then(|| {
         bodies.each(|body| body.as_ref().map(|body| subsurface::profile(body, step.symmetric, peak, write)))
     });
@@ -57,7 +57,8 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
     let zone = |body: &Body, k: usize| {
-        step.bodies[k].as_ref().map(|solution| plasticity_report(solution, body, step.symmetric, write))
+        let solution = step.bodies[k].as_ref().filter(|_| !is_stopped);
+        solution.map(|solution| plasticity_report(solution, body, step.symmetric, write))
     };
     StepReport {
         load: match step.load {

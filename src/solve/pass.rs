@@ -2,7 +2,8 @@
 
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
-use super::body::BodyModel;
+use std::ops::ControlFlow;
+
 use super::former::FormerField;
 use super::iteration::{Beginning, Controls, Iteration, Outcome};
 use super::patch::ContactPatch;
@@ -11,7 +12,7 @@ use super::plastic_reach::{PlasticOutline, PlasticReach};
 use super::problem::Problem;
 use super::solution::CoarseFigures;
 use super::system::{Design, PerModel, System};
-use super::{Observer, SolveError, SolveStatus, coupling};
+use super::{Observer, SolveError, coupling};
 use crate::assembly::StressField;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::mesh::{ContactZone, Refinement};
@@ -97,7 +98,7 @@ pub(super) struct ModelField {
 pub(super) struct Pass {
     pub system: System,
     pub outcome: Outcome,
-    /// The state of each whole model.
+    /// The state of each whole model; empty if it was stopped.
     pub fields: Vec<ModelField>,
     /// `None` where nothing touches.
     pub patch: Option<ContactPatch>,
@@ -193,11 +194,14 @@ pub(super) fn run(
             (system, Vec::new(), start)
         };
         let zone = system.zone;
-        let outcome = iterate(&mut system, &request, start, phases, observer)?;
-        let interrupted = matches!(outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
-        let fields = phases.time(Phase::Output, observer, || fields(&system, &outcome));
+        let mut outcome = iterate(&mut system, &request, start, phases, observer)?;
+        let fields =
+            phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
+        let interrupted = outcome.status.is_stopped();
         let reaches_edge = reaches_edge(&system, &outcome)
-            || (problem.may_touch_elsewhere() && meets_beyond_zone(problem, &system, &outcome, &fields));
+            || (!interrupted
+                && problem.may_touch_elsewhere()
+                && meets_beyond_zone(problem, &system, &outcome, &fields));
         let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
         let patch = ContactPatch::find(&x, &pressures, zone.symmetric);
         let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
@@ -233,10 +237,18 @@ pub(super) fn run(
     }
 }
 
-/// Forms the full displacement field of each model once and evaluates the material law everywhere.
-fn fields(system: &System, outcome: &Outcome) -> Vec<ModelField> {
-    let state = &outcome.state;
-    let field = |(k, body): (usize, &BodyModel)| {
+/// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
+/// iteration that was stopped, or is now, for who stops a job wants the core back.
+fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
+    let mut fields = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
+            outcome.status = interrupt.into();
+        }
+        if outcome.status.is_stopped() {
+            return Vec::new();
+        }
+        let state = &outcome.state;
         let mut displacement = state.loads[k].clone();
         body.elastic.press(&state.response.contact.force, &mut displacement);
         let factor = state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
@@ -244,9 +256,9 @@ fn fields(system: &System, outcome: &Outcome) -> Vec<ModelField> {
         let elastic = &body.elastic;
         let nodal = elastic.nodal(&displacement);
         let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics, &body.material, &nodal);
-        ModelField { displacement, nodal, stress }
-    };
-    system.bodies.iter().enumerate().map(field).collect()
+        fields.push(ModelField { displacement, nodal, stress });
+    }
+    fields
 }
 
 fn enlarge(zone: ContactZone) -> ContactZone {

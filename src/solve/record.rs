@@ -29,6 +29,13 @@ pub enum Interrupt {
     TimedOut,
 }
 
+impl SolveStatus {
+    /// Whether the observer ended it.
+    pub fn is_stopped(self) -> bool {
+        matches!(self, Self::Cancelled | Self::TimedOut)
+    }
+}
+
 impl From<Interrupt> for SolveStatus {
     fn from(interrupt: Interrupt) -> Self {
         match interrupt {

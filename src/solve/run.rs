@@ -94,9 +94,7 @@ pub fn run_with(
             Err(error) => return Err(error),
         }
         let last = solution.steps.last().map(|step| step.status);
-        if solution.interrupted.is_some()
-            || matches!(last, Some(SolveStatus::Cancelled | SolveStatus::TimedOut))
-        {
+        if solution.interrupted.is_some() || last.is_some_and(SolveStatus::is_stopped) {
             break;
         }
     }

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::contact_stiffness::contact_stiffness;
-use super::iteration::relative;
+use super::elastic_body::ElasticBody;
+use super::iteration::{norm, relative};
 use super::pass::Pass;
 use super::patch::ContactPatch;
 use super::phases::{Phase, PhaseTimes};
@@ -92,9 +93,9 @@ pub struct BodySolution {
     pub mesh: Arc<Mesh>,
     /// Mesh quality.
     pub quality: Quality,
-    /// Displacements of the nodes \[mm\].
+    /// Displacements of the nodes \[mm\]; none in a step that was stopped.
     pub displacement: Vec<[f64; 2]>,
-    /// Stresses.
+    /// Stresses; none in a step that was stopped.
     pub stress: StressField,
     /// Equations solved.
     pub equations: usize,
@@ -108,6 +109,16 @@ impl StepSolution {
 }
 
 impl BodySolution {
+    fn of(elastic: &ElasticBody, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+        Self {
+            mesh: Arc::clone(&elastic.mesh),
+            quality: elastic.quality(),
+            displacement,
+            stress,
+            equations: elastic.equations.len(),
+        }
+    }
+
     /// Largest equivalent plastic strain at a Gauss point.
     pub fn max_plastic_strain(&self) -> f64 {
         let strains = self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
@@ -148,8 +159,7 @@ pub(super) fn finish(
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> StepSolution {
-    let is_stopped = matches!(pass.outcome.status, SolveStatus::Cancelled | SolveStatus::TimedOut);
-    let contact_stiffness = if is_stopped {
+    let contact_stiffness = if pass.outcome.status.is_stopped() {
         0.0
     } else {
         let Pass { system, outcome, patch, .. } = &*pass;
@@ -159,6 +169,7 @@ pub(super) fn finish(
             Ok(stiffness) => stiffness,
             Err(interrupt) => {
                 pass.outcome.status = interrupt.into();
+                pass.fields.clear();
                 0.0
             }
         }
@@ -166,38 +177,64 @@ pub(super) fn finish(
     phases.time(Phase::Output, observer, || judge(pass, contact_stiffness, load, tolerance))
 }
 
-fn judge(pass: &mut Pass, contact_stiffness: f64, load: ContactLoad, tolerance: f64) -> StepSolution {
+/// The final state, as far as it is judged.
+struct Final {
+    /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
+    opened: Vec<f64>,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖`.
+    equilibrium_residual: f64,
+    /// One for each model.
+    bodies: Vec<Arc<BodySolution>>,
+}
+
+/// By the fields.
+fn found(pass: &mut Pass) -> Final {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let mut squares = 0.0;
-    // Equivalent gap that makes the solver's own gap the one of the displacement fields.
-    let mut gap = system.initial_gap.clone();
-    let mut models = Vec::with_capacity(system.bodies.len());
+    let mut opened = system.initial_gap.clone();
+    let mut bodies = Vec::with_capacity(system.bodies.len());
     for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.multiplicity) {
         let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
         let copies = copies as f64;
         squares += copies * body.imbalance(&stress, &contact.force).powi(2);
-        for (g, w) in gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
+        for (g, w) in opened.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
             *g += copies * w;
         }
-        models.push(Arc::new(BodySolution {
-            quality: body.elastic.quality(),
-            mesh: Arc::clone(&body.elastic.mesh),
-            displacement: nodal,
-            stress,
-            equations: body.elastic.equations.len(),
-        }));
+        bodies.push(Arc::new(BodySolution::of(&body.elastic, nodal, stress)));
     }
-    let contact_check = check_contact(system, &gap, &contact.force, contact.approach, system.part_of(load));
-    let force_norm = contact.force.iter().map(|r| r * r).sum::<f64>().sqrt();
-    let equilibrium_residual = relative(squares.sqrt(), force_norm);
+    let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force));
+    Final { opened, equilibrium_residual, bodies }
+}
+
+/// By what the iteration believes, for there are no fields of one that was stopped.
+fn believed(pass: &Pass) -> Final {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let bodies = system.bodies.iter();
+    Final {
+        opened: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
+        equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
+        bodies: bodies
+            .map(|body| Arc::new(BodySolution::of(&body.elastic, Vec::new(), StressField::default())))
+            .collect(),
+    }
+}
+
+fn judge(pass: &mut Pass, contact_stiffness: f64, load: ContactLoad, tolerance: f64) -> StepSolution {
+    let Final { opened, equilibrium_residual, bodies } =
+        if pass.outcome.status.is_stopped() { believed(pass) } else { found(pass) };
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let contact_check =
+        check_contact(system, &opened, &contact.force, contact.approach, system.part_of(load));
     let sound = contact_check.passes(CONTACT_TOLERANCE)
         && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
     let status = match outcome.status {
         SolveStatus::Converged if !sound => SolveStatus::NotConverged,
         status => status,
     };
-    let pairs = pair_states(system, &contact.force, &gap, contact.approach);
+    let pairs = pair_states(system, &contact.force, &opened, contact.approach);
     StepSolution {
         status,
         load,
@@ -211,7 +248,7 @@ fn judge(pass: &mut Pass, contact_stiffness: f64, load: ContactLoad, tolerance: 
         patch: pass.patch,
         parts: pass.parts(),
         contact_stiffness,
-        bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&models[k]))),
+        bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
         history: outcome.history.clone(),
         contact_check,
         equilibrium_residual,
