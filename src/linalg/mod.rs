@@ -1,14 +1,15 @@
 //! Sparse and dense linear algebra; nothing in here knows mechanics.
 //!
-//! The one heavy operation of a job is the sparse Cholesky factorization `K = L Lᵀ` of each body's elastic
-//! stiffness. This module arranges the equations so that everything after it is cheap:
+//! The one heavy operation of a job is the sparse Cholesky factorization `K = L Lᵀ` of each body's stiffness. This
+//! module makes it possible to stop it, and arranges the equations so that everything after it is cheap:
 //!
-//! - [`EliminationOrder`] numbers them by nested dissection, with a *window* (the equations an iteration loads
-//!   or reads) after everything else and the *trailing* ones (contact normals) last of all;
-//! - [`Cholesky::solve_restricted`] and its parts run over the columns of `L` that belong to the window;
+//! - [`EliminationOrder`] numbers the nodes by nested dissection, the *trailing* ones (in contact) after all others;
+//! - [`Cholesky::refactor`] factorizes in place and asks now and then whether to go on;
+//! - [`Cholesky::solve_restricted`] and its parts run over the supernodes of a *window* (the equations an iteration
+//!   loads or reads) and their ancestors, its [`Reach`];
 //! - [`Cholesky::trailing_inverse`] reads the flexibility of the trailing equations off the last block of `L`.
 //!
-//! This is the only module that names the library that factorizes.
+//! This is the only module that names the library for symbolic analysis and dense kernels.
 
 mod cholesky;
 pub mod dense;
