@@ -11,6 +11,11 @@ use brinell::jobs::encode;
 use brinell::model::Job;
 use brinell::results;
 use brinell::solve::Unobserved;
+use mimalloc::MiMalloc;
+
+/// As in the program.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut args = std::env::args().skip(1);
