@@ -183,6 +183,8 @@ pub(super) fn run(
     let former = request.former;
     let mut available = prepared;
     let (mut enlargements, mut meshes, mut widenings) = (0, 0, 0);
+    // Iterations made while less was watched.
+    let mut history = Vec::new();
     loop {
         let (mut system, states, start) = if let Some(prepared) = available.take() {
             prepared.resume(&request, phases, observer)?
@@ -194,7 +196,9 @@ pub(super) fn run(
             (system, Vec::new(), start)
         };
         let zone = system.zone;
-        let mut outcome = iterate(&mut system, &request, start, phases, observer)?;
+        let beginning =
+            Beginning { displacement: start, history: std::mem::take(&mut history), factorizations: 0 };
+        let mut outcome = iterate(&mut system, &request, beginning, phases, observer)?;
         let fields =
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
@@ -205,7 +209,7 @@ pub(super) fn run(
         let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
         let patch = ContactPatch::find(&x, &pressures, zone.symmetric);
         let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
-        let pass = Pass {
+        let mut pass = Pass {
             system,
             outcome,
             fields,
@@ -220,6 +224,7 @@ pub(super) fn run(
             request.plastic_reach =
                 if widenings == 0 { PlasticReach::Within(outline) } else { PlasticReach::WholeBody };
             widenings += 1;
+            history = std::mem::take(&mut pass.outcome.history);
             // From here, not from the former answer.
             request.former = None;
             available = Some(pass.into_prepared(request.load));
@@ -282,12 +287,11 @@ const PROGRESS: f64 = 0.5;
 fn iterate(
     system: &mut System,
     request: &PassRequest<'_>,
-    start: Option<PerModel>,
+    mut beginning: Beginning,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
     let coupling = request.solver.coupling;
-    let mut beginning = Beginning { displacement: start, ..Beginning::default() };
     let mut linearizations = 0;
     loop {
         let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
@@ -305,13 +309,19 @@ fn iterate(
         }
         let residuals = outcome.history[begun..].iter().map(|record| record.equilibrium_residual);
         let (first, last) = (outcome.history[begun].equilibrium_residual, residuals.fold(0.0, |_, r| r));
-        let Outcome { state, history, .. } = outcome;
-        let displacement = state.response.displacement;
-        let at = (system.is_elastic() || last < PROGRESS * first).then_some(&displacement);
-        system.linearize(at, phases, observer)?;
+        let displacement = &outcome.state.response.displacement;
+        let at = (system.is_elastic() || last < PROGRESS * first).then_some(displacement);
+        match system.linearize(at, phases, observer) {
+            // What has been iterated is worth keeping.
+            Err(SolveError::Interrupted(interrupt)) => {
+                return Ok(Outcome { status: interrupt.into(), ..outcome });
+            }
+            linearized => linearized?,
+        }
         linearizations += 1;
         let factorizations = system.bodies.len();
-        beginning = Beginning { displacement: Some(displacement), history, factorizations };
+        let Outcome { state, history, .. } = outcome;
+        beginning = Beginning { displacement: Some(state.response.displacement), history, factorizations };
     }
 }
 

@@ -24,16 +24,23 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             let state = State { response, loads: system.zeros(), factors: Some(factors) };
             return Ok(iteration.finish(state, Some(status)));
         }
-        start = response.displacement;
         for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {
-            super::checkpoint(iteration.observer)?;
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
-            iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
+            let refactored = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
                 refactor(factor, &values, observer)
-            })?;
+            });
+            match refactored {
+                // What has been iterated is worth keeping.
+                Err(SolveError::Interrupted(interrupt)) => {
+                    let state = State { response, loads: system.zeros(), factors: None };
+                    return Ok(iteration.finish(state, Some(interrupt.into())));
+                }
+                refactored => refactored?,
+            }
         }
+        start = response.displacement;
         iteration.count_factorizations();
     }
 }

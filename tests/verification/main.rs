@@ -20,6 +20,7 @@ mod problems;
 mod profiles;
 mod punch_ceiling;
 mod soundness;
+mod stops;
 mod subsurface;
 mod sweeps;
 mod thick_cylinder;
