@@ -5,17 +5,19 @@
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use brinell::model::Job;
 use brinell::solve::{Interrupt, Observer, SolveStatus, run};
-use serde_json::{Value, json};
+use serde_json::Value;
 
-const ANALYSES: [&str; 3] = ["plane_strain", "plane_stress", "axisymmetric"];
+#[path = "../tests/support/contacts.rs"]
+mod contacts;
+
+use contacts::{ANALYSES, job, laws, pairs, surfaces};
+
 const COUPLINGS: [&str; 4] = ["accelerated", "strong", "weak", "secant_stiffness"];
-const YIELD: f64 = 500.0;
 
 /// Ends a combination that takes longer than this.
 const PATIENCE: Duration = Duration::from_secs(3);
@@ -29,53 +31,6 @@ impl Observer for Patience {
         }
         ControlFlow::Continue(())
     }
-}
-
-fn laws() -> [(&'static str, Value); 7] {
-    [
-        ("bilinear", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 10_500.0})),
-        ("perfectly plastic", json!({"law": "bilinear", "yield_stress": YIELD, "tangent_modulus": 0.0})),
-        (
-            "ramberg_osgood",
-            json!({"law": "ramberg_osgood", "reference_stress": YIELD, "offset": 0.3, "exponent": 5.0}),
-        ),
-        ("table", json!({"law": "table", "points": [[0.0, YIELD], [0.005, 600.0], [0.05, 700.0]]})),
-        ("swift", json!({"law": "swift", "yield_stress": YIELD, "strain_offset": 0.005, "exponent": 0.2})),
-        ("ludwik", json!({"law": "ludwik", "yield_stress": YIELD, "coefficient": 800.0, "exponent": 0.5})),
-        ("voce", json!({"law": "voce", "yield_stress": YIELD, "saturation_stress": 800.0, "rate": 30.0})),
-    ]
-}
-
-/// Every shape with its curvature.
-fn shapes() -> [(&'static str, Value, f64); 4] {
-    let points: Vec<[f64; 2]> =
-        (-800..=800).map(|k| f64::from(k) * 0.025).map(|x| [x, -x * x / 50.0]).collect();
-    [
-        ("cylinder", json!({"type": "cylinder", "radius": 20.0}), 1.0 / 20.0),
-        ("block", json!({"type": "block", "width": 60.0, "depth": 30.0}), 0.0),
-        ("groove", json!({"type": "groove", "radius": 50.0, "width": 60.0, "depth": 30.0}), -1.0 / 50.0),
-        ("profile", json!({"type": "profile", "points": points, "depth": 20.0}), 1.0 / 25.0),
-    ]
-}
-
-/// The force whose elastic peak pressure is `ratio` yield stresses.
-fn force(analysis: &str, ratio: f64, curvature: f64) -> f64 {
-    let (peak, radius) = (ratio * YIELD, 1.0 / curvature);
-    let plane_strain = 210_000.0 / 1.82;
-    match analysis {
-        "plane_strain" => PI * radius * peak.powi(2) / plane_strain,
-        "plane_stress" => PI * radius * peak.powi(2) / 105_000.0,
-        _ => (PI * peak).powi(3) * (radius / plane_strain).powi(2) / 6.0,
-    }
-}
-
-fn job(analysis: &str, coupling: &str, law: &Value, shapes: [&Value; 2], force: f64) -> Value {
-    let body = |shape: &Value| {
-        json!({"shape": shape, "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
-            "plasticity": law}})
-    };
-    json!({"analysis": analysis, "upper": body(shapes[0]), "lower": body(shapes[1]), "load": {"force": force},
-        "mesh": {"elements_per_half_width": 10}, "solver": {"coupling": coupling, "tolerance": 1e-6}})
 }
 
 fn outcome(job: &Value) -> String {
@@ -97,16 +52,13 @@ fn outcome(job: &Value) -> String {
 }
 
 fn by_law() {
-    let cylinder = shapes()[0].1.clone();
+    let [cylinder, ..] = surfaces();
     println!("| analysis | law | p0/σ_y | {} |\n|---|---|---|---|---|---|---|", COUPLINGS.join(" | "));
     for analysis in ANALYSES {
-        for (name, law) in laws() {
+        for (name, law) in &laws() {
             for ratio in [3.0, 4.0, 5.0] {
-                let force = force(analysis, ratio, 0.1);
-                let row: Vec<String> = COUPLINGS
-                    .iter()
-                    .map(|coupling| outcome(&job(analysis, coupling, &law, [&cylinder, &cylinder], force)))
-                    .collect();
+                let row = COUPLINGS
+                    .map(|coupling| outcome(&job(analysis, coupling, law, [&cylinder, &cylinder], ratio)));
                 println!("| {analysis} | {name} | {ratio} | {} |", row.join(" | "));
             }
         }
@@ -114,23 +66,12 @@ fn by_law() {
 }
 
 fn by_shape() {
-    let law = &laws()[0].1;
+    let (law, surfaces) = (&laws()[0].1, surfaces());
     println!("\n| upper | lower | p0/σ_y | {} |\n|---|---|---|---|---|---|", ANALYSES.join(" | "));
-    for (upper, a, one) in shapes() {
-        for (lower, b, other) in shapes() {
-            if one + other <= 0.0 {
-                continue;
-            }
-            for ratio in [3.0, 4.0, 5.0] {
-                let row: Vec<String> = ANALYSES
-                    .iter()
-                    .map(|analysis| {
-                        let force = force(analysis, ratio, one + other);
-                        outcome(&job(analysis, "accelerated", law, [&a, &b], force))
-                    })
-                    .collect();
-                println!("| {upper} | {lower} | {ratio} | {} |", row.join(" | "));
-            }
+    for pair in pairs(&surfaces) {
+        for ratio in [3.0, 4.0, 5.0] {
+            let row = ANALYSES.map(|analysis| outcome(&job(analysis, "accelerated", law, pair, ratio)));
+            println!("| {} | {} | {ratio} | {} |", pair[0].name, pair[1].name, row.join(" | "));
         }
     }
 }

@@ -31,7 +31,7 @@ const NOTES: &str = "
 - Plasticity is by deformation theory. Flow theory gives 1160 MPa where deformation theory gives 1183.6 (p0 = 3 σ_y, roller).
 - *CalculiX* works at finite strain, which accounts for most of the difference.
 - Yield onset of the discs is compared with the half-plane; a disc's own tension, 0.27 % of p0 at σ_y 350 MPa, brings it
-  forward. The search goes by the highest stress of a Gauss point, which is about half a percent above the smooth field.
+  forward. The search goes by the means over elements, which are the best values that an element has.
 - Prandtl's pressure is a ceiling, not a reference: a real contact stays below it.
 - The same cases and more are tests: `cargo test --test verification`.
 ";

@@ -12,7 +12,7 @@ use super::system::{PerModel, System};
 use super::{ContactPatch, Interrupt, Observer};
 use crate::linalg::dense::DenseCholesky;
 
-/// Steps at most; a factor of the elastic stiffness takes about 12, one of tangent moduli 3.
+/// Steps at most; a factor of the elastic stiffness takes about ten, one of tangent moduli two or three.
 const MAX_STEPS: usize = 40;
 /// Part of the stiffness that the last step may have changed it by.
 const TOLERANCE: f64 = 1e-4;

@@ -26,7 +26,7 @@ pub(super) struct State {
     pub response: Response,
     /// Initial-stress loads that were applied.
     pub loads: PerModel,
-    /// Factors of the stiffness in force, where it is not the elastic one.
+    /// Factors of the stiffness in force, where it is not that of the system: the secant one.
     pub factors: Option<Vec<Cholesky>>,
 }
 

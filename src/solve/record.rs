@@ -82,7 +82,7 @@ pub trait Observer {
         self.on_checkpoint()
     }
 
-    /// Called between phases, so that a stop does not wait for the first iteration.
+    /// Called between phases and within the long ones, so that a stop does not wait for the next iteration.
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         ControlFlow::Continue(())
     }

@@ -181,14 +181,8 @@ impl<'a> Runner<'a> {
         // What nobody needs any more goes here, because giving memory back takes its time.
         self.last = solution.phases.time(Phase::Output, observer, move || {
             drop((sizing, outgrown));
-            let (coarse, fine) = (coarse, pass);
-            let extent = found?;
-            Some(LastStep {
-                load,
-                extent,
-                coarse: coarse.into_prepared(load),
-                fine: fine.into_prepared(load),
-            })
+            let (extent, coarse, fine) = (found?, coarse.into_prepared(load), pass.into_prepared(load));
+            Some(LastStep { load, extent, coarse, fine })
         });
         Ok(step)
     }

@@ -7,6 +7,8 @@ mod approach;
 mod bodies;
 mod bodies_of_revolution;
 mod contact_solvers;
+#[path = "../support/contacts.rs"]
+mod contacts;
 mod error_bars;
 mod independent_program;
 mod invariants;
