@@ -36,7 +36,11 @@ pub fn surfaces() -> [Surface; 4] {
     let points: Vec<[f64; 2]> =
         (-800..=800).map(|k| f64::from(k) * 0.025).map(|x| [x, -x * x / 50.0]).collect();
     [
-        Surface { name: "cylinder", shape: json!({"type": "cylinder", "radius": 20.0}), curvature: 1.0 / 20.0 },
+        Surface {
+            name: "cylinder",
+            shape: json!({"type": "cylinder", "radius": 20.0}),
+            curvature: 1.0 / 20.0,
+        },
         Surface {
             name: "block",
             shape: json!({"type": "block", "width": 60.0, "depth": 30.0}),
