@@ -314,6 +314,8 @@ fn a_service_that_is_not_there_is_not_well() {
     let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string();
     let output = with_variables(&["healthcheck"], &[("BRINELL_LISTEN", &free)]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains("/readyz"), "{}", stderr(&output));
+    let told = stderr(&output);
+    assert!(told.starts_with("error: /readyz of 127.0.0.1:") && told.contains("refused"), "{told}");
+    assert!(!told.contains("demonstration"), "{told}");
     assert_eq!(with_variables(&["healthcheck", "--listen", "nowhere"], &[]).status.code(), Some(1));
 }

@@ -1,4 +1,4 @@
-//! A small HTTP client for the demonstration: one request, one connection.
+//! A small HTTP client for the program's own questions to a service: one request, one connection.
 
 use std::net::SocketAddr;
 
@@ -8,9 +8,13 @@ use hyper::header::{CONTENT_TYPE, HOST};
 use hyper::{Request, StatusCode};
 use hyper_util::rt::TokioIo;
 use serde::de::DeserializeOwned;
+use thiserror::Error;
 use tokio::net::TcpStream;
 
-use super::fault::Fault;
+/// Why a request has no answer that one can use.
+#[derive(Debug, Error)]
+#[error("{0}")]
+pub(super) struct RequestError(String);
 
 /// Talks to one service.
 #[derive(Debug, Clone, Copy)]
@@ -20,22 +24,25 @@ pub(super) struct Client {
 
 impl Client {
     /// GETs a document.
-    pub(super) async fn get<T: DeserializeOwned>(&self, path: &str) -> Result<T, Fault> {
+    pub(super) async fn get<T: DeserializeOwned>(&self, path: &str) -> Result<T, RequestError> {
         self.send("GET", path, Bytes::new()).await
     }
 
     /// POSTs JSON and takes the answer.
-    pub(super) async fn post<T: DeserializeOwned>(&self, path: &str, json: Bytes) -> Result<T, Fault> {
+    pub(super) async fn post<T: DeserializeOwned>(&self, path: &str, json: Bytes) -> Result<T, RequestError> {
         self.send("POST", path, json).await
     }
 
-    async fn send<T: DeserializeOwned>(&self, method: &str, path: &str, json: Bytes) -> Result<T, Fault> {
+    async fn send<T: DeserializeOwned>(
+        &self,
+        method: &str,
+        path: &str,
+        json: Bytes,
+    ) -> Result<T, RequestError> {
         let (status, text) = self.exchange(method, path, json).await.map_err(failed)?;
         if !status.is_success() {
-            return Err(Fault::Demo(format!(
-                "{method} {path}: {status}: {}",
-                String::from_utf8_lossy(&text)
-            )));
+            let answer = String::from_utf8_lossy(&text);
+            return Err(RequestError(format!("{method} {path}: {status}: {answer}")));
         }
         serde_json::from_slice(&text).map_err(failed)
     }
@@ -65,6 +72,6 @@ impl Client {
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "for map_err")]
-fn failed(error: impl ToString) -> Fault {
-    Fault::Demo(error.to_string())
+fn failed(error: impl ToString) -> RequestError {
+    RequestError(error.to_string())
 }

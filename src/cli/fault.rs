@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use thiserror::Error;
 
+use super::client::RequestError;
 use super::style::Style;
 use crate::app::AppError;
 use crate::jobs::{EncodeError, KeyId, StoreError};
@@ -60,6 +61,12 @@ pub(super) enum Fault {
     /// The operating system refuses something.
     #[error(transparent)]
     System(#[from] io::Error),
+}
+
+impl From<RequestError> for Fault {
+    fn from(error: RequestError) -> Self {
+        Self::Demo(error.to_string())
+    }
 }
 
 impl Fault {

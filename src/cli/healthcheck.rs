@@ -36,7 +36,7 @@ pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
         let asked = timeout(PATIENCE, Client { address }.get::<serde_json::Value>(path)).await;
         match asked {
             Ok(Ok(_)) => Ok(ExitCode::SUCCESS),
-            Ok(Err(fault)) => Err(unwell(fault.to_string())),
+            Ok(Err(error)) => Err(unwell(error.to_string())),
             Err(_) => Err(unwell(format!("no answer within {} s", PATIENCE.as_secs()))),
         }
     })
