@@ -201,7 +201,7 @@ fn times(timings: &Timings) -> String {
     ];
     phases.sort_by(|(_, one), (_, other)| other.total_cmp(one));
     let mut text = format!("time   {} ms", significant(timings.total, 3));
-    for (number, (name, time)) in phases.into_iter().filter(|(_, time)| *time > 0.0).take(5).enumerate() {
+    for (number, (name, time)) in phases.into_iter().filter(|(_, time)| *time > 0.0).take(4).enumerate() {
         let separator = if number == 0 { ": " } else { ", " };
         let _ = write!(text, "{separator}{name} {}", significant(time, 2));
     }
