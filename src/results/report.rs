@@ -190,7 +190,7 @@ pub struct Timings {
     pub contact: f64,
     /// Plastic law and initial-stress loads.
     pub plasticity: f64,
-    /// Forward and back substitutions.
+    /// Forward and back substitutions, the contact stiffness among them.
     pub solves: f64,
     /// Final fields and this report.
     pub output: f64,

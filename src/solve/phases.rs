@@ -23,7 +23,7 @@ pub enum Phase {
     Contact,
     /// Plastic law and initial-stress loads.
     Plasticity,
-    /// Forward and back substitutions.
+    /// Forward and back substitutions, and the contact stiffness, which takes little else.
     Solves,
     /// Final fields.
     Output,

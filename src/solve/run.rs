@@ -254,12 +254,16 @@ impl<'a> Runner<'a> {
         solver: SolverSettings,
     ) -> PassRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
-        let reach = extent.plastic.scaled(PLASTIC_MARGIN);
+        let plastic_reach = match solver.coupling {
+            // It asks the law everywhere anyway, and could not go on from where flow was missed.
+            Coupling::SecantStiffness => PlasticReach::WholeBody,
+            _ => PlasticReach::Within(extent.plastic.scaled(PLASTIC_MARGIN)),
+        };
         PassRequest {
             contact: &ActiveSetSolver,
             zone: extent.zone(self.problem.is_symmetric(), spacing),
             refinement: refinement(extent.half_width / spacing),
-            plastic_reach: PlasticReach::Within(reach),
+            plastic_reach,
             load,
             solver,
             former: None,

@@ -419,7 +419,7 @@ fn timings() -> Value {
             time("flexibility", "Contact flexibility matrix."),
             time("contact", "Contact solves."),
             time("plasticity", "Plastic law and initial-stress loads."),
-            time("solves", "Forward and back substitutions."),
+            time("solves", "Forward and back substitutions, the contact stiffness among them."),
             time("output", "Final fields and the report."),
         ],
     )
