@@ -16,6 +16,7 @@ export class PressurePanel {
 
   /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units} units @param {boolean} round */
   preview(hertz, units, round) {
+    this.panel.show(true);
     this.chart.show({
       x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
@@ -23,11 +24,11 @@ export class PressurePanel {
       range: [round ? 0 : -1.3 * hertz.half_width, 1.3 * hertz.half_width],
       words: `Hertz, elastic: peak pressure ${figure(hertz.peak_pressure)} ${unit('stress', units)}, half-width ${figure(hertz.half_width)} ${unit('length', units)}.`,
     });
-    this.panel.show(true);
   }
 
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
+    this.panel.show(true);
     const [first] = shown;
     const step = first.report.steps[at];
     const { units } = first.report;
@@ -64,7 +65,6 @@ export class PressurePanel {
         hertz ? `; Hertz, elastic: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
       }.`,
     });
-    this.panel.show(true);
   }
 }
 
