@@ -20,7 +20,7 @@ use faer::sparse::linalg::cholesky::{simplicial, supernodal};
 use thiserror::Error;
 
 use super::dense::SymmetricMatrix;
-use super::factorization::{Supernode, factorize};
+use super::factorization::{Supernode, factorize, outdated};
 use super::{SymmetricPattern, dot, wide};
 
 /// Why a matrix has no Cholesky factor.
@@ -144,6 +144,11 @@ impl SymbolicCholesky {
         }
     }
 
+    /// The supernode above one in the elimination tree; the root is its own.
+    pub(super) fn parent(&self, s: usize) -> usize {
+        self.parent[s]
+    }
+
     /// The supernode that holds an equation.
     pub(super) fn supernode_of(&self, equation: u32) -> usize {
         self.supernode_of[equation as usize] as usize
@@ -170,6 +175,8 @@ fn columns_of(structure: &supernodal::SymbolicSupernodalCholesky<u32>, s: usize)
 pub struct Cholesky {
     symbolic: Arc<SymbolicCholesky>,
     values: Vec<f64>,
+    /// Lower-triangle values of the matrix that this is the factor of; empty if of none.
+    matrix: Vec<f64>,
 }
 
 impl Cholesky {
@@ -179,17 +186,21 @@ impl Cholesky {
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
     pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
         let mut factor = Self::empty(symbolic);
-        factor.refactor(values, &mut || ControlFlow::Continue(()))?;
+        factor.refactor(values.to_vec(), &mut || ControlFlow::Continue(()))?;
         Ok(factor)
     }
 
     /// The factor of no matrix yet.
     pub fn empty(symbolic: &Arc<SymbolicCholesky>) -> Self {
-        Self { symbolic: Arc::clone(symbolic), values: Vec::new() }
+        Self { symbolic: Arc::clone(symbolic), values: Vec::new(), matrix: Vec::new() }
     }
 
     /// Becomes the factor of another matrix of the same pattern; asks `checkpoint` every few milliseconds whether to go
     /// on. After an error it is the factor of none.
+    ///
+    /// Where two matrices are equal, so are their factors, up to the first column that differs on each branch of the
+    /// elimination tree; what is known from the last matrix stays. So the cost is that of the part that has changed and
+    /// of what lies above it, and the factor is bit for bit that of a fresh start.
     ///
     /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
     ///
@@ -197,13 +208,22 @@ impl Cholesky {
     /// As [`Self::factor`], and [`FactorizationError::Stopped`].
     pub fn refactor(
         &mut self,
-        values: &[f64],
+        values: Vec<f64>,
         checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<(), FactorizationError> {
+        let former = std::mem::take(&mut self.matrix);
         if values.iter().any(|v| !v.is_finite()) {
             return Err(FactorizationError::NotFinite);
         }
-        factorize(&self.symbolic, values, &mut self.values, checkpoint)
+        let outdated = if former.is_empty() {
+            self.values.clear();
+            Vec::new()
+        } else {
+            outdated(&self.symbolic, &former, &values)
+        };
+        factorize(&self.symbolic, &values, &mut self.values, &outdated, checkpoint)?;
+        self.matrix = values;
+        Ok(())
     }
 
     /// Structure of the factor.
@@ -211,9 +231,9 @@ impl Cholesky {
         &self.symbolic
     }
 
-    /// Bytes held by the factor.
+    /// Bytes held by the factor and its matrix.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.values.as_slice())
+        size_of_val(self.values.as_slice()) + size_of_val(self.matrix.as_slice())
     }
 
     /// Solves `A x = b` in place. Cost: every entry of `L` twice.

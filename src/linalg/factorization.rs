@@ -27,17 +27,19 @@ const WORK_BETWEEN_CHECKPOINTS: usize = 1 << 28;
 /// End of a list.
 const NONE: u32 = u32::MAX;
 
-/// Factorizes the matrix with the given lower-triangle values into `factor`, whatever that holds. What lies above the
-/// diagonal in the panels is of no meaning. Asks `checkpoint` now and then whether to go on.
+/// Factorizes the matrix with the given lower-triangle values into `factor`: the supernodes that are `outdated`, and
+/// those that it does not hold yet. What lies above the diagonal in the panels is of no meaning. Asks `checkpoint` now
+/// and then whether to go on.
 pub(super) fn factorize(
     symbolic: &SymbolicCholesky,
     matrix: &[f64],
     factor: &mut Vec<f64>,
+    outdated: &[bool],
     checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<(), FactorizationError> {
     let count = symbolic.supernode_count();
-    factor.clear();
-    factor.try_reserve_exact(symbolic.factor_entries()).map_err(|_| FactorizationError::TooLarge)?;
+    let missing = symbolic.factor_entries() - factor.len();
+    factor.try_reserve_exact(missing).map_err(|_| FactorizationError::TooLarge)?;
     let mut workspace = Workspace::new(symbolic)?;
     // First contributor of each supernode, next one in the same list, and how many of its rows a contributor has given.
     let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
@@ -45,11 +47,21 @@ pub(super) fn factorize(
     let mut work = 0;
     for s in 0..count {
         let node = symbolic.supernode(s);
-        // Zeros for this panel alone, so that they are still in the cache when it is filled.
-        factor.resize(node.values.end, 0.0);
-        let (finished, panel) = factor.split_at_mut(node.values.start);
-        workspace.locate(&node);
-        workspace.scatter(symbolic, matrix, &node, panel);
+        let is_held = node.values.end <= factor.len();
+        let is_outdated = !is_held || outdated[s];
+        if !is_held {
+            // Zeros for this panel alone, so that they are still in the cache when it is filled.
+            factor.resize(node.values.end, 0.0);
+        }
+        let (finished, rest) = factor.split_at_mut(node.values.start);
+        let panel = &mut rest[..node.values.len()];
+        if is_outdated {
+            if is_held {
+                panel.fill(0.0);
+            }
+            workspace.locate(&node);
+            workspace.scatter(symbolic, matrix, &node, panel);
+        }
         let mut contributor = first[s];
         while contributor != NONE {
             let d = contributor as usize;
@@ -59,16 +71,20 @@ pub(super) fn factorize(
             let end = begin + source.rows[begin..].partition_point(|&row| (row as usize) < node.columns.end);
             let contribution =
                 Contribution { values: &finished[source.values.clone()], node: source, begin, end };
-            work += contribution.work();
-            workspace.subtract(&contribution, &node, panel);
+            if is_outdated {
+                work += contribution.work();
+                workspace.subtract(&contribution, &node, panel);
+            }
             given[d] = end as u32;
             if let Some(&row) = contribution.node.rows.get(end) {
                 let owner = symbolic.supernode_of(row);
                 (next[d], first[owner]) = (first[owner], d as u32);
             }
         }
-        work += node.columns.len() * node.height() * node.height();
-        workspace.factorize(&node, panel)?;
+        if is_outdated {
+            work += node.columns.len() * node.height() * node.height();
+            workspace.factorize(&node, panel)?;
+        }
         if let Some(&row) = node.rows.first() {
             let owner = symbolic.supernode_of(row);
             (next[s], first[owner]) = (first[owner], s as u32);
@@ -81,6 +97,20 @@ pub(super) fn factorize(
         }
     }
     Ok(())
+}
+
+/// The supernodes whose numbers change from one matrix to another: those with an entry that does, and their ancestors.
+pub(super) fn outdated(symbolic: &SymbolicCholesky, old: &[f64], new: &[f64]) -> Vec<bool> {
+    let pattern = symbolic.pattern();
+    let mut outdated = vec![false; symbolic.supernode_count()];
+    for s in 0..outdated.len() {
+        let columns = symbolic.supernode(s).columns;
+        let entries = pattern.column_start(columns.start)..pattern.column_start(columns.end);
+        outdated[s] |= old[entries.clone()] != new[entries];
+        // A parent comes after its children.
+        outdated[symbolic.parent(s)] |= outdated[s];
+    }
+    outdated
 }
 
 /// Columns of the factor that share one set of rows below.
@@ -201,5 +231,124 @@ impl Workspace {
         )?;
         solve_lower_triangular_in_place(diagonal.as_ref(), below.transpose_mut(), Par::Seq);
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use crate::linalg::{
+        Cholesky, EliminationOrder, FactorizationError, Graph, LatticePoint, SymbolicCholesky,
+        SymmetricPattern,
+    };
+
+    const COLUMNS: i32 = 40;
+    const ROWS: i32 = 30;
+
+    /// One equation for each point of a grid, in nested dissection.
+    fn grid() -> (Arc<SymbolicCholesky>, Vec<u32>) {
+        let points = || (0..COLUMNS).flat_map(|i| (0..ROWS).map(move |j| (i, j)));
+        let at = |i: i32, j: i32| u32::try_from(i * ROWS + j).unwrap();
+        let cells: Vec<[u32; 4]> = points()
+            .filter(|&(i, j)| i + 1 < COLUMNS && j + 1 < ROWS)
+            .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
+            .collect();
+        let lattice: Vec<LatticePoint> = points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect();
+        let graph = Graph::from_cells(lattice.len(), &cells);
+        let order = EliminationOrder::new(&graph, &lattice, &[]);
+        let mut position = vec![0u32; lattice.len()];
+        for (k, &node) in (0u32..).zip(order.nodes()) {
+            position[node as usize] = k;
+        }
+        let (mut offsets, mut rows) = (vec![0u32], Vec::new());
+        for (k, &node) in (0u32..).zip(order.nodes()) {
+            let begin = rows.len();
+            rows.push(k);
+            rows.extend(graph.neighbours(node).iter().map(|&m| position[m as usize]).filter(|&row| row > k));
+            rows[begin..].sort_unstable();
+            offsets.push(u32::try_from(rows.len()).unwrap());
+        }
+        let symbolic = SymbolicCholesky::new(SymmetricPattern::from_columns(offsets, rows)).unwrap();
+        (symbolic, position)
+    }
+
+    /// Diagonally dominant; stiffer at some equations.
+    fn matrix(symbolic: &SymbolicCholesky, is_stiff: impl Fn(usize) -> bool) -> Vec<f64> {
+        let pattern = symbolic.pattern();
+        let column = |j: usize| {
+            let diagonal = if is_stiff(j) { 30.0 } else { 9.0 };
+            std::iter::once(diagonal).chain((1..pattern.column(j).len()).map(|k| -1.0 - 0.01 * k as f64))
+        };
+        (0..pattern.order()).flat_map(column).collect()
+    }
+
+    fn entries(factor: &Cholesky) -> Vec<u64> {
+        let n = factor.symbolic().order();
+        let columns = (0..n).step_by(7).flat_map(|k| {
+            let mut x = vec![0.0; n];
+            x[k] = 1.0;
+            factor.solve(&mut x);
+            x
+        });
+        columns.map(f64::to_bits).collect()
+    }
+
+    #[test]
+    fn a_renewed_factor_is_bit_for_bit_a_fresh_one() {
+        let (symbolic, position) = grid();
+        let mut factor = Cholesky::factor(&symbolic, &matrix(&symbolic, |_| false)).unwrap();
+        let corner: Vec<u32> = (0..5).map(|k| position[k]).collect();
+        // Softer in one corner, in another, everywhere, and nowhere.
+        let stages: [&dyn Fn(usize) -> bool; 4] = [
+            &|j| corner.contains(&u32::try_from(j).unwrap()),
+            &|j| j == position[position.len() - 1] as usize,
+            &|_| true,
+            &|_| true,
+        ];
+        for is_stiff in stages {
+            let next = matrix(&symbolic, is_stiff);
+            factor.refactor(next.clone(), &mut || ControlFlow::Continue(())).unwrap();
+            assert_eq!(entries(&factor), entries(&Cholesky::factor(&symbolic, &next).unwrap()));
+        }
+    }
+
+    #[test]
+    fn only_what_a_change_reaches_is_outdated() {
+        let (symbolic, position) = grid();
+        let old = matrix(&symbolic, |_| false);
+        let changed = position[0];
+        let outdated = super::outdated(&symbolic, &old, &matrix(&symbolic, |j| j == changed as usize));
+        let count = outdated.iter().filter(|outdated| **outdated).count();
+        assert!(count < outdated.len() / 4, "{count} of {} supernodes", outdated.len());
+        // The supernode of that equation and its ancestors.
+        let mut path = vec![symbolic.supernode_of(changed)];
+        while symbolic.parent(path[path.len() - 1]) != path[path.len() - 1] {
+            path.push(symbolic.parent(path[path.len() - 1]));
+        }
+        assert_eq!(count, path.len());
+        assert!(path.iter().all(|&s| outdated[s]));
+        assert!(super::outdated(&symbolic, &old, &old).iter().all(|outdated| !outdated));
+    }
+
+    #[test]
+    fn what_fails_leaves_nothing_to_build_on() {
+        let (symbolic, _) = grid();
+        let whole = matrix(&symbolic, |_| false);
+        let mut factor = Cholesky::factor(&symbolic, &whole).unwrap();
+        let expected = entries(&factor);
+        let last = symbolic.order() - 1;
+        let mut indefinite = whole.clone();
+        indefinite[symbolic.pattern().column_start(last)] = -100.0;
+        indefinite[0] = 12.0;
+        let refused = factor.refactor(indefinite, &mut || ControlFlow::Continue(()));
+        assert_eq!(refused, Err(FactorizationError::NotPositiveDefinite { equation: last }));
+        factor.refactor(whole.clone(), &mut || ControlFlow::Continue(())).unwrap();
+        assert_eq!(entries(&factor), expected);
+        let mut unknown = whole;
+        unknown[3] = f64::NAN;
+        let refused = factor.refactor(unknown, &mut || ControlFlow::Continue(()));
+        assert_eq!(refused, Err(FactorizationError::NotFinite));
     }
 }

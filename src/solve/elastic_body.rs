@@ -1,6 +1,5 @@
 //! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
 
-use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
@@ -80,22 +79,21 @@ impl ElasticBody {
     ) -> Result<SymmetricMatrix, SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
         super::checkpoint(observer)?;
-        phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, &values, observer))?;
+        phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
         super::checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
         Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
 
-    fn softened_by(&self, region: Option<&InitialStressRegion>) -> Cow<'_, [f64]> {
-        let Some(region) = region.filter(|region| !region.refers_to_elastic()) else {
-            return Cow::Borrowed(&self.stiffness);
-        };
-        let assembler = self.assembler();
+    fn softened_by(&self, region: Option<&InitialStressRegion>) -> Vec<f64> {
         let mut values = self.stiffness.clone();
-        for (element, addition) in region.softened_elements() {
-            assembler.add(&mut values, element, &addition);
+        if let Some(region) = region {
+            let assembler = self.assembler();
+            for (element, addition) in region.softened_elements() {
+                assembler.add(&mut values, element, &addition);
+            }
         }
-        Cow::Owned(values)
+        values
     }
 
     fn assembler(&self) -> StiffnessAssembler<'_> {
@@ -159,7 +157,7 @@ impl ElasticBody {
 /// Factorizes a stiffness in place of the last one; the observer can stop it.
 pub(super) fn refactor(
     factor: &mut Cholesky,
-    values: &[f64],
+    values: Vec<f64>,
     observer: &mut dyn Observer,
 ) -> Result<(), SolveError> {
     let mut interrupt = None;

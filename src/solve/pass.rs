@@ -120,6 +120,17 @@ impl Pass {
         PlasticOutline::around(self.system.zone.centre(), yielded)
     }
 
+    /// Finds the contact, and whether it goes beyond the zone.
+    fn survey(&mut self, problem: &Problem) {
+        let Self { system, outcome, fields, .. } = self;
+        let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
+        self.patch = ContactPatch::find(&x, &pressures, system.zone.symmetric);
+        self.reaches_edge = reaches_edge(system, outcome)
+            || (!outcome.status.is_stopped()
+                && problem.may_touch_elsewhere()
+                && meets_beyond_zone(problem, system, outcome, fields));
+    }
+
     /// Whether the material yields where nobody has looked.
     fn yields_unwatched(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);
@@ -202,24 +213,22 @@ pub(super) fn run(
         let fields =
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
-        let reaches_edge = reaches_edge(&system, &outcome)
-            || (!interrupted
-                && problem.may_touch_elsewhere()
-                && meets_beyond_zone(problem, &system, &outcome, &fields));
-        let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-        let patch = ContactPatch::find(&x, &pressures, zone.symmetric);
         let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
         let mut pass = Pass {
             system,
             outcome,
             fields,
-            patch,
-            reaches_edge,
+            patch: None,
+            reaches_edge: false,
             enlargements,
             meshes,
             former_states: states,
         };
-        if !interrupted && is_watched_in_part && pass.yields_unwatched() {
+        let yields_unwatched = phases.time(Phase::Output, observer, || {
+            pass.survey(problem);
+            !interrupted && is_watched_in_part && pass.yields_unwatched()
+        });
+        if yields_unwatched {
             let outline = pass.plastic_outline().scaled(WIDENING);
             request.plastic_reach =
                 if widenings == 0 { PlasticReach::Within(outline) } else { PlasticReach::WholeBody };
@@ -230,7 +239,7 @@ pub(super) fn run(
             available = Some(pass.into_prepared(request.load));
             continue;
         }
-        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
+        if !interrupted && pass.reaches_edge && enlargements < MAX_ENLARGEMENTS {
             let wider = enlarge(zone);
             if fits(problem, &wider) {
                 enlargements += 1;

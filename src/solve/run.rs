@@ -212,7 +212,8 @@ impl<'a> Runner<'a> {
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<(Extent, Option<Pass>), SolveError> {
-        let mut extent = Extent::expected(self.problem, load)?;
+        let expect = || Extent::expected(self.problem, load);
+        let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {
             let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());

@@ -29,7 +29,7 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
             let refactored = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
-                refactor(factor, &values, observer)
+                refactor(factor, values, observer)
             });
             match refactored {
                 // What has been iterated is worth keeping.
