@@ -24,7 +24,7 @@ use crate::element::{ElementStiffness, Kinematics, QUADRATURE_POINTS, Quad};
 use crate::linalg::wide;
 use crate::mesh::Mesh;
 use crate::model::Deformable;
-use crate::plasticity::{OutOfPlane, PointLaw};
+use crate::plasticity::{OutOfPlane, PointLaw, ReferenceModuli};
 
 /// The elements of a body that may yield, prepared for repeated evaluation.
 #[derive(Debug, Clone)]
@@ -73,12 +73,17 @@ impl InitialStressRegion {
     /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz, γ_xy]` that `strain`
     /// gives for the points of each element of the region, from its index in the mesh and its quadrilateral; to the
     /// elastic stiffness where none of these strains is beyond yield.
-    pub fn linearize(&mut self, mut strain: impl FnMut(usize, &Quad) -> [PerPoint; 4]) {
+    pub fn linearize(
+        &mut self,
+        reference: ReferenceModuli,
+        mut strain: impl FnMut(usize, &Quad) -> [PerPoint; 4],
+    ) {
         self.softening.clear();
         let mut is_beyond_yield = false;
         for element in &mut self.elements {
             let strain = strain(element.index, &element.quad);
-            let softened = std::array::from_fn(|g| self.law.softening(strain.map(|component| component[g])));
+            let softened =
+                std::array::from_fn(|g| self.law.softening(strain.map(|component| component[g]), reference));
             is_beyond_yield |= softened.iter().flatten().any(|point| point.is_beyond_yield);
             element.softening = Softening::new(&softened.map(|point| Some(point?.moduli))).map(|softening| {
                 self.softening.push(softening);

@@ -23,7 +23,7 @@ mod tangent;
 
 pub use hardening::{HardeningLaw, UniaxialCurve};
 pub use point::{OutOfPlane, PointLaw, PointState};
-pub use tangent::{Moduli, Softened};
+pub use tangent::{Moduli, ReferenceModuli, Softened};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 #[inline]

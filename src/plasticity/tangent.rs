@@ -27,18 +27,49 @@ pub struct Softened {
 
 /// Half of the range of equivalent strains that the moduli are means over, relative to the strain.
 const RANGE: f64 = 0.07;
-/// Part of κ that is left out.
-const STIFFENING: f64 = 0.1;
 /// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
 const SOFTEST: f64 = 1e-3;
 
+/// How near to the tangent the moduli are that an iteration refers to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum ReferenceModuli {
+    /// As near as errors in the strain allow.
+    #[default]
+    Tangent,
+    /// In the middle between tangent and secant.
+    Between,
+    /// The secant moduli of deformation theory. An iteration that takes them anew each time always ends (L. M. Kachanov),
+    /// if slowly.
+    Secant,
+}
+
+impl ReferenceModuli {
+    /// The next stiffer ones; `None` after the stiffest of plastic flow.
+    pub fn stiffer(self) -> Option<Self> {
+        match self {
+            Self::Tangent => Some(Self::Between),
+            Self::Between => Some(Self::Secant),
+            Self::Secant => None,
+        }
+    }
+
+    /// Part of κ that counts.
+    fn share(self) -> f64 {
+        match self {
+            Self::Tangent => 0.9,
+            Self::Between => 0.5,
+            Self::Secant => 0.0,
+        }
+    }
+}
+
 impl PointLaw {
-    /// By how much the tangent moduli at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]` fall short of the elastic ones,
+    /// By how much the moduli of reference at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]` fall short of the elastic ones,
     /// `D_e - D` \[MPa\]; `None` where the point is elastic, with some margin.
     ///
     /// Positive semidefinite. The part over the mean strain is zero, except with a free thickness, where ε_zz has
     /// been eliminated and its row and column are zero instead.
-    pub fn softening(&self, strain: [f64; 4]) -> Option<Softened> {
+    pub fn softening(&self, strain: [f64; 4], reference: ReferenceModuli) -> Option<Softened> {
         let curve = self.curve()?;
         let strain = match self.out_of_plane() {
             OutOfPlane::Strained => strain,
@@ -54,7 +85,7 @@ impl PointLaw {
         let (below, above) = (stress(1.0 - RANGE), stress(1.0 + RANGE));
         let tangent = (above - below) / (2.0 * RANGE * equivalent);
         let triple_secant = 0.5 * (below / (1.0 - RANGE) + above / (1.0 + RANGE)) / equivalent;
-        let kappa = 4.0 / 9.0 * (1.0 - STIFFENING) * (triple_secant - tangent) / (equivalent * equivalent);
+        let kappa = 4.0 / 9.0 * reference.share() * (triple_secant - tangent) / (equivalent * equivalent);
         let direction = [x, y, z, 0.5 * g];
         let shear = (triple_secant / 3.0).max(SOFTEST * self.shear_modulus());
         let moduli = match self.out_of_plane() {
@@ -122,7 +153,7 @@ mod tests {
         let strain = [6e-3, -4e-3, 1e-3, 5e-3];
         for out_of_plane in [OutOfPlane::Strained, OutOfPlane::Free] {
             let law = law(out_of_plane);
-            let softening = law.softening(strain).unwrap().moduli;
+            let softening = law.softening(strain, ReferenceModuli::Tangent).unwrap().moduli;
             let stress = |strain: [f64; 4]| {
                 let mean = strain[0] + strain[1] + strain[2];
                 law.respond(strain, mean).stress
@@ -147,7 +178,8 @@ mod tests {
     fn it_is_symmetric_and_softer_than_elastic_but_not_unstable() {
         for out_of_plane in [OutOfPlane::Strained, OutOfPlane::Free] {
             let law = law(out_of_plane);
-            let softening = law.softening([6e-3, -4e-3, 1e-3, 5e-3]).unwrap().moduli;
+            let softening =
+                law.softening([6e-3, -4e-3, 1e-3, 5e-3], ReferenceModuli::Tangent).unwrap().moduli;
             let elastic = elastic(out_of_plane);
             let work = |moduli: &Moduli, e: [f64; 4]| -> f64 {
                 (0..4).flat_map(|i| (0..4).map(move |j| e[i] * moduli[i][j] * e[j])).sum()
@@ -167,6 +199,9 @@ mod tests {
 
     #[test]
     fn an_elastic_point_is_not_softened() {
-        assert_eq!(law(OutOfPlane::Strained).softening([1e-3, -5e-4, 0.0, 0.0]), None);
+        assert_eq!(
+            law(OutOfPlane::Strained).softening([1e-3, -5e-4, 0.0, 0.0], ReferenceModuli::Tangent),
+            None
+        );
     }
 }

@@ -11,7 +11,7 @@ use crate::assembly::{InitialStressRegion, StressField};
 use crate::linalg::dense::SymmetricMatrix;
 use crate::linalg::{Cholesky, Reach};
 use crate::model::Deformable;
-use crate::plasticity::{HardeningLaw, UniaxialCurve};
+use crate::plasticity::{HardeningLaw, ReferenceModuli, UniaxialCurve};
 
 /// Everything about one body that outlives an iteration.
 pub(super) struct BodyModel {
@@ -67,17 +67,17 @@ impl BodyModel {
         self.watch = Watch::new(&self.elastic, &self.material, plastic_reach);
     }
 
-    /// Factorizes anew, with the tangent moduli at displacements or, without any, the elastic ones.
+    /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic ones.
     pub fn linearize(
         &mut self,
-        u: Option<&[f64]>,
+        at: Option<(&[f64], ReferenceModuli)>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
         let ElasticBody { mesh, equations, .. } = &*self.elastic;
         let Some(region) = &mut self.watch.region else { return Ok(()) };
-        phases.time(Phase::Plasticity, observer, || match u {
-            Some(u) => region.linearize(|element, quad| {
+        phases.time(Phase::Plasticity, observer, || match at {
+            Some((u, reference)) => region.linearize(reference, |element, quad| {
                 let nodes = mesh.elements[element];
                 quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
             }),
@@ -159,7 +159,7 @@ impl Watch {
         let ElasticBody { mesh, kinematics, equations, .. } = elastic;
         let Some(region) = &mut self.region else { return elastic.zeros() };
         let carried = Carried::new(former, *kinematics, mesh, &self.nodes);
-        region.linearize(|element, _| carried.strain(&mesh.elements[element]));
+        region.linearize(ReferenceModuli::Tangent, |element, _| carried.strain(&mesh.elements[element]));
         let start: &[u32] = if region.refers_to_elastic() { &[] } else { &self.window };
         carried.displacement_on(start, equations)
     }

@@ -17,6 +17,7 @@ use crate::assembly::StressField;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::mesh::{ContactZone, Refinement};
 use crate::model::{Coupling, SolverSettings};
+use crate::plasticity::ReferenceModuli;
 
 /// What a pass is asked to do.
 #[derive(Clone, Copy)]
@@ -61,7 +62,8 @@ impl Prepared {
         if let Some(former) = request.former {
             start = Some(system.linearize_by(former, phases, observer)?);
         } else if request.solver.coupling == Coupling::Accelerated {
-            system.linearize(start.as_ref(), phases, observer)?;
+            let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
+            system.linearize(at, phases, observer)?;
         }
         Ok((system, states, start))
     }
@@ -289,7 +291,8 @@ fn fits(problem: &Problem, zone: &ContactZone) -> bool {
 
 /// Linearizations at most.
 const MAX_LINEARIZATIONS: usize = 8;
-/// Part of its first residual that a linearization must have come down to if another is to start from where it ended.
+/// Part of its first residual that a linearization must have come down to, and farther than the one before, if the next
+/// is to have moduli as near to the tangent. The softer they are, the sooner errors grow instead of falling.
 const PROGRESS: f64 = 0.5;
 
 /// Iterates; the accelerated coupling on stiffnesses that are linearized anew where one does not get on.
@@ -302,6 +305,8 @@ fn iterate(
 ) -> Result<Outcome, SolveError> {
     let coupling = request.solver.coupling;
     let mut linearizations = 0;
+    let mut reference = ReferenceModuli::Tangent;
+    let mut reached = f64::INFINITY;
     loop {
         let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
         let controls = Controls {
@@ -319,8 +324,11 @@ fn iterate(
         let residuals = outcome.history[begun..].iter().map(|record| record.equilibrium_residual);
         let (first, last) = (outcome.history[begun].equilibrium_residual, residuals.fold(0.0, |_, r| r));
         let displacement = &outcome.state.response.displacement;
-        let at = (system.is_elastic() || last < PROGRESS * first).then_some(displacement);
-        match system.linearize(at, phases, observer) {
+        let gets_on = system.is_elastic() || (last < PROGRESS * first && last < reached);
+        reached = last;
+        let moduli = if gets_on { Some(reference) } else { reference.stiffer() };
+        reference = moduli.unwrap_or_default();
+        match system.linearize(moduli.map(|moduli| (displacement, moduli)), phases, observer) {
             // What has been iterated is worth keeping.
             Err(SolveError::Interrupted(interrupt)) => {
                 return Ok(Outcome { status: interrupt.into(), ..outcome });

@@ -16,6 +16,7 @@ use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, Co
 use crate::element::Kinematics;
 use crate::linalg::dense::SymmetricMatrix;
 use crate::mesh::{ContactZone, Mesh, Refinement};
+use crate::plasticity::ReferenceModuli;
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
 /// contact forces they are mirror images of each other in every iteration.
@@ -104,15 +105,15 @@ impl System {
         Ok((system, carried.into_iter().collect()))
     }
 
-    /// Factorizes anew, with the tangent moduli at displacements on the windows or, without any, the elastic ones.
+    /// Factorizes anew, with moduli of plastic flow at displacements on the windows or, without any, the elastic ones.
     pub fn linearize(
         &mut self,
-        displacement: Option<&PerModel>,
+        at: Option<(&PerModel, ReferenceModuli)>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
         for (k, body) in self.bodies.iter_mut().enumerate() {
-            body.linearize(displacement.map(|u| u[k].as_slice()), phases, observer)?;
+            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)?;
         }
         self.sum_flexibility();
         Ok(())

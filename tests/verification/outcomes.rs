@@ -3,7 +3,7 @@
 //! `cargo run --release --example outcomes` prints all combinations, those that do not converge among them.
 
 use brinell::solve::{SolveStatus, StepSolution};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::contacts::{ANALYSES, job, laws, pairs, surfaces};
 use crate::problems::solve;
@@ -37,18 +37,33 @@ fn every_coupling_converges_at_three_yield_stresses() {
     }
 }
 
-/// Not in plane stress with perfect plasticity: there the equations lose ellipticity, the strain wants to gather in a
-/// line, and whether it comes to rest depends on the mesh.
+/// In plane stress with perfect plasticity the equations lose ellipticity, and the strain wants to gather in a line:
+/// there it takes longer.
 #[test]
 fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses() {
     for (name, law) in &laws() {
         for ratio in [3.0, 4.0, 5.0] {
             for analysis in ANALYSES {
-                if (analysis, *name) != ("plane_stress", "perfectly plastic") {
-                    let taken = cylinders(analysis, "accelerated", law, ratio).history.len();
-                    assert!(taken <= 25, "{analysis} {name} {ratio}: {taken} iterations");
-                }
+                let most = if (analysis, *name) == ("plane_stress", "perfectly plastic") { 250 } else { 25 };
+                let taken = cylinders(analysis, "accelerated", law, ratio).history.len();
+                assert!(taken <= most, "{analysis} {name} {ratio}: {taken} iterations");
             }
+        }
+    }
+}
+
+/// Loads up and down by large steps, little hardening: moduli taken from the state of another load may be far too soft.
+#[test]
+fn no_step_of_a_sweep_is_lost() {
+    let [cylinder, ..] = surfaces();
+    let law = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 500.0});
+    let mut places = (1..).map(|k| (0.618_034 * f64::from(k)).fract());
+    for _ in 0..90 {
+        let mut sweep = job("plane_stress", "accelerated", &law, [&cylinder, &cylinder], 1.0);
+        let forces: Vec<f64> = places.by_ref().take(4).map(|t| 40.0 * f64::powf(17.5, t)).collect();
+        sweep["load"] = json!({"forces": forces});
+        for (step, force) in solve(&sweep).steps.iter().zip(&forces) {
+            assert_eq!(step.status, SolveStatus::Converged, "{force} of {forces:?}");
         }
     }
 }
