@@ -12,6 +12,7 @@
 use super::SolveError;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, Outcome, State, norm};
+use super::phases::Phase;
 use super::system::{PerModel, Response};
 
 const FIRST_FACTOR: f64 = 0.3;
@@ -19,8 +20,12 @@ const SMALLEST_FACTOR: f64 = 0.02;
 const LARGEST_FACTOR: f64 = 1.0;
 /// Initial-stress updates within one alternation at most.
 const MAX_INNER: usize = 200;
-/// Displacement change that ends the plastic iteration, over that of the alternation.
-const INNER_ACCURACY: f64 = 0.01;
+/// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the alternation.
+const INNER_ACCURACY: f64 = 0.003;
+/// The same over the tolerance, at least. Contact answers what is left undone several times as large.
+const INNER_FLOOR: f64 = 0.01;
+/// Out-of-balance force over the contact force that goes with that change.
+const BALANCE: f64 = 100.0;
 
 pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
@@ -52,8 +57,8 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
 /// displacements, forces and loads are in elastic equilibrium; returned are the points beyond yield and what the
 /// plastic law says against that state.
 ///
-/// `alternation` are the displacements at the start of the alternation: plasticity is converged to a hundredth
-/// of what the contact has moved since then, so that Aitken's factor compares converged states.
+/// `alternation` are the displacements at the start of the alternation. The less the contact has moved since then, the
+/// smaller a part of that may be left undone, so that Aitken's factor compares converged states.
 fn converge_plasticity(
     iteration: &mut Iteration<'_>,
     alternation: &PerModel,
@@ -62,8 +67,8 @@ fn converge_plasticity(
 ) -> (usize, f64) {
     let system = iteration.system;
     let moved = iteration.displacement_change(alternation, &response.displacement);
-    let sufficient = INNER_ACCURACY * moved.min(1.0);
-    let tolerance = iteration.controls.tolerance;
+    let floor = INNER_FLOOR * iteration.controls.tolerance;
+    let sufficient = (INNER_ACCURACY * moved.min(1.0).powf(1.5)).max(floor);
     let mut anderson = Anderson::default();
     let mut start = response.displacement.clone();
     let mut image = system.zeros();
@@ -73,14 +78,17 @@ fn converge_plasticity(
         iteration.count_update();
         response.displacement = iteration.displacement(loads, &response.contact.force);
         judgement.0 = iteration.initial_stress(&response.displacement, &mut image);
-        judgement.1 = system.distance(&image, loads);
+        judgement.1 =
+            iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, loads));
         let change = iteration.displacement_change(&start, &response.displacement);
-        let balanced = judgement.1 <= tolerance * norm(&response.contact.force);
-        if change <= sufficient || (change <= tolerance && balanced) {
+        let balanced = judgement.1 <= BALANCE * sufficient * norm(&response.contact.force);
+        if change <= sufficient && balanced {
             break;
         }
-        let next = anderson.next(&system.pack(&start), system.pack(&response.displacement));
-        system.unpack(&next, &mut start);
+        iteration.phases.time(Phase::Plasticity, iteration.observer, || {
+            let next = anderson.next(&system.pack(&start), system.pack(&response.displacement));
+            system.unpack(&next, &mut start);
+        });
     }
     judgement
 }

@@ -100,6 +100,20 @@ fn iteration_counts_stay_near_the_prototypes() {
     }
 }
 
+/// Plasticity that is not converged well enough sends the alternation round in a circle, on some meshes and not on others.
+#[test]
+fn weak_coupling_converges_on_every_mesh() {
+    for elements in [5, 8, 10, 12, 15] {
+        for force in [FORCE_3, FORCE_4, FORCE_5] {
+            let mut job = paper(force, "weak");
+            job["mesh"]["elements_per_half_width"] = json!(elements);
+            let step = &solve(&job).steps[0];
+            assert_eq!(step.status, SolveStatus::Converged, "{elements} elements, force {force}");
+            assert!(step.history.len() <= 45, "{elements} elements, force {force}: {}", step.history.len());
+        }
+    }
+}
+
 #[test]
 fn weak_coupling_converges_up_to_five_yield_stresses() {
     let reference = &solve(&paper(FORCE_5, "accelerated")).steps[0];
