@@ -16,10 +16,11 @@ use crate::model::{Elastic, Support};
 pub(super) struct ElasticBody {
     pub mesh: Arc<Mesh>,
     pub kinematics: Kinematics,
-    pub equations: Equations,
+    pub equations: Arc<Equations>,
     pub symbolic: Arc<SymbolicCholesky>,
     /// Supernodes of the contact normals.
     pub contact_reach: Reach,
+    restraint: Restraint,
     bulk_modulus: f64,
     /// The elastic stiffness, entry by entry of its pattern.
     stiffness: Vec<f64>,
@@ -27,31 +28,29 @@ pub(super) struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// Orders and analyses the equations and assembles the stiffness.
+    /// Orders and analyses the equations, unless another body has the same, and assembles the stiffness.
     pub fn new(
         mesh: Mesh,
         kinematics: Kinematics,
         constants: &Elastic,
         support: Support,
+        other: Option<&Self>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
         let contacts = mesh.contact_nodes.len();
-        let (equations, graph) = phases.time(Phase::Ordering, observer, || {
-            let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
-            let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
-            (Equations::new(&order, &Restraint::new(&mesh, support), contacts), graph)
-        });
-        super::checkpoint(observer)?;
-        let symbolic =
-            phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
-        super::checkpoint(observer)?;
+        let restraint = Restraint::new(&mesh, support);
+        let (equations, symbolic) = match other.filter(|other| other.is_structured_like(&mesh, &restraint)) {
+            Some(other) => (Arc::clone(&other.equations), Arc::clone(&other.symbolic)),
+            None => structure(&mesh, &restraint, phases, observer)?,
+        };
         let mut body = Self {
             mesh: Arc::new(mesh),
             kinematics,
             contact_reach: symbolic.trailing_reach(contacts),
             equations,
             symbolic,
+            restraint,
             bulk_modulus: constants.bulk_modulus(),
             stiffness: Vec::new(),
             quality: OnceLock::new(),
@@ -60,6 +59,15 @@ impl ElasticBody {
         body.stiffness =
             phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
         Ok(body)
+    }
+
+    /// Whether a mesh has the same equations, wherever its nodes may lie.
+    fn is_structured_like(&self, mesh: &Mesh, restraint: &Restraint) -> bool {
+        let own = &*self.mesh;
+        own.elements == mesh.elements
+            && own.lattice == mesh.lattice
+            && own.contact_nodes == mesh.contact_nodes
+            && self.restraint == *restraint
     }
 
     /// The stiffness with other shear moduli at the points of each element.
@@ -154,6 +162,25 @@ impl ElasticBody {
     }
 }
 
+/// Numbers the equations of a mesh, and analyses their factor.
+fn structure(
+    mesh: &Mesh,
+    restraint: &Restraint,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> Result<(Arc<Equations>, Arc<SymbolicCholesky>), SolveError> {
+    let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+        let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+        let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
+        (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
+    });
+    super::checkpoint(observer)?;
+    let symbolic =
+        phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
+    super::checkpoint(observer)?;
+    Ok((Arc::new(equations), symbolic))
+}
+
 /// Factorizes a stiffness in place of the last one; the observer can stop it.
 pub(super) fn refactor(
     factor: &mut Cholesky,
@@ -169,4 +196,35 @@ pub(super) fn refactor(
         }
     });
     interrupt.map_or_else(|| Ok(outcome?), |interrupt| Err(SolveError::Interrupted(interrupt)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{ContactZone, Outline, Refinement};
+    use crate::model::{PoissonRatio, PositiveF64, Shape};
+    use crate::solve::Unobserved;
+
+    /// A cylinder meshed around a contact of a hundredth of its radius.
+    fn cylinder(radius: f64, young: f64, support: Support, other: Option<&ElasticBody>) -> ElasticBody {
+        let positive = |value: f64| PositiveF64::new(value).unwrap();
+        let outline = Outline::of(&Shape::Cylinder { radius: positive(radius) });
+        let zone = ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 10, symmetric: true };
+        let mesh = Mesh::generate(&outline, zone, Refinement { growth: 1.2 }).unwrap();
+        let constants =
+            Elastic { young_modulus: positive(young), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+        let (kinematics, mut phases) = (Kinematics::PlaneStrain, PhaseTimes::default());
+        ElasticBody::new(mesh, kinematics, &constants, support, other, &mut phases, &mut Unobserved).unwrap()
+    }
+
+    #[test]
+    fn another_material_or_size_needs_no_other_analysis() {
+        let body = cylinder(20.0, 210e3, Support::Clamped, None);
+        let shares = |radius: f64, young: f64, support: Support| {
+            let other = cylinder(radius, young, support, Some(&body));
+            Arc::ptr_eq(&other.symbolic, &body.symbolic) && Arc::ptr_eq(&other.equations, &body.equations)
+        };
+        assert!(shares(20.0, 70e3, Support::Clamped) && shares(40.0, 210e3, Support::Clamped));
+        assert!(!shares(20.0, 210e3, Support::Roller));
+    }
 }

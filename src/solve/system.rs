@@ -81,8 +81,9 @@ impl System {
                 phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
             model_of[side] = Some(bodies.len());
             let constants = material.elastic();
+            let other = bodies.last().map(|body| &*body.elastic);
             let elastic =
-                ElasticBody::new(mesh, problem.kinematics, constants, body.support, phases, observer)?;
+                ElasticBody::new(mesh, problem.kinematics, constants, body.support, other, phases, observer)?;
             let former = former.and_then(|fields| fields.get(bodies.len()).copied());
             let (model, start) =
                 BodyModel::new(Arc::new(elastic), material, plastic_reach, former, phases, observer)?;
