@@ -226,6 +226,11 @@ impl Cholesky {
         Ok(())
     }
 
+    /// Becomes the factor of no matrix, so that the next one is factorized whole.
+    pub fn forget(&mut self) {
+        self.matrix.clear();
+    }
+
     /// Structure of the factor.
     pub fn symbolic(&self) -> &Arc<SymbolicCholesky> {
         &self.symbolic
