@@ -300,7 +300,7 @@ mod tests {
         let (symbolic, position) = grid();
         let mut factor = Cholesky::factor(&symbolic, &matrix(&symbolic, |_| false)).unwrap();
         let corner: Vec<u32> = (0..5).map(|k| position[k]).collect();
-        // Softer in one corner, in another, everywhere, and nowhere.
+        // A change in one corner, in another, everywhere, and none.
         let stages: [&dyn Fn(usize) -> bool; 4] = [
             &|j| corner.contains(&u32::try_from(j).unwrap()),
             &|j| j == position[position.len() - 1] as usize,

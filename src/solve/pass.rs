@@ -122,17 +122,6 @@ impl Pass {
         PlasticOutline::around(self.system.zone.centre(), yielded)
     }
 
-    /// Finds the contact, and whether it goes beyond the zone.
-    fn survey(&mut self, problem: &Problem) {
-        let Self { system, outcome, fields, .. } = self;
-        let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-        self.patch = ContactPatch::find(&x, &pressures, system.zone.symmetric);
-        self.reaches_edge = reaches_edge(system, outcome)
-            || (!outcome.status.is_stopped()
-                && problem.may_touch_elsewhere()
-                && meets_beyond_zone(problem, system, outcome, fields));
-    }
-
     /// Whether the material yields where nobody has looked.
     fn yields_unwatched(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);
@@ -216,20 +205,20 @@ pub(super) fn run(
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
         let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
+        let (patch, reaches_edge) =
+            phases.time(Phase::Output, observer, || survey(problem, &system, &outcome, &fields));
         let mut pass = Pass {
             system,
             outcome,
             fields,
-            patch: None,
-            reaches_edge: false,
+            patch,
+            reaches_edge,
             enlargements,
             meshes,
             former_states: states,
         };
-        let yields_unwatched = phases.time(Phase::Output, observer, || {
-            pass.survey(problem);
-            !interrupted && is_watched_in_part && pass.yields_unwatched()
-        });
+        let yields_unwatched = phases
+            .time(Phase::Output, observer, || !interrupted && is_watched_in_part && pass.yields_unwatched());
         if yields_unwatched {
             let outline = pass.plastic_outline().scaled(WIDENING);
             request.plastic_reach =
@@ -241,7 +230,7 @@ pub(super) fn run(
             available = Some(pass.into_prepared(request.load));
             continue;
         }
-        if !interrupted && pass.reaches_edge && enlargements < MAX_ENLARGEMENTS {
+        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
             let wider = enlarge(zone);
             if fits(problem, &wider) {
                 enlargements += 1;
@@ -306,6 +295,7 @@ fn iterate(
     let coupling = request.solver.coupling;
     let mut linearizations = 0;
     let mut reference = ReferenceModuli::Tangent;
+    // Residual where the last stiffness led.
     let mut reached = f64::INFINITY;
     loop {
         let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
@@ -340,6 +330,21 @@ fn iterate(
         let Outcome { state, history, .. } = outcome;
         beginning = Beginning { displacement: Some(state.response.displacement), history, factorizations };
     }
+}
+
+/// Where the contact is, and whether it goes beyond the zone.
+fn survey(
+    problem: &Problem,
+    system: &System,
+    outcome: &Outcome,
+    fields: &[ModelField],
+) -> (Option<ContactPatch>, bool) {
+    let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
+    let patch = ContactPatch::find(&x, &pressures, system.zone.symmetric);
+    let meets_beyond = !outcome.status.is_stopped()
+        && problem.may_touch_elsewhere()
+        && meets_beyond_zone(problem, system, outcome, fields);
+    (patch, meets_beyond || reaches_edge(system, outcome))
 }
 
 /// Whether one of the outermost two pairs of an open end of the zone carries force.
