@@ -16,7 +16,11 @@ use brinell::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
 use brinell::linalg::{Cholesky, EliminationOrder, Graph, SymbolicCholesky};
 use brinell::mesh::Mesh;
 use brinell::model::{Coupling, Job, Load, Material, MeshSettings, Named, PositiveF64};
-use brinell::solve::{self, Observer, Phase, PhaseTimes, Solution, SolveStatus, Unobserved};
+use brinell::results;
+use brinell::solve::{
+    self, FactorCache, Observer, Options, Phase, PhaseTimes, Solution, SolveStatus, Unobserved,
+};
+use serde_json::{Value, json};
 
 /// The default job: two equal cylinders, accelerated, active set, 1e-6.
 const JOB: &str = include_str!("../api/examples/two_cylinders.json");
@@ -50,6 +54,7 @@ fn main() {
     write_couplings(&mut text).unwrap();
     write_sweep(&mut text).unwrap();
     write_workers(&mut text).unwrap();
+    write_designs(&mut text).unwrap();
     println!("{text}");
     if has("--write") {
         std::fs::write(DOCUMENT, &text).unwrap();
@@ -300,6 +305,57 @@ fn write_workers(text: &mut String) -> std::fmt::Result {
          median of 5).",
         median(pairs.iter().map(|(one, two)| one / two)),
         median(pairs.iter().map(|(_, two)| JOBS as f64 / two))
+    )
+}
+
+/// Jobs that differ in hardening alone, each solved without a cache and, right after it, with one that was empty before
+/// the first.
+fn write_designs(text: &mut String) -> std::fmt::Result {
+    const YIELD_STRESSES: u32 = 40;
+    const TANGENT_MODULI: u32 = 25;
+    const BLOCK: usize = 200;
+    const MEBIBYTES: usize = 512;
+    let designs = (0..YIELD_STRESSES).flat_map(|i| (0..TANGENT_MODULI).map(move |j| (i, j)));
+    let jobs: Vec<Job> = designs
+        .map(|(i, j)| {
+            let yield_stress = 350.0 + 300.0 * f64::from(i) / f64::from(YIELD_STRESSES - 1);
+            let law = json!({
+                "law": "bilinear",
+                "yield_stress": yield_stress,
+                "tangent_modulus": 10_000.0 * f64::from(j) / f64::from(TANGENT_MODULI - 1),
+            });
+            let mut job: Value = serde_json::from_str(JOB).unwrap();
+            for body in ["upper", "lower"] {
+                job[body]["material"]["plasticity"] = law.clone();
+            }
+            Job::from_value(&job).unwrap()
+        })
+        .collect();
+    let cache = Arc::new(FactorCache::new(MEBIBYTES << 20));
+    let time = |job: &Job, cache: Option<&Arc<FactorCache>>| {
+        let clock = Instant::now();
+        black_box(results::run_with(job, Options { cache, ..Options::default() }, &mut Unobserved).unwrap());
+        clock.elapsed().as_secs_f64()
+    };
+    let ratios: Vec<f64> = jobs
+        .chunks(BLOCK)
+        .map(|jobs| {
+            let pairs: Vec<_> = jobs.iter().map(|job| (time(job, None), time(job, Some(&cache)))).collect();
+            pairs.iter().map(|pair| pair.0).sum::<f64>() / pairs.iter().map(|pair| pair.1).sum::<f64>()
+        })
+        .collect();
+    let figures = cache.figures();
+    writeln!(
+        text,
+        "\n## Designs of experiments\n\n{} jobs over {YIELD_STRESSES} yield stresses (350 to 650 MPa) and {TANGENT_MODULI} tangent \
+         moduli (0 to 10 GPa), 612.6106 N/mm, 20 elements, reports included: with a factor cache of {MEBIBYTES} MiB {:.2} times as \
+         fast as without (median of {} blocks of {BLOCK} jobs; {:.2} in the slowest). Of {} meshes {} were there already.",
+        jobs.len(),
+        median(ratios.iter().copied()),
+        ratios.len(),
+        ratios.iter().copied().fold(f64::INFINITY, f64::min),
+        figures.hits + figures.misses,
+        figures.hits,
     )
 }
 

@@ -59,6 +59,11 @@ pub struct Equations {
 }
 
 impl Equations {
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.number.as_slice()) + size_of_val(self.origin.as_slice())
+    }
+
     /// Numbers the free components node by node in elimination order; the last `contact_count` nodes of the
     /// order are the contact nodes, whose normal components follow after all else.
     pub fn new(order: &EliminationOrder, restraint: &Restraint, contact_count: usize) -> Self {

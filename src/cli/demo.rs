@@ -67,7 +67,8 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
         let stop = stop_on_signal()?;
         let storage = StorageConfig { database_url: Some(DatabaseUrl::Memory), ..StorageConfig::default() };
         let config = ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
-        let service = Service::bind(&config, Arc::new(CoreSolver)).await?;
+        let service =
+            Service::bind(&config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;
         let client = Client { address: service.address() };
         let server = tokio::spawn(service.run(stop.clone()));
         let (job, report) = tokio::select! {

@@ -14,7 +14,8 @@ use crate::lifecycle::stop_on_signal;
 pub(super) fn serve(config: &ServeConfig) -> Result<ExitCode, Fault> {
     block_on(async {
         let stop = stop_on_signal()?;
-        let service = Service::bind(config, Arc::new(CoreSolver)).await?;
+        let service =
+            Service::bind(config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;
         // The one line on standard output, for scripts that let the system choose the port.
         write_answer(None, format!("brinell listening on http://{}\n", service.address()).as_bytes())?;
         service.run(stop).await?;

@@ -24,7 +24,7 @@ pub struct ServeConfig {
     pub listen: String,
 
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
-    #[arg(long, env = "BRINELL_NO_WORKERS", conflicts_with_all = ["workers", "memory_limit"])]
+    #[arg(long, env = "BRINELL_NO_WORKERS", conflicts_with_all = ["workers", "memory_limit", "factor_cache"])]
     pub no_workers: bool,
 
     /// Longest time POST /v1/solve waits for its result before it answers 202

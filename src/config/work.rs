@@ -16,6 +16,10 @@ const MEMORY_PERCENT: u64 = 70;
 /// Memory \[bytes\] assumed where the system does not tell.
 const UNKNOWN_MEMORY: u64 = 4 << 30;
 
+/// Part of the jobs' memory that what is kept between them may take beside it, and the most it takes, unless set.
+const CACHE_PART: u64 = 8;
+const MAX_CACHE: u64 = 512 << 20;
+
 /// Settings of the solvers.
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct WorkConfig {
@@ -26,6 +30,11 @@ pub struct WorkConfig {
     /// Memory that the jobs being solved may need together [default: 70 % of the machine's or the container's]
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
+
+    /// Memory for meshes and factors kept for later jobs on the same bodies; 0 keeps none [default: an eighth of
+    /// --memory-limit, 512 at most]
+    #[arg(long, env = "BRINELL_FACTOR_CACHE", value_name = "MIB")]
+    pub factor_cache: Option<u32>,
 
     /// Longest time a job may be solved for
     #[arg(long, env = "BRINELL_JOB_TIMEOUT", value_name = "SECONDS", default_value = "600", value_parser = seconds)]
@@ -49,6 +58,7 @@ impl Default for WorkConfig {
         Self {
             workers: None,
             memory_limit: None,
+            factor_cache: None,
             job_timeout: Duration::from_mins(10),
             max_attempts: 3,
             lease: Duration::from_secs(30),
@@ -67,6 +77,13 @@ impl WorkConfig {
     pub fn memory(&self) -> u64 {
         let default = || machine_memory().unwrap_or(UNKNOWN_MEMORY) / 100 * MEMORY_PERCENT;
         self.memory_limit.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20)
+    }
+
+    /// Memory \[bytes\] for what is kept from job to job, beside [`Self::memory`].
+    pub fn factor_cache(&self) -> usize {
+        let default = || (self.memory() / CACHE_PART).min(MAX_CACHE);
+        let bytes = self.factor_cache.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20);
+        usize::try_from(bytes).unwrap_or(usize::MAX)
     }
 
     /// How a worker works whose store is durable or not.

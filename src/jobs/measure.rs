@@ -5,6 +5,7 @@ use std::time::Duration;
 use metrics::{counter, gauge, histogram};
 
 use super::{Counts, JobState};
+use crate::solve::FactorCacheFigures;
 
 /// Jobs waiting, of all nodes that share the queue.
 pub const QUEUE_DEPTH: &str = "brinell_queue_depth";
@@ -18,6 +19,10 @@ pub const SOLVE_DURATION: &str = "brinell_solve_duration_seconds";
 pub const JOBS_TOTAL: &str = "brinell_jobs_total";
 /// Iterations of an attempt.
 pub const SOLVER_ITERATIONS: &str = "brinell_solver_iterations";
+/// Bodies that a job needed, by `outcome`: `hit` if it was kept from an earlier job, else `miss`.
+pub const FACTOR_CACHE_LOOKUPS: &str = "brinell_factor_cache_lookups_total";
+/// Bytes of bodies and factors kept for later jobs.
+pub const FACTOR_CACHE_BYTES: &str = "brinell_factor_cache_bytes";
 
 /// The queue as it is; `None` if nobody knows.
 pub fn queue(counts: Option<&Counts>) {
@@ -39,4 +44,11 @@ pub fn attempted(outcome: Option<JobState>, time: Duration, iterations: usize) {
     counter!(JOBS_TOTAL, "outcome" => outcome.map_or("released", JobState::name)).increment(1);
     histogram!(SOLVE_DURATION).record(time);
     histogram!(SOLVER_ITERATIONS).record(iterations as f64);
+}
+
+/// What is kept from job to job, and how often it has served.
+pub fn factor_cache(figures: FactorCacheFigures) {
+    counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "hit").absolute(figures.hits);
+    counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "miss").absolute(figures.misses);
+    gauge!(FACTOR_CACHE_BYTES).set(figures.bytes as f64);
 }

@@ -1,8 +1,11 @@
 //! The seam between the job queue and the mechanics.
 
+use std::sync::Arc;
+
+use super::measure;
 use crate::model::{FieldError, Job};
 use crate::results::{self, JobEstimate, Report, RunError};
-use crate::solve::Observer;
+use crate::solve::{FactorCache, Observer, Options};
 
 /// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its place.
 pub trait JobSolver: Send + Sync + 'static {
@@ -22,11 +25,25 @@ pub trait JobSolver: Send + Sync + 'static {
 }
 
 /// The solver of this crate.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct CoreSolver;
+#[derive(Debug, Default)]
+pub struct CoreSolver {
+    cache: Option<Arc<FactorCache>>,
+}
+
+impl CoreSolver {
+    /// A solver that keeps up to so many bytes of bodies and factors from one job to the next.
+    pub fn with_cache(bytes: usize) -> Self {
+        Self { cache: (bytes > 0).then(|| Arc::new(FactorCache::new(bytes))) }
+    }
+}
 
 impl JobSolver for CoreSolver {
     fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
-        results::run(job, observer)
+        let options = Options { cache: self.cache.as_ref(), ..Options::default() };
+        let report = results::run_with(job, options, observer);
+        if let Some(cache) = &self.cache {
+            measure::factor_cache(cache.figures());
+        }
+        report
     }
 }

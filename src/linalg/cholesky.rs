@@ -106,6 +106,15 @@ impl SymbolicCholesky {
         &self.pattern
     }
 
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let structure = &self.structure;
+        let offsets = [structure.col_ptr_for_row_idx(), structure.col_ptr_for_val()];
+        let columns = [structure.supernode_begin(), structure.supernode_end(), &self.supernode_of];
+        let lists = offsets.iter().chain(&columns).map(|list| size_of_val(*list)).sum::<usize>();
+        self.pattern.bytes() + lists + size_of_val(structure.row_idx()) + size_of_val(self.parent.as_slice())
+    }
+
     /// Entries stored for the factor, those that panels store in vain included.
     pub fn factor_entries(&self) -> usize {
         self.structure.len_val()

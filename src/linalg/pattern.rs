@@ -32,6 +32,11 @@ impl SymmetricPattern {
         self.rows.len()
     }
 
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.column_offsets.as_slice()) + size_of_val(self.rows.as_slice())
+    }
+
     /// Rows of a column, diagonal first.
     pub fn column(&self, j: usize) -> &[u32] {
         &self.rows[self.column_start(j)..self.column_start(j + 1)]

@@ -98,6 +98,15 @@ impl Mesh {
         outcome
     }
 
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let node_lists = [&self.contact_nodes, &self.support_nodes, &self.axis_nodes];
+        size_of_val(self.nodes.as_slice())
+            + size_of_val(self.elements.as_slice())
+            + size_of_val(self.lattice.as_slice())
+            + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
+    }
+
     /// Coordinates of the four corners of an element \[mm\].
     pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
         self.elements[element].map(|node| self.nodes[node as usize])

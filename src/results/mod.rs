@@ -21,5 +21,5 @@ pub use fields::FieldsReport;
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use report::*;
-pub use run::{JobEstimate, RunError, preflight, run};
+pub use run::{JobEstimate, RunError, preflight, run, run_with};
 pub use validity::ValidityNote;

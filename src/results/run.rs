@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::{Report, build};
 use crate::mesh::MeshError;
 use crate::model::{FieldError, Job};
-use crate::solve::{self, Interrupt, Observer, SolveError};
+use crate::solve::{self, Interrupt, Observer, Options, SolveError};
 
 /// Why a job gave no report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -73,7 +73,15 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 /// # Errors
 /// [`RunError`]. An iteration that does not converge is a report with that status, not an error.
 pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
-    let solution = solve::run(job, observer)?;
+    run_with(job, Options::default(), observer)
+}
+
+/// [`run`] with options.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    let solution = solve::run_with(job, options, observer)?;
     let report = build::report(job, &solution, observer);
     Ok(report)
 }

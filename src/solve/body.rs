@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use super::elastic_body::ElasticBody;
+use super::factor_cache::LentFactor;
 use super::former::{Carried, FormerField};
 use super::phases::{Phase, PhaseTimes};
 use super::plastic_reach::{PlasticReach, nodes_of};
 use super::{Observer, SolveError};
 use crate::assembly::{InitialStressRegion, StressField};
+use crate::linalg::Reach;
 use crate::linalg::dense::SymmetricMatrix;
-use crate::linalg::{Cholesky, Reach};
 use crate::model::Deformable;
 use crate::plasticity::{HardeningLaw, ReferenceModuli, UniaxialCurve};
 
@@ -19,7 +20,7 @@ pub(super) struct BodyModel {
     pub material: Deformable,
     pub watch: Watch,
     /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`Watch::region`] refers to.
-    pub factor: Cholesky,
+    pub factor: LentFactor,
     /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
     pub flexibility: SymmetricMatrix,
     /// Whether that stiffness is softer than the elastic one.
@@ -41,10 +42,11 @@ pub(super) struct Watch {
 }
 
 impl BodyModel {
-    /// Factorizes the elastic stiffness or, given a former field, the one with the tangent moduli there; also returns
-    /// the former displacements, carried to the window.
+    /// Factorizes, in place of what the factor was of, the elastic stiffness or, given a former field, the one with the
+    /// tangent moduli there; also returns the former displacements, carried to the window.
     pub fn new(
         elastic: Arc<ElasticBody>,
+        mut factor: LentFactor,
         material: &Deformable,
         plastic_reach: PlasticReach,
         former: Option<FormerField<'_>>,
@@ -56,7 +58,6 @@ impl BodyModel {
             let carried = former.map(|field| watch.linearize_by(field, &elastic));
             (watch, carried)
         });
-        let mut factor = Cholesky::empty(&elastic.symbolic);
         let flexibility = elastic.factorize(&mut factor, watch.region.as_ref(), phases, observer)?;
         let is_softened = watch.is_softened();
         Ok((Self { elastic, material: material.clone(), watch, factor, flexibility, is_softened }, carried))
@@ -136,7 +137,7 @@ impl BodyModel {
 
 impl Watch {
     fn new(elastic: &ElasticBody, material: &Deformable, plastic_reach: PlasticReach) -> Self {
-        let ElasticBody { mesh, kinematics, equations, symbolic, .. } = elastic;
+        let ElasticBody { mesh, equations, symbolic, .. } = elastic;
         let elements = match UniaxialCurve::of(material) {
             None => vec![false; mesh.elements.len()],
             Some(curve) if curve.yield_stress() > 0.0 => plastic_reach.elements(mesh),
@@ -149,16 +150,16 @@ impl Watch {
         }
         let window = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&window);
-        let region = InitialStressRegion::new(mesh, *kinematics, equations, &elements, material);
+        let region = InitialStressRegion::new(mesh, elastic.kinematics(), equations, &elements, material);
         Self { elements, nodes, window, reach, region }
     }
 
     /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the window, zero where
     /// nothing yields.
     fn linearize_by(&mut self, former: FormerField<'_>, elastic: &ElasticBody) -> Vec<f64> {
-        let ElasticBody { mesh, kinematics, equations, .. } = elastic;
+        let ElasticBody { mesh, equations, .. } = elastic;
         let Some(region) = &mut self.region else { return elastic.zeros() };
-        let carried = Carried::new(former, *kinematics, mesh, &self.nodes);
+        let carried = Carried::new(former, elastic.kinematics(), mesh, &self.nodes);
         region.linearize(ReferenceModuli::Tangent, |element, _| carried.strain(&mesh.elements[element]));
         let start: &[u32] = if region.refers_to_elastic() { &[] } else { &self.window };
         carried.displacement_on(start, equations)

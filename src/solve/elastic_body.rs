@@ -3,19 +3,32 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
+use super::factor_cache::FactorCache;
 use super::phases::{Phase, PhaseTimes};
 use super::{Observer, SolveError};
 use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler};
 use crate::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
 use crate::linalg::dense::SymmetricMatrix;
 use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
-use crate::mesh::{Mesh, Quality};
+use crate::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::model::{Elastic, Support};
 
-/// What depends on mesh, elastic constants and supports alone.
-pub(super) struct ElasticBody {
-    pub mesh: Arc<Mesh>,
+/// What an elastic body is made of: of equal plans come equal bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BodyPlan {
+    pub outline: Outline,
+    pub zone: ContactZone,
+    pub refinement: Refinement,
     pub kinematics: Kinematics,
+    pub constants: Elastic,
+    pub support: Support,
+}
+
+/// What depends on mesh, elastic constants and supports alone.
+#[derive(Debug)]
+pub(super) struct ElasticBody {
+    pub plan: BodyPlan,
+    pub mesh: Arc<Mesh>,
     pub equations: Arc<Equations>,
     pub symbolic: Arc<SymbolicCholesky>,
     /// Supernodes of the contact normals.
@@ -28,25 +41,51 @@ pub(super) struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// Orders and analyses the equations, unless another body has the same, and assembles the stiffness.
-    pub fn new(
-        mesh: Mesh,
-        kinematics: Kinematics,
-        constants: &Elastic,
-        support: Support,
-        other: Option<&Self>,
+    /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
+    /// the cache has it already.
+    pub fn prepare(
+        plan: BodyPlan,
+        other: Option<&Arc<Self>>,
+        cache: Option<&FactorCache>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Arc<Self>, SolveError> {
+        if let Some(body) = other.filter(|other| other.plan == plan) {
+            return Ok(Arc::clone(body));
+        }
+        let Some(cache) = cache else {
+            let serving = |serves: &dyn Fn(&Self) -> bool| other.filter(|other| serves(other)).cloned();
+            return Ok(Arc::new(Self::new(plan, serving, phases, observer)?));
+        };
+        if let Some(body) = phases.time(Phase::Mesh, observer, || cache.find(&plan)) {
+            return Ok(body);
+        }
+        let body = Arc::new(Self::new(plan, |serves| cache.find_like(serves), phases, observer)?);
+        phases.time(Phase::Mesh, observer, || cache.keep(&body));
+        Ok(body)
+    }
+
+    /// Meshes a body; orders and analyses its equations, unless there is another that has the same; assembles its
+    /// stiffness.
+    fn new(
+        plan: BodyPlan,
+        other: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
+        let BodyPlan { outline, zone, refinement, constants, support, .. } = &plan;
+        let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, *zone, *refinement))?;
         let contacts = mesh.contact_nodes.len();
-        let restraint = Restraint::new(&mesh, support);
-        let (equations, symbolic) = match other.filter(|other| other.is_structured_like(&mesh, &restraint)) {
+        let restraint = Restraint::new(&mesh, *support);
+        let other = phases
+            .time(Phase::Ordering, observer, || other(&|body| body.is_structured_like(&mesh, &restraint)));
+        let (equations, symbolic) = match other {
             Some(other) => (Arc::clone(&other.equations), Arc::clone(&other.symbolic)),
             None => structure(&mesh, &restraint, phases, observer)?,
         };
+        let shear = constants.shear_modulus();
         let mut body = Self {
             mesh: Arc::new(mesh),
-            kinematics,
             contact_reach: symbolic.trailing_reach(contacts),
             equations,
             symbolic,
@@ -54,11 +93,24 @@ impl ElasticBody {
             bulk_modulus: constants.bulk_modulus(),
             stiffness: Vec::new(),
             quality: OnceLock::new(),
+            plan,
         };
-        let shear = constants.shear_modulus();
         body.stiffness =
             phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
         Ok(body)
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        self.mesh.bytes()
+            + self.equations.bytes()
+            + self.symbolic.bytes()
+            + size_of_val(self.stiffness.as_slice())
+    }
+
+    /// Third direction.
+    pub fn kinematics(&self) -> Kinematics {
+        self.plan.kinematics
     }
 
     /// Whether a mesh has the same equations, wherever its nodes may lie.
@@ -107,7 +159,7 @@ impl ElasticBody {
     fn assembler(&self) -> StiffnessAssembler<'_> {
         StiffnessAssembler {
             mesh: &self.mesh,
-            kinematics: self.kinematics,
+            kinematics: self.plan.kinematics,
             equations: &self.equations,
             pattern: self.symbolic.pattern(),
         }
@@ -201,20 +253,36 @@ pub(super) fn refactor(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{ContactZone, Outline, Refinement};
     use crate::model::{PoissonRatio, PositiveF64, Shape};
     use crate::solve::Unobserved;
 
     /// A cylinder meshed around a contact of a hundredth of its radius.
-    fn cylinder(radius: f64, young: f64, support: Support, other: Option<&ElasticBody>) -> ElasticBody {
+    fn cylinder(
+        radius: f64,
+        young: f64,
+        support: Support,
+        other: Option<&Arc<ElasticBody>>,
+    ) -> Arc<ElasticBody> {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
-        let outline = Outline::of(&Shape::Cylinder { radius: positive(radius) });
-        let zone = ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 10, symmetric: true };
-        let mesh = Mesh::generate(&outline, zone, Refinement { growth: 1.2 }).unwrap();
-        let constants =
-            Elastic { young_modulus: positive(young), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
-        let (kinematics, mut phases) = (Kinematics::PlaneStrain, PhaseTimes::default());
-        ElasticBody::new(mesh, kinematics, &constants, support, other, &mut phases, &mut Unobserved).unwrap()
+        let plan = BodyPlan {
+            outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
+            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 10, symmetric: true },
+            refinement: Refinement { growth: 1.2 },
+            kinematics: Kinematics::PlaneStrain,
+            constants: Elastic {
+                young_modulus: positive(young),
+                poisson_ratio: PoissonRatio::new(0.3).unwrap(),
+            },
+            support,
+        };
+        ElasticBody::prepare(plan, other, None, &mut PhaseTimes::default(), &mut Unobserved).unwrap()
+    }
+
+    #[test]
+    fn an_equal_plan_needs_nothing_new() {
+        let body = cylinder(20.0, 210e3, Support::Clamped, None);
+        assert!(Arc::ptr_eq(&body, &cylinder(20.0, 210e3, Support::Clamped, Some(&body))));
+        assert!(!Arc::ptr_eq(&body, &cylinder(20.0, 70e3, Support::Clamped, Some(&body))));
     }
 
     #[test]

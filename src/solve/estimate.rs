@@ -1,10 +1,10 @@
 //! What a job will cost, without meshing it.
 
 use super::SolveError;
-use super::extent::Extent;
+use super::extent::{Extent, refinement};
 use super::plastic_reach::PlasticOutline;
 use super::problem::Problem;
-use super::run::{loads, refinement, resolution_reserve};
+use super::run::{loads, resolution_reserve};
 use crate::mesh::estimated_nodes;
 use crate::model::Job;
 
@@ -35,8 +35,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
         let extent = Extent::expected(&problem, load)?;
         let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
         let zone = extent.zone(problem.is_symmetric(), spacing);
-        let refinement = refinement(extent.half_width / spacing);
-        let nodes = |outline| estimated_nodes(outline, zone, refinement);
+        let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
         let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
         worst.equations = worst.equations.max(found.equations);
         worst.bytes = worst.bytes.max(found.bytes);
@@ -47,10 +46,16 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
 /// Where the load is yet to be found: a contact of a hundredth of the surface.
 fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let half_width = 0.01 * problem.span().1;
-    let extent = Extent { centre: 0.0, half_width, smallest_part: half_width, plastic: PlasticOutline::NONE };
+    let extent = Extent {
+        centre: 0.0,
+        half_width,
+        smallest_part: half_width,
+        plastic: PlasticOutline::NONE,
+        unit: half_width,
+    };
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem.is_symmetric(), spacing);
-    let nodes = |outline| estimated_nodes(outline, zone, refinement(half_width / spacing));
+    let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
     cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
 }
 

@@ -17,6 +17,7 @@ mod coupling;
 mod elastic_body;
 mod estimate;
 mod extent;
+mod factor_cache;
 mod former;
 mod iteration;
 mod onset;
@@ -34,6 +35,7 @@ mod system;
 mod weak;
 
 pub use estimate::{Estimate, estimate};
+pub use factor_cache::{FactorCache, FactorCacheFigures};
 pub use patch::ContactPatch;
 pub use phases::{Phase, PhaseTimes};
 pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};

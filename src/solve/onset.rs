@@ -1,5 +1,8 @@
 //! The load at which a contact of any shape first yields.
 
+use std::sync::Arc;
+
+use super::factor_cache::FactorCache;
 use super::problem::Problem;
 use super::run::Runner;
 use super::solution::{Solution, StepSolution};
@@ -26,6 +29,7 @@ pub(super) fn run(
     problem: &Problem,
     job: &Job,
     contact: &dyn ContactSolver,
+    cache: Option<&Arc<FactorCache>>,
     solution: &mut Solution,
     observer: &mut dyn Observer,
 ) -> Result<StepSolution, SolveError> {
@@ -42,7 +46,7 @@ pub(super) fn run(
     let mut last: Option<(f64, f64)> = None;
     let mut trial = 1;
     loop {
-        let mut runner = Runner::new(&elastic, job, contact);
+        let mut runner = Runner::new(&elastic, job, contact, cache);
         let mut step = runner.step(ContactLoad::Force(force), None, solution, observer)?;
         let ratio = utilisation(&step, &yield_stress);
         if (ratio - 1.0).abs() <= TOLERANCE || trial == MAX_TRIALS || step.status != SolveStatus::Converged {

@@ -3,7 +3,9 @@
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
+use super::factor_cache::FactorCache;
 use super::former::FormerField;
 use super::iteration::{Beginning, Controls, Iteration, Outcome};
 use super::patch::ContactPatch;
@@ -31,6 +33,8 @@ pub(super) struct PassRequest<'a> {
     pub solver: SolverSettings,
     /// An answer on another mesh to start from, one field for each model.
     pub former: Option<&'a [FormerField<'a>]>,
+    /// What other jobs have left.
+    pub cache: Option<&'a Arc<FactorCache>>,
 }
 
 /// A discretized problem, and the displacements that the last loads left on it.
@@ -192,8 +196,8 @@ pub(super) fn run(
             prepared.resume(&request, phases, observer)?
         } else {
             meshes += 1;
-            let PassRequest { zone, refinement, plastic_reach, .. } = request;
-            let design = Design { zone, refinement, plastic_reach };
+            let PassRequest { zone, refinement, plastic_reach, cache, .. } = request;
+            let design = Design { zone, refinement, plastic_reach, cache };
             let (system, start) = System::build(problem, design, former, phases, observer)?;
             (system, Vec::new(), start)
         };
@@ -256,11 +260,11 @@ fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -
         let state = &outcome.state;
         let mut displacement = state.loads[k].clone();
         body.elastic.press(&state.response.contact.force, &mut displacement);
-        let factor = state.factors.as_ref().map_or(&body.factor, |factors| &factors[k]);
+        let factor = state.factors.as_ref().map_or(&*body.factor, |factors| &factors[k]);
         factor.solve(&mut displacement);
         let elastic = &body.elastic;
         let nodal = elastic.nodal(&displacement);
-        let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics, &body.material, &nodal);
+        let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics(), &body.material, &nodal);
         fields.push(ModelField { displacement, nodal, stress });
     }
     fields

@@ -1,9 +1,11 @@
 //! From a job to its solution: each load on three meshes, each sized by the one before.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
-use super::extent::Extent;
+use super::extent::{Extent, refinement};
+use super::factor_cache::FactorCache;
 use super::onset;
 use super::pass::{self, Pass, PassRequest, Prepared};
 use super::phases::{Phase, PhaseTimes};
@@ -13,7 +15,6 @@ use super::solution::{self, Solution, StepSolution};
 use super::{Interrupt, Observer, SolveError, SolveStatus};
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
 use crate::element::Kinematics;
-use crate::mesh::Refinement;
 use crate::model::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
 
 /// Elements over a half-width in the first mesh.
@@ -26,8 +27,6 @@ const SIZING_PASSES: usize = 5;
 const SIZING_TRUST: f64 = 0.4;
 /// How far the plastic region is prepared, over how far plastic flow reached on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.1;
-/// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
-const RING_GROWTH: f64 = 0.065;
 /// How much finer than asked a mesh is made where the loads that follow are smaller.
 const FALLING_RESERVE: f64 = 1.2;
 /// Least width of the zone over that of the contact for which a mesh is used again.
@@ -35,18 +34,20 @@ const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for.
 const RESOLUTION_SLACK: f64 = 1.05;
 
-/// What the wire format does not offer: for verification, and for trying out methods.
+/// What the wire format does not offer: for the service, for verification, and for trying out methods.
 #[derive(Clone, Copy)]
 pub struct Options<'a> {
     /// Whether a symmetric problem is solved on one half. Default true.
     pub use_symmetry: bool,
     /// Contact method of the final mesh in place of the one that the job names.
     pub contact_solver: Option<&'a dyn ContactSolver>,
+    /// Bodies and factors that other jobs have left and this one leaves. Default none.
+    pub cache: Option<&'a Arc<FactorCache>>,
 }
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { use_symmetry: true, contact_solver: None }
+        Self { use_symmetry: true, contact_solver: None, cache: None }
     }
 }
 
@@ -81,11 +82,11 @@ pub fn run_with(
     let mut solution =
         Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0, interrupted: None };
     let Some(loads) = loads(&job.load) else {
-        let step = onset::run(&problem, job, contact, &mut solution, observer)?;
+        let step = onset::run(&problem, job, contact, options.cache, &mut solution, observer)?;
         solution.steps.push(step);
         return Ok(solution);
     };
-    let mut runner = Runner::new(&problem, job, contact);
+    let mut runner = Runner::new(&problem, job, contact, options.cache);
     for (k, &load) in loads.iter().enumerate() {
         match runner.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
             Ok(step) => solution.steps.push(step),
@@ -117,6 +118,7 @@ pub(super) struct Runner<'a> {
     problem: &'a Problem,
     job: &'a Job,
     contact: &'a dyn ContactSolver,
+    cache: Option<&'a Arc<FactorCache>>,
     last: Option<LastStep>,
 }
 
@@ -129,8 +131,13 @@ struct LastStep {
 }
 
 impl<'a> Runner<'a> {
-    pub fn new(problem: &'a Problem, job: &'a Job, contact: &'a dyn ContactSolver) -> Self {
-        Self { problem, job, contact, last: None }
+    pub fn new(
+        problem: &'a Problem,
+        job: &'a Job,
+        contact: &'a dyn ContactSolver,
+        cache: Option<&'a Arc<FactorCache>>,
+    ) -> Self {
+        Self { problem, job, contact, cache, last: None }
     }
 
     /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
@@ -260,14 +267,16 @@ impl<'a> Runner<'a> {
             Coupling::SecantStiffness => PlasticReach::WholeBody,
             _ => PlasticReach::Within(extent.plastic.scaled(PLASTIC_MARGIN)),
         };
+        let zone = extent.zone(self.problem.is_symmetric(), spacing);
         PassRequest {
             contact: &ActiveSetSolver,
-            zone: extent.zone(self.problem.is_symmetric(), spacing),
-            refinement: refinement(extent.half_width / spacing),
+            zone,
+            refinement: refinement(&zone),
             plastic_reach,
             load,
             solver,
             former: None,
+            cache: self.cache,
         }
     }
 }
@@ -290,11 +299,6 @@ fn auxiliary() -> SolverSettings {
         tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
         max_iterations: 200,
     }
-}
-
-/// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
-pub(super) fn refinement(elements_per_half_width: f64) -> Refinement {
-    Refinement { growth: 1.0 + RING_GROWTH * 20.0 / elements_per_half_width }
 }
 
 /// Lets the auxiliary passes be stopped but not seen.

@@ -60,7 +60,7 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantSta
     for ((body, x), &copies) in system.bodies.iter().zip(&response.displacement).zip(&system.multiplicity) {
         let nodal = body.elastic.nodal(x);
         let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
-            StressField::evaluate(&body.elastic.mesh, body.elastic.kinematics, &body.material, &nodal)
+            StressField::evaluate(&body.elastic.mesh, body.elastic.kinematics(), &body.material, &nodal)
         });
         plastic_points += copies * field.plastic_points();
         squares += copies as f64 * body.imbalance(&field, &response.contact.force).powi(2);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::axis;
 use super::body::BodyModel;
-use super::elastic_body::ElasticBody;
+use super::elastic_body::{BodyPlan, ElasticBody};
+use super::factor_cache::{FactorCache, LentFactor};
 use super::former::FormerField;
 use super::phases::{Phase, PhaseTimes};
 use super::plastic_reach::PlasticReach;
@@ -14,8 +15,9 @@ use super::{Observer, SolveError};
 use crate::assembly::InitialStressRegion;
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::element::Kinematics;
+use crate::linalg::Cholesky;
 use crate::linalg::dense::SymmetricMatrix;
-use crate::mesh::{ContactZone, Mesh, Refinement};
+use crate::mesh::{ContactZone, Refinement};
 use crate::plasticity::ReferenceModuli;
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
@@ -38,10 +40,12 @@ pub(super) struct System {
 
 /// What a mesh is to be like.
 #[derive(Clone, Copy)]
-pub(super) struct Design {
+pub(super) struct Design<'a> {
     pub zone: ContactZone,
     pub refinement: Refinement,
     pub plastic_reach: PlasticReach,
+    /// Where it may be already.
+    pub cache: Option<&'a Arc<FactorCache>>,
 }
 
 /// One vector for each model.
@@ -60,12 +64,12 @@ impl System {
     /// there. Also returns the former displacements, carried to the windows of the new meshes.
     pub fn build(
         problem: &Problem,
-        design: Design,
+        design: Design<'_>,
         former: Option<&[FormerField<'_>]>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<PerModel>), SolveError> {
-        let Design { zone, refinement, plastic_reach } = design;
+        let Design { zone, refinement, plastic_reach, cache } = design;
         let mut bodies: Vec<BodyModel> = Vec::new();
         let mut carried: Vec<Option<Vec<f64>>> = Vec::new();
         let mut multiplicity: Vec<usize> = Vec::new();
@@ -77,16 +81,23 @@ impl System {
                 model_of[1] = model_of[0];
                 continue;
             }
-            let mesh =
-                phases.time(Phase::Mesh, observer, || Mesh::generate(&body.outline, zone, refinement))?;
+            let plan = BodyPlan {
+                outline: body.outline.clone(),
+                zone,
+                refinement,
+                kinematics: problem.kinematics,
+                constants: *material.elastic(),
+                support: body.support,
+            };
+            let other = bodies.last().map(|body| &body.elastic);
+            let elastic = ElasticBody::prepare(plan, other, cache.map(|cache| &**cache), phases, observer)?;
+            let own = || LentFactor::own(Cholesky::empty(&elastic.symbolic));
+            let factor = phases
+                .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.lend(&elastic)));
             model_of[side] = Some(bodies.len());
-            let constants = material.elastic();
-            let other = bodies.last().map(|body| &*body.elastic);
-            let elastic =
-                ElasticBody::new(mesh, problem.kinematics, constants, body.support, other, phases, observer)?;
             let former = former.and_then(|fields| fields.get(bodies.len()).copied());
             let (model, start) =
-                BodyModel::new(Arc::new(elastic), material, plastic_reach, former, phases, observer)?;
+                BodyModel::new(elastic, factor, material, plastic_reach, former, phases, observer)?;
             carried.push(start);
             bodies.push(model);
             multiplicity.push(1);

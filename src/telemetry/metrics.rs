@@ -52,6 +52,15 @@ fn describe() {
     describe_histogram!(measure::SOLVE_DURATION, Unit::Seconds, "Time of an attempt.");
     describe_counter!(measure::JOBS_TOTAL, "Attempts by outcome: the job's final state, or released.");
     describe_histogram!(measure::SOLVER_ITERATIONS, "Iterations of an attempt.");
+    describe_counter!(
+        measure::FACTOR_CACHE_LOOKUPS,
+        "Bodies that a job needed, by outcome: hit if kept from an earlier job."
+    );
+    describe_gauge!(
+        measure::FACTOR_CACHE_BYTES,
+        Unit::Bytes,
+        "Memory of bodies and factors kept for later jobs."
+    );
     describe_histogram!(
         REQUEST_DURATION,
         Unit::Seconds,

@@ -52,6 +52,13 @@ fn jobs_and_requests_are_measured() {
     is("brinell_solver_iterations_count", 2.0);
     assert!(value("brinell_solver_iterations_sum") > 2.0);
     assert!(value("brinell_solve_duration_seconds_sum") > 0.001);
+    let lookups =
+        |outcome: &str| value(&format!("brinell_factor_cache_lookups_total{{outcome=\"{outcome}\"}}"));
+    assert!(
+        lookups("hit") >= 1.0 && lookups("hit") >= lookups("miss"),
+        "the second job finds what the first left"
+    );
+    assert!(value("brinell_factor_cache_bytes") > 1e5);
     let solve = "http_request_method=\"POST\",http_route=\"/v1/solve\",http_response_status_code=\"200\"";
     is(&format!("http_server_request_duration_seconds_count{{{solve}}}"), 1.0);
     assert!(text.contains("http_route=\"/v1/jobs/{id}\""), "routes are told by their template");

@@ -10,6 +10,7 @@ mod contact_solvers;
 #[path = "../support/contacts.rs"]
 mod contacts;
 mod error_bars;
+mod factor_cache;
 mod independent_program;
 mod invariants;
 mod line_contact;
