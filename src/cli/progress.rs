@@ -1,11 +1,15 @@
 //! One line of progress on a terminal, for work that takes longer than a second.
 
 use std::io::{self, IsTerminal, Write};
+use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
 use super::table::significant;
 use crate::jobs::IterationRecord;
+use crate::linalg::{Cores, OccupiedCore};
 use crate::solve::{Interrupt, Observer};
 
 /// Work shorter than this shows no progress.
@@ -13,13 +17,14 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const INTERVAL: Duration = Duration::from_millis(100);
 
-/// Shows how far a solve has come, and is its clock.
+/// Shows how far a solve has come, is its clock and lends it the machine's cores.
 pub(super) struct ProgressLine {
     started: Instant,
     shown: Option<Instant>,
     text: String,
     is_terminal: bool,
     patience: Duration,
+    core: OccupiedCore,
 }
 
 impl ProgressLine {
@@ -30,6 +35,7 @@ impl ProgressLine {
             text: "preparing".to_owned(),
             is_terminal: io::stderr().is_terminal(),
             patience: PATIENCE,
+            core: Cores::new(available_parallelism().map_or(1, NonZeroUsize::get)).occupy(),
         }
     }
 
@@ -78,6 +84,10 @@ impl Observer for ProgressLine {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.refresh();
         ControlFlow::Continue(())
+    }
+
+    fn cores(&self) -> Option<Arc<Cores>> {
+        Some(self.core.all())
     }
 
     fn elapsed(&self) -> Duration {

@@ -19,8 +19,10 @@ use faer::sparse::linalg::SymbolicSupernodalParams;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
 use thiserror::Error;
 
+use super::cores::Cores;
 use super::dense::SymmetricMatrix;
-use super::factorization::{Supernode, factorize, outdated};
+use super::factorization::{factorize, outdated};
+use super::panel::Supernode;
 use super::{SymmetricPattern, dot, wide};
 
 /// Why a matrix has no Cholesky factor.
@@ -195,7 +197,7 @@ impl Cholesky {
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
     pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
         let mut factor = Self::empty(symbolic);
-        factor.refactor(values.to_vec(), &mut || ControlFlow::Continue(()))?;
+        factor.refactor(values.to_vec(), None, &mut || ControlFlow::Continue(()))?;
         Ok(factor)
     }
 
@@ -211,13 +213,14 @@ impl Cholesky {
     /// elimination tree; what is known from the last matrix stays. So the cost is that of the part that has changed and
     /// of what lies above it, and the factor is bit for bit that of a fresh start.
     ///
-    /// Runs on the calling thread alone, so that concurrent jobs do not disturb each other.
+    /// Runs on the calling thread and, if it is large, on `cores` that are idle. The bits do not depend on them.
     ///
     /// # Errors
     /// As [`Self::factor`], and [`FactorizationError::Stopped`].
     pub fn refactor(
         &mut self,
         values: Vec<f64>,
+        cores: Option<&Cores>,
         checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<(), FactorizationError> {
         let former = std::mem::take(&mut self.matrix);
@@ -230,7 +233,7 @@ impl Cholesky {
         } else {
             outdated(&self.symbolic, &former, &values)
         };
-        factorize(&self.symbolic, &values, &mut self.values, &outdated, checkpoint)?;
+        factorize(&self.symbolic, &values, &mut self.values, &outdated, cores, checkpoint)?;
         self.matrix = values;
         Ok(())
     }

@@ -4,28 +4,30 @@
 //! contributes, `L_d[rows of s and below] · L_d[rows of s]ᵀ`, and is then factorized as a dense block. Each finished
 //! supernode waits in the list of the one that owns its next row; so the contributors are at hand without search.
 //!
+//! Where cores are idle and the factorization is large, disjoint subtrees of the elimination tree are factorized side by
+//! side, and the large panels above them in blocks of rows. The order in which contributions are subtracted stays that
+//! of one thread, and with it every bit of the factor.
+//!
 //! # Reference
 //! E. G. Ng, B. W. Peyton, *Block sparse Cholesky algorithms on advanced uniprocessor computers*, SIAM J. Sci. Comput. 14
 //! (1993) 1034–1056.
 
 #![expect(clippy::cast_possible_truncation, reason = "there are fewer than 2^32 equations")]
 
-use std::ops::ControlFlow;
-
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{
-    LltError, LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
-};
-use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Accum, MatMut, MatRef, Par, Spec};
+use std::mem;
+use std::ops::{ControlFlow, Range};
 
 use super::cholesky::{FactorizationError, SymbolicCholesky};
+use super::cores::Cores;
+use super::panel::{Contribution, Supernode, Workspace};
 
 /// Multiplications between two questions whether to go on; some milliseconds.
 const WORK_BETWEEN_CHECKPOINTS: usize = 1 << 28;
 /// End of a list.
 const NONE: u32 = u32::MAX;
+
+/// Asked now and then whether to go on.
+pub(super) type Checkpoint<'a> = dyn FnMut() -> ControlFlow<()> + 'a;
 
 /// Factorizes the matrix with the given lower-triangle values into `factor`: the supernodes that are `outdated`, and
 /// those that it does not hold yet. What lies above the diagonal in the panels is of no meaning. Asks `checkpoint` now
@@ -35,68 +37,35 @@ pub(super) fn factorize(
     matrix: &[f64],
     factor: &mut Vec<f64>,
     outdated: &[bool],
-    checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
+    cores: Option<&Cores>,
+    checkpoint: &mut Checkpoint<'_>,
 ) -> Result<(), FactorizationError> {
-    let count = symbolic.supernode_count();
+    let elimination = Elimination { symbolic, matrix, outdated, held: factor.len() };
     let missing = symbolic.factor_entries() - factor.len();
     factor.try_reserve_exact(missing).map_err(|_| FactorizationError::TooLarge)?;
-    let mut workspace = Workspace::new(symbolic)?;
-    // First contributor of each supernode, next one in the same list, and how many of its rows a contributor has given.
-    let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
-    let mut given = vec![0u32; count];
-    let mut work = 0;
-    for s in 0..count {
-        let node = symbolic.supernode(s);
-        let is_held = node.values.end <= factor.len();
-        let is_outdated = !is_held || outdated[s];
-        if !is_held {
-            // Zeros for this panel alone, so that they are still in the cache when it is filled.
-            factor.resize(node.values.end, 0.0);
-        }
-        let (finished, rest) = factor.split_at_mut(node.values.start);
-        let panel = &mut rest[..node.values.len()];
-        if is_outdated {
-            if is_held {
-                panel.fill(0.0);
-            }
-            workspace.locate(&node);
-            workspace.scatter(symbolic, matrix, &node, panel);
-        }
-        let mut contributor = first[s];
-        while contributor != NONE {
-            let d = contributor as usize;
-            contributor = next[d];
-            let source = symbolic.supernode(d);
-            let begin = given[d] as usize;
-            let end = begin + source.rows[begin..].partition_point(|&row| (row as usize) < node.columns.end);
-            let contribution =
-                Contribution { values: &finished[source.values.clone()], node: source, begin, end };
-            if is_outdated {
-                work += contribution.work();
-                workspace.subtract(&contribution, &node, panel);
-            }
-            given[d] = end as u32;
-            if let Some(&row) = contribution.node.rows.get(end) {
-                let owner = symbolic.supernode_of(row);
-                (next[d], first[owner]) = (first[owner], d as u32);
-            }
-        }
-        if is_outdated {
-            work += node.columns.len() * node.height() * node.height();
-            workspace.factorize(&node, panel)?;
-        }
-        if let Some(&row) = node.rows.first() {
-            let owner = symbolic.supernode_of(row);
-            (next[s], first[owner]) = (first[owner], s as u32);
-        }
-        if work > WORK_BETWEEN_CHECKPOINTS {
-            work = 0;
-            if checkpoint().is_break() {
-                return Err(FactorizationError::Stopped);
-            }
-        }
+    let mut workspace = Workspace::new(symbolic);
+    let subtrees = match cores {
+        Some(cores) if cores.has_idle() => elimination.subtrees(),
+        _ => Vec::new(),
+    };
+    let all = 0..symbolic.supernode_count();
+    if subtrees.is_empty() {
+        elimination.run(all, Values::Growing(factor), &[], &mut workspace, cores, checkpoint)?;
+    } else {
+        complete(factor, symbolic.factor_entries());
+        let finished = elimination.run_subtrees(&subtrees, factor, &mut workspace, cores, checkpoint)?;
+        elimination.run(all, Values::Growing(factor), &finished, &mut workspace, cores, checkpoint)?;
     }
     Ok(())
+}
+
+/// Gives a factor all its entries, those that are new being zero: as memory that nobody has touched, if it is empty.
+fn complete(factor: &mut Vec<f64>, entries: usize) {
+    if factor.is_empty() {
+        *factor = Vec::new();
+        *factor = vec![0.0; entries];
+    }
+    factor.resize(entries, 0.0);
 }
 
 /// The supernodes whose numbers change from one matrix to another: those with an entry that does, and their ancestors.
@@ -113,124 +82,182 @@ pub(super) fn outdated(symbolic: &SymbolicCholesky, old: &[f64], new: &[f64]) ->
     outdated
 }
 
-/// Columns of the factor that share one set of rows below.
-pub(super) struct Supernode<'a> {
-    pub columns: std::ops::Range<usize>,
-    /// Rows below its diagonal block.
-    pub rows: &'a [u32],
-    /// Where its panel lies among the values of the factor.
-    pub values: std::ops::Range<usize>,
+/// A matrix on its way to becoming a factor.
+pub(super) struct Elimination<'a> {
+    pub symbolic: &'a SymbolicCholesky,
+    matrix: &'a [f64],
+    outdated: &'a [bool],
+    /// Values that the factor held before.
+    held: usize,
 }
 
-impl Supernode<'_> {
-    fn height(&self) -> usize {
-        self.columns.len() + self.rows.len()
-    }
+/// The values of the factor as far as a sequence of supernodes needs them.
+pub(super) enum Values<'a> {
+    /// All of them, from the first on; panels are added as they come.
+    Growing(&'a mut Vec<f64>),
+    /// Those of a subtree, which begin at `base`.
+    Part { base: usize, values: &'a mut [f64] },
 }
 
-/// What the rows `[begin, end)` of one supernode make it contribute to the supernode that owns them.
-struct Contribution<'a> {
-    node: Supernode<'a>,
-    values: &'a [f64],
-    begin: usize,
-    end: usize,
+/// A subtree that is factorized, and who in it contributes to supernodes outside, in the order in which they came to wait.
+pub(super) struct Finished {
+    pub supernodes: Range<usize>,
+    pub waiting: Vec<Waiting>,
 }
 
-impl Contribution<'_> {
-    fn work(&self) -> usize {
-        (self.node.rows.len() - self.begin) * (self.end - self.begin) * self.node.columns.len()
-    }
+/// A supernode whose next rows, after those `given`, belong to the supernode `owner`.
+pub(super) struct Waiting {
+    owner: usize,
+    contributor: u32,
+    given: u32,
 }
 
-/// Rows of a contribution that follow each other in the panel that they go to.
-#[derive(Clone, Copy)]
-struct Run {
-    from: usize,
-    to: usize,
-    len: usize,
+/// Who contributes to the supernodes of a sequence.
+struct Lists {
+    /// First of the sequence.
+    start: usize,
+    /// First contributor of each supernode, the next one in the same list, and how many of its rows each has given.
+    first: Vec<u32>,
+    next: Vec<u32>,
+    given: Vec<u32>,
 }
 
-/// What is needed on the way.
-struct Workspace {
-    /// Place of a row in the present panel.
-    place: Vec<u32>,
-    product: Vec<f64>,
-    runs: Vec<Run>,
-    memory: MemBuffer,
-}
-
-impl Workspace {
-    fn new(symbolic: &SymbolicCholesky) -> Result<Self, FactorizationError> {
-        let widest = (0..symbolic.supernode_count()).map(|s| symbolic.supernode(s).columns.len()).max();
-        let request = cholesky_in_place_scratch::<f64>(widest.unwrap_or(0), Par::Seq, Spec::default());
-        let memory = MemBuffer::try_new(request).map_err(|_| FactorizationError::TooLarge)?;
-        Ok(Self { place: vec![0; symbolic.order()], product: Vec::new(), runs: Vec::new(), memory })
+impl Elimination<'_> {
+    /// Whether a supernode has to be factorized.
+    pub fn is_outdated(&self, s: usize) -> bool {
+        self.symbolic.supernode(s).values.end > self.held || self.outdated[s]
     }
 
-    fn locate(&mut self, node: &Supernode<'_>) {
-        let below = node.rows.iter().map(|&row| row as usize);
-        for (place, row) in (0u32..).zip(node.columns.clone().chain(below)) {
-            self.place[row] = place;
-        }
-    }
-
-    /// The columns of the matrix.
-    fn scatter(&self, symbolic: &SymbolicCholesky, matrix: &[f64], node: &Supernode<'_>, panel: &mut [f64]) {
-        let pattern = symbolic.pattern();
-        for (column, target) in node.columns.clone().zip(panel.chunks_exact_mut(node.height())) {
-            let rows = pattern.column(column);
-            let values = &matrix[pattern.column_start(column)..];
-            for (&row, value) in rows.iter().zip(values) {
-                target[self.place[row as usize] as usize] = *value;
+    /// Factorizes supernodes in order, but for those of subtrees that are finished. Returns who waits to contribute to
+    /// later ones.
+    pub fn run(
+        &self,
+        supernodes: Range<usize>,
+        mut values: Values<'_>,
+        finished: &[Finished],
+        workspace: &mut Workspace,
+        cores: Option<&Cores>,
+        checkpoint: &mut Checkpoint<'_>,
+    ) -> Result<Vec<Waiting>, FactorizationError> {
+        let mut lists = Lists::new(&supernodes);
+        let mut outside = Vec::new();
+        let mut finished = finished.iter().peekable();
+        let mut work = 0;
+        let mut s = supernodes.start;
+        while s < supernodes.end {
+            if let Some(subtree) = finished.next_if(|subtree| subtree.supernodes.start == s) {
+                subtree.waiting.iter().for_each(|waiting| lists.add(waiting));
+                s = subtree.supernodes.end;
+                continue;
             }
-        }
-    }
-
-    fn subtract(&mut self, contribution: &Contribution<'_>, node: &Supernode<'_>, panel: &mut [f64]) {
-        let Contribution { node: source, values, begin, end } = contribution;
-        let (width, height) = (source.columns.len(), source.height());
-        let rows = &source.rows[*begin..];
-        let (m, k) = (rows.len(), end - begin);
-        let all = MatRef::from_column_major_slice(values, height, width).subrows(width + begin, m);
-        if self.product.len() < m * k {
-            self.product.resize(m * k, 0.0);
-        }
-        let product = &mut self.product[..m * k];
-        let target = MatMut::from_column_major_slice_mut(product, m, k);
-        matmul(target, Accum::Replace, all, all.subrows(0, k).transpose(), 1.0, Par::Seq);
-        self.runs.clear();
-        for (k, &row) in rows.iter().enumerate() {
-            let place = self.place[row as usize] as usize;
-            match self.runs.last_mut() {
-                Some(run) if run.to + run.len == place => run.len += 1,
-                _ => self.runs.push(Run { from: k, to: place, len: 1 }),
+            let node = self.symbolic.supernode(s);
+            let Opened { base, done, panel, is_zero } = values.open(&node.values);
+            let contributors = lists.contributors(s);
+            let contributions: Vec<Contribution<'_>> =
+                contributors.map(|(d, given)| self.contribution(d, given, &node, base, done)).collect();
+            if self.is_outdated(s) {
+                work += node.work() + contributions.iter().map(Contribution::work).sum::<usize>();
+                if !is_zero {
+                    // In one go, because memory that nobody has touched is mapped fastest in order.
+                    panel.fill(0.0);
+                }
+                workspace.make(self.symbolic, self.matrix, &node, &contributions, panel, cores)?;
             }
-        }
-        for (column, &row) in product.chunks_exact(m).zip(rows) {
-            let target = (row as usize - node.columns.start) * node.height();
-            let target = &mut panel[target..target + node.height()];
-            for &Run { from, to, len } in &self.runs {
-                for (entry, value) in target[to..to + len].iter_mut().zip(&column[from..from + len]) {
-                    *entry -= value;
+            for waiting in self.waiting(s, &node, &contributions) {
+                if waiting.owner < supernodes.end { lists.add(&waiting) } else { outside.push(waiting) }
+            }
+            if work > WORK_BETWEEN_CHECKPOINTS {
+                work = 0;
+                if checkpoint().is_break() {
+                    return Err(FactorizationError::Stopped);
                 }
             }
+            s += 1;
         }
+        Ok(outside)
     }
 
-    /// Turns a panel of the Schur complement into one of the factor.
-    fn factorize(&mut self, node: &Supernode<'_>, panel: &mut [f64]) -> Result<(), FactorizationError> {
-        let width = node.columns.len();
-        let panel = MatMut::from_column_major_slice_mut(panel, node.height(), width);
-        let (mut diagonal, below) = panel.split_at_row_mut(width);
-        let stack = MemStack::new(&mut self.memory);
-        let regularization = LltRegularization::default();
-        cholesky_in_place(diagonal.as_mut(), regularization, Par::Seq, stack, Spec::default()).map_err(
-            |LltError::NonPositivePivot { index }| FactorizationError::NotPositiveDefinite {
-                equation: node.columns.start + index,
-            },
-        )?;
-        solve_lower_triangular_in_place(diagonal.as_ref(), below.transpose_mut(), Par::Seq);
-        Ok(())
+    /// What supernode `d`, some of whose rows have been given already, contributes to another.
+    fn contribution<'v>(
+        &'v self,
+        d: u32,
+        given: u32,
+        node: &Supernode<'_>,
+        base: usize,
+        done: &'v [f64],
+    ) -> Contribution<'v> {
+        let source = self.symbolic.supernode(d as usize);
+        let begin = given as usize;
+        let end = begin + source.rows[begin..].partition_point(|&row| (row as usize) < node.columns.end);
+        let values = &done[source.values.start - base..source.values.end - base];
+        Contribution { supernode: d, node: source, values, begin, end }
+    }
+
+    /// Where those that have contributed to a supernode wait next, and it itself.
+    fn waiting<'c>(
+        &'c self,
+        s: usize,
+        node: &'c Supernode<'c>,
+        contributions: &'c [Contribution<'c>],
+    ) -> impl Iterator<Item = Waiting> + use<'c> {
+        let others = contributions.iter().map(|c| (c.supernode, c.node.rows, c.end));
+        let all = others.chain([(s as u32, node.rows, 0)]);
+        all.filter_map(|(contributor, rows, given)| {
+            let owner = self.symbolic.supernode_of(*rows.get(given)?);
+            Some(Waiting { owner, contributor, given: given as u32 })
+        })
+    }
+}
+
+/// A panel, and what is before it.
+struct Opened<'a> {
+    /// Number of the first value before the panel among those of the factor.
+    base: usize,
+    done: &'a [f64],
+    panel: &'a mut [f64],
+    is_zero: bool,
+}
+
+impl Values<'_> {
+    fn open(&mut self, panel: &Range<usize>) -> Opened<'_> {
+        let (base, values, is_zero): (usize, &mut [f64], bool) = match self {
+            Self::Growing(values) => {
+                let is_new = values.len() < panel.end;
+                if is_new {
+                    // Zeros for this panel alone, so that they are still in the cache when it is filled.
+                    values.resize(panel.end, 0.0);
+                }
+                (0, values, is_new)
+            }
+            Self::Part { base, values } => (*base, values, false),
+        };
+        let (done, rest) = values.split_at_mut(panel.start - base);
+        Opened { base, done, panel: &mut rest[..panel.len()], is_zero }
+    }
+}
+
+impl Lists {
+    fn new(supernodes: &Range<usize>) -> Self {
+        let none = vec![NONE; supernodes.len()];
+        Self { start: supernodes.start, first: none.clone(), next: none, given: vec![0; supernodes.len()] }
+    }
+
+    fn add(&mut self, waiting: &Waiting) {
+        let Waiting { owner, contributor, given } = *waiting;
+        let d = contributor as usize - self.start;
+        self.next[d] = mem::replace(&mut self.first[owner - self.start], contributor);
+        self.given[d] = given;
+    }
+
+    /// Who contributes to a supernode, each with the number of rows it has given.
+    fn contributors(&self, s: usize) -> impl Iterator<Item = (u32, u32)> {
+        let mut contributor = self.first[s - self.start];
+        std::iter::from_fn(move || {
+            let d = (contributor != NONE).then_some(contributor)?;
+            let k = d as usize - self.start;
+            contributor = self.next[k];
+            Some((d, self.given[k]))
+        })
     }
 }
 
@@ -239,20 +266,23 @@ mod tests {
     use std::ops::ControlFlow;
     use std::sync::Arc;
 
+    use super::Elimination;
+    use crate::linalg::subtrees::SUBTREE_PART;
     use crate::linalg::{
-        Cholesky, EliminationOrder, FactorizationError, Graph, LatticePoint, SymbolicCholesky,
+        Cholesky, Cores, EliminationOrder, FactorizationError, Graph, LatticePoint, SymbolicCholesky,
         SymmetricPattern,
     };
 
-    const COLUMNS: i32 = 40;
-    const ROWS: i32 = 30;
-
     /// One equation for each point of a grid, in nested dissection.
     fn grid() -> (Arc<SymbolicCholesky>, Vec<u32>) {
-        let points = || (0..COLUMNS).flat_map(|i| (0..ROWS).map(move |j| (i, j)));
-        let at = |i: i32, j: i32| u32::try_from(i * ROWS + j).unwrap();
+        grid_of(40, 30)
+    }
+
+    fn grid_of(columns: i32, rows: i32) -> (Arc<SymbolicCholesky>, Vec<u32>) {
+        let points = || (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j)));
+        let at = |i: i32, j: i32| u32::try_from(i * rows + j).unwrap();
         let cells: Vec<[u32; 4]> = points()
-            .filter(|&(i, j)| i + 1 < COLUMNS && j + 1 < ROWS)
+            .filter(|&(i, j)| i + 1 < columns && j + 1 < rows)
             .map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
             .collect();
         let lattice: Vec<LatticePoint> = points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect();
@@ -286,7 +316,7 @@ mod tests {
 
     fn entries(factor: &Cholesky) -> Vec<u64> {
         let n = factor.symbolic().order();
-        let columns = (0..n).step_by(7).flat_map(|k| {
+        let columns = (0..n).step_by(7.max(n / 30)).flat_map(|k| {
             let mut x = vec![0.0; n];
             x[k] = 1.0;
             factor.solve(&mut x);
@@ -309,9 +339,38 @@ mod tests {
         ];
         for is_stiff in stages {
             let next = matrix(&symbolic, is_stiff);
-            factor.refactor(next.clone(), &mut || ControlFlow::Continue(())).unwrap();
+            factor.refactor(next.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
             assert_eq!(entries(&factor), entries(&Cholesky::factor(&symbolic, &next).unwrap()));
         }
+    }
+
+    #[test]
+    fn idle_cores_change_no_bit() {
+        let (symbolic, position) = grid_of(420, 400);
+        let soft = matrix(&symbolic, |_| false);
+        let corner: Vec<usize> = (0..300).map(|k| position[k] as usize).collect();
+        let stages = [soft, matrix(&symbolic, |j| corner.contains(&j)), matrix(&symbolic, |_| true)];
+        let all = vec![true; symbolic.supernode_count()];
+        let elimination = Elimination { symbolic: &symbolic, matrix: &stages[0], outdated: &all, held: 0 };
+        assert!(elimination.subtrees().len() >= SUBTREE_PART, "there is something to share");
+        let cores = Cores::new(3);
+        let _job = cores.occupy();
+        let (mut alone, mut shared) = (Cholesky::empty(&symbolic), Cholesky::empty(&symbolic));
+        for matrix in &stages {
+            alone.refactor(matrix.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
+            shared.refactor(matrix.clone(), Some(&cores), &mut || ControlFlow::Continue(())).unwrap();
+            assert_eq!(entries(&shared), entries(&alone));
+        }
+        let again = matrix(&symbolic, |_| false);
+        let stopped = shared.refactor(again.clone(), Some(&cores), &mut || ControlFlow::Break(()));
+        assert_eq!(stopped, Err(FactorizationError::Stopped));
+        let mut indefinite = again.clone();
+        indefinite[symbolic.pattern().column_start(7)] = -100.0;
+        let refused = shared.refactor(indefinite, Some(&cores), &mut || ControlFlow::Continue(()));
+        assert_eq!(refused, Err(FactorizationError::NotPositiveDefinite { equation: 7 }));
+        shared.refactor(again.clone(), Some(&cores), &mut || ControlFlow::Continue(())).unwrap();
+        assert_eq!(entries(&shared), entries(&Cholesky::factor(&symbolic, &again).unwrap()));
+        assert!(cores.has_idle(), "what was borrowed is given back");
     }
 
     #[test]
@@ -342,13 +401,13 @@ mod tests {
         let mut indefinite = whole.clone();
         indefinite[symbolic.pattern().column_start(last)] = -100.0;
         indefinite[0] = 12.0;
-        let refused = factor.refactor(indefinite, &mut || ControlFlow::Continue(()));
+        let refused = factor.refactor(indefinite, None, &mut || ControlFlow::Continue(()));
         assert_eq!(refused, Err(FactorizationError::NotPositiveDefinite { equation: last }));
-        factor.refactor(whole.clone(), &mut || ControlFlow::Continue(())).unwrap();
+        factor.refactor(whole.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
         assert_eq!(entries(&factor), expected);
         let mut unknown = whole;
         unknown[3] = f64::NAN;
-        let refused = factor.refactor(unknown, &mut || ControlFlow::Continue(()));
+        let refused = factor.refactor(unknown, None, &mut || ControlFlow::Continue(()));
         assert_eq!(refused, Err(FactorizationError::NotFinite));
     }
 }

@@ -12,15 +12,19 @@
 //! This is the only module that names the library for symbolic analysis and dense kernels.
 
 mod cholesky;
+mod cores;
 pub mod dense;
 mod elimination;
 mod factorization;
 mod graph;
 mod nested_dissection;
+mod panel;
 mod pattern;
+mod subtrees;
 mod wide;
 
 pub use cholesky::{Cholesky, FactorizationError, Reach, SymbolicCholesky};
+pub use cores::{Cores, OccupiedCore};
 pub use elimination::EliminationOrder;
 pub use graph::Graph;
 pub use nested_dissection::LatticePoint;

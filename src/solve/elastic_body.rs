@@ -240,7 +240,8 @@ pub(super) fn refactor(
     observer: &mut dyn Observer,
 ) -> Result<(), SolveError> {
     let mut interrupt = None;
-    let outcome = factor.refactor(values, &mut || match observer.on_checkpoint() {
+    let cores = observer.cores();
+    let outcome = factor.refactor(values, cores.as_deref(), &mut || match observer.on_checkpoint() {
         ControlFlow::Continue(()) => ControlFlow::Continue(()),
         ControlFlow::Break(wish) => {
             interrupt = Some(wish);

@@ -15,6 +15,7 @@ use super::solution::{self, Solution, StepSolution};
 use super::{Interrupt, Observer, SolveError, SolveStatus};
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
 use crate::element::Kinematics;
+use crate::linalg::Cores;
 use crate::model::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
 
 /// Elements over a half-width in the first mesh.
@@ -309,6 +310,10 @@ struct Quiet<'a> {
 impl Observer for Quiet<'_> {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.inner.on_checkpoint()
+    }
+
+    fn cores(&self) -> Option<Arc<Cores>> {
+        self.inner.cores()
     }
 
     fn elapsed(&self) -> Duration {

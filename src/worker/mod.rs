@@ -20,6 +20,7 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 use crate::jobs::{Claim, ClaimRequest, Hub, JobSolver, JobStore, WorkerId};
+use crate::linalg::Cores;
 use pool::SolverPool;
 use running::Running;
 use seats::{Seats, Taken};
@@ -60,6 +61,8 @@ pub(crate) struct Crew {
     hub: Arc<Hub>,
     solver: Arc<dyn JobSolver>,
     pool: SolverPool,
+    /// One for each solver of the pool; large jobs borrow those of solvers that have nothing to do.
+    cores: Arc<Cores>,
     seats: Arc<Seats>,
     running: Running,
     tasks: TaskTracker,
@@ -85,6 +88,7 @@ impl Worker {
             hub,
             solver,
             pool: SolverPool::new(settings.slots)?,
+            cores: Cores::new(settings.slots),
             seats: Arc::new(Seats::new(settings.slots, settings.memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),

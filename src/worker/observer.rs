@@ -9,6 +9,7 @@ use tokio::sync::mpsc::UnboundedSender;
 
 use super::supervise::Message;
 use crate::jobs::{IterationRecord, check_finite};
+use crate::linalg::{Cores, OccupiedCore};
 use crate::solve::{Interrupt, Observer};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
@@ -38,11 +39,17 @@ pub(super) struct JobObserver {
     interrupt: Option<Interrupt>,
     untold: Vec<IterationRecord>,
     told_at: Duration,
+    core: OccupiedCore,
 }
 
 impl JobObserver {
     /// Starts the job's clock.
-    pub(super) fn start(timeout: Duration, stop: StopFlag, messages: UnboundedSender<Message>) -> Self {
+    pub(super) fn start(
+        timeout: Duration,
+        stop: StopFlag,
+        messages: UnboundedSender<Message>,
+        core: OccupiedCore,
+    ) -> Self {
         Self {
             started: Instant::now(),
             timeout,
@@ -51,6 +58,7 @@ impl JobObserver {
             interrupt: None,
             untold: Vec::new(),
             told_at: Duration::ZERO,
+            core,
         }
     }
 
@@ -94,6 +102,10 @@ impl Observer for JobObserver {
         };
         self.interrupt = Some(interrupt);
         ControlFlow::Break(interrupt)
+    }
+
+    fn cores(&self) -> Option<Arc<Cores>> {
+        Some(self.core.all())
     }
 
     fn elapsed(&self) -> Duration {

@@ -105,6 +105,14 @@ fn the_core_is_pure_and_the_service_need_not_be() {
 }
 
 #[test]
+fn linear_algebra_alone_starts_threads() {
+    let source = "use std::thread;";
+    faults("src/linalg/x.rs", source, &[]);
+    faults("src/solve/x.rs", source, &["src/solve/x.rs:1 names std::thread: solve belongs to the core"]);
+    assert_eq!(SMALL.check("src/linalg/x.rs", "use std::fs;").len(), 1);
+}
+
+#[test]
 fn a_reserved_crate_stays_where_it_is() {
     let fault = "src/solve/x.rs:1 names faer: only linalg may";
     faults("src/solve/x.rs", "use faer::sparse::SparseColMat;", &[fault]);
