@@ -1,8 +1,9 @@
 //! How many jobs a second these cores solve without a service around them: `brinell solve` in a loop, on one thread
-//! a core. `scripts/throughput.py` holds the service against it.
+//! a core, which share a factor cache as those of the service do. `scripts/throughput.py` holds the service against it.
 //!
 //! usage: `cargo run --release --example in_process -- JOB.json SECONDS`
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::{available_parallelism, scope};
 use std::time::{Duration, Instant};
@@ -10,7 +11,7 @@ use std::time::{Duration, Instant};
 use brinell::jobs::encode;
 use brinell::model::Job;
 use brinell::results;
-use brinell::solve::Unobserved;
+use brinell::solve::{FactorCache, Options, Unobserved};
 use mimalloc::MiMalloc;
 
 /// As in the program.
@@ -24,13 +25,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let text = std::fs::read(path)?;
     results::run(&Job::from_json(&text)?, &mut Unobserved)?;
 
+    let cache = Arc::new(FactorCache::new(512 << 20));
     let (solved, threads) = (AtomicU64::new(0), available_parallelism()?.get());
     let clock = Instant::now();
     let end = clock + Duration::from_secs_f64(seconds);
     scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
-                while Instant::now() < end && answer(&text) {
+                while Instant::now() < end && answer(&text, &cache) {
                     solved.fetch_add(1, Ordering::Relaxed);
                 }
             });
@@ -41,7 +43,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// From the text of a job to that of its result.
-fn answer(text: &[u8]) -> bool {
-    let report = Job::from_json(text).ok().and_then(|job| results::run(&job, &mut Unobserved).ok());
+fn answer(text: &[u8], cache: &Arc<FactorCache>) -> bool {
+    let options = Options { cache: Some(cache), ..Options::default() };
+    let report = Job::from_json(text).ok();
+    let report = report.and_then(|job| results::run_with(&job, options, &mut Unobserved).ok());
     report.is_some_and(|report| encode(&report).is_ok())
 }

@@ -1,8 +1,9 @@
 //! Processor cores that are lent to whoever can use more than one.
 
-use std::sync::atomic::{AtomicIsize, Ordering};
+use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::thread::{self, Thread};
+use std::time::Duration;
 
 /// The cores that the jobs of a process share.
 ///
@@ -35,7 +36,7 @@ impl Cores {
     }
 
     /// Whether there is one to borrow at the moment.
-    pub(super) fn has_idle(&self) -> bool {
+    pub fn has_idle(&self) -> bool {
         self.idle.load(Ordering::Relaxed) > 0
     }
 
@@ -71,21 +72,29 @@ impl Drop for BorrowedCore<'_> {
     }
 }
 
+/// Time between two looks around while others are still at work.
+const LOOK_AROUND: Duration = Duration::from_millis(5);
+
 /// Does each piece of work once: on this thread by `own`, and on idle cores each by a worker that `hire` makes. Pieces are
-/// begun in their order.
-pub(super) fn share<T: Send, W: FnMut(T)>(
+/// begun in their order. While this thread has nothing left to do but wait for the others, it calls `waiting` every few
+/// milliseconds.
+pub(crate) fn share<T: Send, W: FnMut(T)>(
     cores: Option<&Cores>,
     pieces: Vec<T>,
     mut own: impl FnMut(T),
     hire: impl Fn() -> W + Sync,
+    mut waiting: impl FnMut(),
 ) {
-    let helpers = pieces.len().saturating_sub(1);
+    let most = pieces.len().saturating_sub(1);
     let queue = Mutex::new(pieces.into_iter());
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let helpers = AtomicUsize::new(0);
     thread::scope(|scope| {
-        for core in (0..helpers).map_while(|_| cores?.borrow()) {
+        for core in (0..most).map_while(|_| cores?.borrow()) {
             let (next, hire) = (&next, &hire);
+            let shift = Shift::begin(&helpers);
             let help = move || {
+                let _shift = shift;
                 let mut work = hire();
                 while !core.is_wanted()
                     && let Some(piece) = next()
@@ -99,7 +108,31 @@ pub(super) fn share<T: Send, W: FnMut(T)>(
         while let Some(piece) = next() {
             own(piece);
         }
+        while helpers.load(Ordering::Acquire) > 0 {
+            thread::park_timeout(LOOK_AROUND);
+            waiting();
+        }
     });
+}
+
+/// A helper at work; at its end the thread that it helps is woken.
+struct Shift<'a> {
+    helpers: &'a AtomicUsize,
+    owner: Thread,
+}
+
+impl<'a> Shift<'a> {
+    fn begin(helpers: &'a AtomicUsize) -> Self {
+        helpers.fetch_add(1, Ordering::Relaxed);
+        Self { helpers, owner: thread::current() }
+    }
+}
+
+impl Drop for Shift<'_> {
+    fn drop(&mut self) {
+        self.helpers.fetch_sub(1, Ordering::Release);
+        self.owner.unpark();
+    }
 }
 
 #[cfg(test)]
@@ -121,11 +154,29 @@ mod tests {
             }
             done.lock().unwrap().push((piece, thread::current().id()));
         };
-        share(Some(&cores), (0..20).collect(), record, || record);
+        share(Some(&cores), (0..20).collect(), record, || record, || ());
         let done = done.into_inner().unwrap();
         assert_eq!(done.iter().map(|(piece, _)| *piece).collect::<HashSet<_>>(), (0..20).collect());
         assert_eq!((done.len(), done.iter().map(|(_, id)| *id).collect::<HashSet<_>>().len()), (20, 2));
         assert!(cores.has_idle(), "what was borrowed is given back");
+    }
+
+    #[test]
+    fn who_waits_looks_around() {
+        let cores = Cores::new(2);
+        let _job = cores.occupy();
+        let (looks, both) = (AtomicUsize::new(0), Barrier::new(2));
+        let until_seen = |_: usize| {
+            both.wait();
+            while looks.load(Ordering::Relaxed) < 3 {
+                thread::yield_now();
+            }
+        };
+        let own = |_: usize| {
+            both.wait();
+        };
+        share(Some(&cores), vec![0, 1], own, || until_seen, || _ = looks.fetch_add(1, Ordering::Relaxed));
+        assert!(looks.into_inner() >= 3);
     }
 
     #[test]
@@ -134,8 +185,8 @@ mod tests {
         let jobs = [cores.occupy(), cores.occupy()];
         let own = thread::current().id();
         let alone = |()| assert_eq!(thread::current().id(), own);
-        share(Some(&cores), vec![(); 5], alone, || alone);
-        share(None, vec![(); 5], alone, || alone);
+        share(Some(&cores), vec![(); 5], alone, || alone, || ());
+        share(None, vec![(); 5], alone, || alone, || ());
         drop(jobs);
         assert!(cores.borrow().is_some());
     }

@@ -24,6 +24,7 @@ mod subtrees;
 mod wide;
 
 pub use cholesky::{Cholesky, FactorizationError, Reach, SymbolicCholesky};
+pub(crate) use cores::share;
 pub use cores::{Cores, OccupiedCore};
 pub use elimination::EliminationOrder;
 pub use graph::Graph;

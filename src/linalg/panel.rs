@@ -237,5 +237,5 @@ fn in_blocks(
         let mut product = Product::default();
         move |block| action(&mut product, block)
     };
-    share(cores, blocks, |block| action(own, block), hire);
+    share(cores, blocks, |block| action(own, block), hire, || ());
 }

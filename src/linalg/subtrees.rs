@@ -3,6 +3,7 @@
 //! In a postorder the supernodes of a subtree follow each other, and so do their values: each subtree is a piece of work
 //! that needs nothing of the others.
 
+use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::mem;
 use std::ops::{ControlFlow, Range};
@@ -90,13 +91,13 @@ impl Elimination<'_> {
             outcomes.lock().unwrap_or_else(PoisonError::into_inner).push((start, outcome));
         };
         let stopped = AtomicBool::new(false);
-        let own = |piece: Piece<'_>| {
-            factorize(piece, workspace, &mut || {
-                let wish = checkpoint();
-                stopped.fetch_or(wish.is_break(), Ordering::Relaxed);
-                wish
-            });
+        let checkpoint = RefCell::new(checkpoint);
+        let ask = || {
+            let wish = checkpoint.borrow_mut()();
+            stopped.fetch_or(wish.is_break(), Ordering::Relaxed);
+            wish
         };
+        let own = |piece: Piece<'_>| factorize(piece, workspace, &mut || ask());
         let hire = || {
             let mut workspace = Workspace::new(self.symbolic);
             let (stopped, factorize) = (&stopped, &factorize);
@@ -110,7 +111,7 @@ impl Elimination<'_> {
                 });
             }
         };
-        share(cores, pieces, own, hire);
+        share(cores, pieces, own, hire, || _ = ask());
         let mut outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
         outcomes.sort_by_key(|(start, _)| *start);
         outcomes.into_iter().map(|(_, outcome)| outcome).collect()

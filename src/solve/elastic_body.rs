@@ -10,7 +10,7 @@ use crate::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssemb
 use crate::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
 use crate::linalg::dense::SymmetricMatrix;
 use crate::linalg::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
-use crate::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
+use crate::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
 use crate::model::{Elastic, Support};
 
 /// What an elastic body is made of: of equal plans come equal bodies.
@@ -22,6 +22,13 @@ pub(super) struct BodyPlan {
     pub kinematics: Kinematics,
     pub constants: Elastic,
     pub support: Support,
+}
+
+impl BodyPlan {
+    /// About how many nodes it will have.
+    pub fn estimated_nodes(&self) -> usize {
+        estimated_nodes(&self.outline, self.zone, self.refinement)
+    }
 }
 
 /// What depends on mesh, elastic constants and supports alone.

@@ -30,6 +30,7 @@ mod record;
 mod reference;
 mod run;
 mod secant;
+mod side_by_side;
 mod solution;
 mod system;
 mod weak;

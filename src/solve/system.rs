@@ -1,7 +1,7 @@
 //! Two bodies and the contact between them.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::axis;
 use super::body::BodyModel;
@@ -11,6 +11,7 @@ use super::former::FormerField;
 use super::phases::{Phase, PhaseTimes};
 use super::plastic_reach::PlasticReach;
 use super::problem::Problem;
+use super::side_by_side::{LARGE, side_by_side};
 use super::{Observer, SolveError};
 use crate::assembly::InitialStressRegion;
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
@@ -18,6 +19,7 @@ use crate::element::Kinematics;
 use crate::linalg::Cholesky;
 use crate::linalg::dense::SymmetricMatrix;
 use crate::mesh::{ContactZone, Refinement};
+use crate::model::Deformable;
 use crate::plasticity::ReferenceModuli;
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
@@ -70,8 +72,7 @@ impl System {
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<PerModel>), SolveError> {
         let Design { zone, refinement, plastic_reach, cache } = design;
-        let mut bodies: Vec<BodyModel> = Vec::new();
-        let mut carried: Vec<Option<Vec<f64>>> = Vec::new();
+        let mut models: Vec<(BodyPlan, &Deformable)> = Vec::new();
         let mut multiplicity: Vec<usize> = Vec::new();
         let mut model_of = [None; 2];
         for (side, body) in problem.bodies.iter().enumerate() {
@@ -89,19 +90,28 @@ impl System {
                 constants: *material.elastic(),
                 support: body.support,
             };
-            let other = bodies.last().map(|body| &body.elastic);
-            let elastic = ElasticBody::prepare(plan, other, cache.map(|cache| &**cache), phases, observer)?;
+            model_of[side] = Some(models.len());
+            models.push((plan, material));
+            multiplicity.push(1);
+        }
+        let nodes: usize = models.iter().map(|(plan, _)| plan.estimated_nodes()).sum();
+        // What one body has made ready the other may use.
+        let ready: Mutex<Option<Arc<ElasticBody>>> = Mutex::default();
+        let other = || ready.lock().unwrap_or_else(PoisonError::into_inner);
+        let models = models.into_iter().enumerate().collect();
+        let built = side_by_side(models, nodes >= LARGE, phases, observer, |model, phases, observer| {
+            let (k, (plan, material)): (usize, (BodyPlan, &Deformable)) = model;
+            let first = other().clone();
+            let elastic =
+                ElasticBody::prepare(plan, first.as_ref(), cache.map(|cache| &**cache), phases, observer)?;
+            other().get_or_insert_with(|| Arc::clone(&elastic));
             let own = || LentFactor::own(Cholesky::empty(&elastic.symbolic));
             let factor = phases
                 .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.lend(&elastic)));
-            model_of[side] = Some(bodies.len());
-            let former = former.and_then(|fields| fields.get(bodies.len()).copied());
-            let (model, start) =
-                BodyModel::new(elastic, factor, material, plastic_reach, former, phases, observer)?;
-            carried.push(start);
-            bodies.push(model);
-            multiplicity.push(1);
-        }
+            let former = former.and_then(|fields| fields.get(k).copied());
+            BodyModel::new(elastic, factor, material, plastic_reach, former, phases, observer)
+        })?;
+        let (bodies, carried): (Vec<BodyModel>, Vec<Option<Vec<f64>>>) = built.into_iter().unzip();
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
         let mut system = Self {
             bodies,
@@ -124,9 +134,17 @@ impl System {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        for (k, body) in self.bodies.iter_mut().enumerate() {
-            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)?;
-        }
+        let is_large = self.is_large();
+        let bodies = self.bodies.iter_mut().enumerate().collect();
+        side_by_side(
+            bodies,
+            is_large,
+            phases,
+            observer,
+            |(k, body): (usize, &mut BodyModel), phases, observer| {
+                body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)
+            },
+        )?;
         self.sum_flexibility();
         Ok(())
     }
@@ -139,10 +157,17 @@ impl System {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<PerModel, SolveError> {
-        let mut carried = Vec::with_capacity(self.bodies.len());
-        for (body, &field) in self.bodies.iter_mut().zip(former) {
-            carried.push(body.linearize_by(field, phases, observer)?);
-        }
+        let is_large = self.is_large();
+        let bodies = self.bodies.iter_mut().zip(former).collect();
+        let carried = side_by_side(
+            bodies,
+            is_large,
+            phases,
+            observer,
+            |(body, &field): (&mut BodyModel, &FormerField<'_>), phases, observer| {
+                body.linearize_by(field, phases, observer)
+            },
+        )?;
         self.sum_flexibility();
         Ok(carried)
     }
@@ -160,6 +185,11 @@ impl System {
         self.bodies
             .iter()
             .all(|body| body.watch.region.as_ref().is_none_or(InitialStressRegion::refers_to_elastic))
+    }
+
+    /// Whether its bodies are worth to be worked on at the same time.
+    fn is_large(&self) -> bool {
+        self.bodies.iter().map(|body| body.elastic.mesh.nodes.len()).sum::<usize>() >= LARGE
     }
 
     fn sum_flexibility(&mut self) {

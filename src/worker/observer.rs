@@ -112,3 +112,25 @@ impl Observer for JobObserver {
         self.started.elapsed()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use tokio::sync::mpsc::unbounded_channel;
+
+    use super::*;
+
+    #[test]
+    fn a_job_has_one_core_and_lends_the_others() {
+        let cores = Cores::new(2);
+        let start = || {
+            let (sender, _) = unbounded_channel();
+            JobObserver::start(Duration::MAX, StopFlag::default(), sender, cores.occupy())
+        };
+        let first = start();
+        assert!(first.cores().is_some_and(|lent| Arc::ptr_eq(&lent, &cores) && lent.has_idle()));
+        let second = start();
+        assert!(!cores.has_idle());
+        drop((first, second));
+        assert!(cores.has_idle());
+    }
+}

@@ -66,6 +66,18 @@ fn jobs_and_requests_are_measured() {
 }
 
 #[test]
+fn nothing_is_kept_between_jobs_if_so_set() {
+    let server = Server::start_with(&["--factor-cache", "0"]);
+    exercise(&server.target);
+    let answer = server.target.get("/metrics");
+    let shown = names(std::str::from_utf8(&answer.body).unwrap());
+    assert!(
+        shown.contains("brinell_jobs_total") && !shown.contains("brinell_factor_cache_bytes"),
+        "{shown:?}"
+    );
+}
+
+#[test]
 fn the_queue_is_seen_while_it_waits() {
     let service = InProcess::start(|_| ());
     let running = service.target.submit(&job("slow"));

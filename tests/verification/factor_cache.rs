@@ -6,7 +6,7 @@ use std::thread;
 use brinell::solve::{FactorCache, Options, Solution};
 use serde_json::{Value, json};
 
-use crate::problems::{paper, solve, solve_with, two_cylinders};
+use crate::problems::{bits, paper, solve, solve_with, two_cylinders};
 
 fn bilinear(yield_stress: f64, tangent_modulus: f64) -> Value {
     json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": tangent_modulus})
@@ -19,25 +19,6 @@ fn with_elements(mut job: Value, elements: u32) -> Value {
 
 fn cached(job: &Value, cache: &Arc<FactorCache>) -> Solution {
     solve_with(job, Options { cache: Some(cache), ..Options::default() })
-}
-
-/// Every figure that a solution has, to the last bit.
-fn bits(solution: &Solution) -> Vec<u64> {
-    let mut figures = Vec::new();
-    for step in &solution.steps {
-        figures.extend([
-            step.approach,
-            step.peak_pressure,
-            step.contact_stiffness,
-            step.equilibrium_residual,
-        ]);
-        figures.extend(step.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]));
-        figures.extend(step.history.iter().flat_map(|record| [record.approach, record.equilibrium_residual]));
-        for body in step.bodies.iter().flatten() {
-            figures.extend(body.stress.points.iter().flatten().flat_map(|point| point.stress));
-        }
-    }
-    figures.into_iter().map(f64::to_bits).collect()
 }
 
 #[test]

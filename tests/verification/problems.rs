@@ -55,6 +55,25 @@ pub fn solve_with(job: &Value, options: Options<'_>) -> Solution {
     solve::run_with(&parse(job), options, &mut Unobserved).unwrap()
 }
 
+/// Every figure that a solution has, to the last bit.
+pub fn bits(solution: &Solution) -> Vec<u64> {
+    let mut figures = Vec::new();
+    for step in &solution.steps {
+        figures.extend([
+            step.approach,
+            step.peak_pressure,
+            step.contact_stiffness,
+            step.equilibrium_residual,
+        ]);
+        figures.extend(step.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]));
+        figures.extend(step.history.iter().flat_map(|record| [record.approach, record.equilibrium_residual]));
+        for body in step.bodies.iter().flatten() {
+            figures.extend(body.stress.points.iter().flatten().flat_map(|point| point.stress));
+        }
+    }
+    figures.into_iter().map(f64::to_bits).collect()
+}
+
 /// Asserts `|value / expected - 1| <= tolerance`.
 #[track_caller]
 pub fn assert_within(value: f64, expected: f64, tolerance: f64) {
