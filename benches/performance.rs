@@ -128,6 +128,7 @@ struct Row {
     to_one: f64,
     structure: f64,
     shares: Vec<f64>,
+    sum: f64,
 }
 
 fn measure(elements: u32, runs: usize) -> Row {
@@ -155,6 +156,7 @@ fn measure(elements: u32, runs: usize) -> Row {
             (spent(&run.1, Phase::Ordering) + spent(&run.1, Phase::Symbolic)) / spent(&run.1, Phase::Numeric)
         }),
         shares: PHASES.map(|(phase, _)| of(&|run| 100.0 * spent(&run.1, phase) / run.0)).to_vec(),
+        sum: of(&|run| PHASES.map(|(phase, _)| 100.0 * spent(&run.1, phase) / run.0).iter().sum()),
     }
 }
 
@@ -189,13 +191,7 @@ fn write_floor(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result {
     )?;
     for row in &rows {
         let shares: Vec<String> = row.shares.iter().map(|share| format!("{share:.1}")).collect();
-        writeln!(
-            text,
-            "| {} | {} | {:.1} |",
-            row.elements,
-            shares.join(" | "),
-            row.shares.iter().sum::<f64>()
-        )?;
+        writeln!(text, "| {} | {} | {:.1} |", row.elements, shares.join(" | "), row.sum)?;
     }
     Ok(())
 }

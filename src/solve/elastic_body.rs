@@ -60,15 +60,18 @@ impl ElasticBody {
         if let Some(body) = other.filter(|other| other.plan == plan) {
             return Ok(Arc::clone(body));
         }
-        let Some(cache) = cache else {
-            let serving = |serves: &dyn Fn(&Self) -> bool| other.filter(|other| serves(other)).cloned();
-            return Ok(Arc::new(Self::new(plan, serving, phases, observer)?));
-        };
-        if let Some(body) = phases.time(Phase::Mesh, observer, || cache.find(&plan)) {
+        let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&plan));
+        if let Some(body) = cache.and_then(find) {
             return Ok(body);
         }
-        let body = Arc::new(Self::new(plan, |serves| cache.find_like(serves), phases, observer)?);
-        phases.time(Phase::Mesh, observer, || cache.keep(&body));
+        let like = |serves: &dyn Fn(&Self) -> bool| {
+            let body = other.filter(|other| serves(other)).cloned();
+            body.or_else(|| cache?.find_like(serves))
+        };
+        let body = Arc::new(Self::new(plan, like, phases, observer)?);
+        if let Some(cache) = cache {
+            phases.time(Phase::Mesh, observer, || cache.keep(&body));
+        }
         Ok(body)
     }
 
@@ -76,7 +79,7 @@ impl ElasticBody {
     /// stiffness.
     fn new(
         plan: BodyPlan,
-        other: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
+        like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
@@ -84,10 +87,9 @@ impl ElasticBody {
         let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, *zone, *refinement))?;
         let contacts = mesh.contact_nodes.len();
         let restraint = Restraint::new(&mesh, *support);
-        let other = phases
-            .time(Phase::Ordering, observer, || other(&|body| body.is_structured_like(&mesh, &restraint)));
-        let (equations, symbolic) = match other {
-            Some(other) => (Arc::clone(&other.equations), Arc::clone(&other.symbolic)),
+        let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
+        let (equations, symbolic) = match phases.time(Phase::Ordering, observer, || like(&is_like)) {
+            Some(body) => (Arc::clone(&body.equations), Arc::clone(&body.symbolic)),
             None => structure(&mesh, &restraint, phases, observer)?,
         };
         let shear = constants.shear_modulus();
