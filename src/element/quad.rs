@@ -170,16 +170,23 @@ impl Quad {
     /// differ in the dilatation alone; likewise for a pressure that is constant over the element.
     #[inline(always)]
     pub fn nodal_forces(&self, stress: &[PerPoint; 4]) -> [[f64; 2]; 4] {
-        let [sx, sy, sz, shear] = stress;
-        std::array::from_fn(|i| {
-            let (nx, ny, nr) = (&self.gradient_x[i], &self.gradient_y[i], &self.over_radius[i]);
-            let mut force = [0.0; 2];
-            for (g, w) in self.weight.iter().enumerate() {
-                force[0] += w * (nx[g] * sx[g] + ny[g] * shear[g] + nr[g] * sz[g]);
-                force[1] += w * (ny[g] * sy[g] + nx[g] * shear[g]);
+        let mut weighted = *stress;
+        for component in &mut weighted {
+            for (s, w) in component.iter_mut().zip(&self.weight) {
+                *s *= w;
             }
-            force
-        })
+        }
+        let [sx, sy, sz, shear] = &weighted;
+        let mut forces = [[0.0; 2]; 4];
+        // A loop and not a map over the nodes: that would not be inlined, and so not be compiled for wide vectors.
+        for (i, force) in forces.iter_mut().enumerate() {
+            let (nx, ny, nr) = (&self.gradient_x[i], &self.gradient_y[i], &self.over_radius[i]);
+            for g in 0..QUADRATURE_POINTS {
+                force[0] += nx[g] * sx[g] + ny[g] * shear[g] + nr[g] * sz[g];
+                force[1] += ny[g] * sy[g] + nx[g] * shear[g];
+            }
+        }
+        forces
     }
 }
 

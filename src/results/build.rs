@@ -1,5 +1,6 @@
 //! The report of a solution.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::units::Writer;
@@ -46,19 +47,19 @@ fn worst_status(solution: &Solution) -> SolveStatus {
 }
 
 fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
-    let bodies = PerBody { upper: &step.bodies[0], lower: &step.bodies[1] };
     let peak = contact::peak_abscissa(step);
     // Who stops a job wants its core back, not its stresses.
     let is_stopped = step.status.is_stopped();
-    let subsurface = (job.output.subsurface && !is_stopped).then(|| {
-        bodies.each(|body| body.as_ref().map(|body| subsurface::profile(body, step.symmetric, peak, write)))
-    });
+    let subsurface = (job.output.subsurface && !is_stopped)
+        .then(|| per_body(step, |body, _| subsurface::profile(body, step.symmetric, peak, write)));
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
-    let zone = |body: &Body, k: usize| {
-        let solution = step.bodies[k].as_ref().filter(|_| !is_stopped);
-        solution.map(|solution| plasticity_report(solution, body, step.symmetric, write))
+    let plasticity = if is_stopped {
+        PerBody { upper: None, lower: None }
+    } else {
+        let bodies = [&job.upper, &job.lower];
+        per_body(step, |solution, k| plasticity_report(solution, bodies[k], step.symmetric, write))
     };
     StepReport {
         load: match step.load {
@@ -71,7 +72,7 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
         contact: contact::report(step, write),
         contact_stiffness: write.stiffness(step.contact_stiffness),
         subsurface,
-        plasticity: PerBody { upper: zone(&job.upper, 0), lower: zone(&job.lower, 1) },
+        plasticity,
         hertz: reference.map(|reference| HertzReport {
             half_width: write.length(reference.half_width),
             peak_pressure: write.stress(reference.peak_pressure),
@@ -86,10 +87,16 @@ fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
     }
 }
 
-impl<T> PerBody<T> {
-    fn each<U>(&self, f: impl Fn(&T) -> U) -> PerBody<U> {
-        PerBody { upper: f(&self.upper), lower: f(&self.lower) }
-    }
+/// What there is to say of each deformable body; once where one solution stands for both.
+fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution, usize) -> T) -> PerBody<Option<T>> {
+    let [upper, lower] = &step.bodies;
+    let of = |body: &Option<Arc<BodySolution>>, k| body.as_ref().map(|body| say(body, k));
+    let of_upper = of(upper, 0);
+    let of_lower = match (upper, lower) {
+        (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
+        _ => of(lower, 1),
+    };
+    PerBody { upper: of_upper, lower: of_lower }
 }
 
 fn plasticity_report(
@@ -98,16 +105,21 @@ fn plasticity_report(
     symmetric: bool,
     write: Writer,
 ) -> PlasticityReport {
-    let points = || solution.stress.points.iter().flatten();
     let copies = if symmetric { 2.0 } else { 1.0 };
-    let area: f64 = points().filter(|point| point.yielded).map(|point| point.area).sum();
-    let most = points().max_by(|a, b| a.equivalent_plastic_strain.total_cmp(&b.equivalent_plastic_strain));
-    let strain = most.map_or(0.0, |point| point.equivalent_plastic_strain);
-    let position = most.filter(|_| strain > 0.0).map_or([0.0; 2], |point| point.position);
+    let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
+    for point in solution.stress.points.iter().flatten() {
+        if point.yielded {
+            yielded = true;
+            area += point.area;
+        }
+        if point.equivalent_plastic_strain > strain {
+            (strain, position) = (point.equivalent_plastic_strain, point.position);
+        }
+    }
     let zone = plastic_zone::outline(solution, body, symmetric);
     let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
-        yielded: points().any(|point| point.yielded),
+        yielded,
         max_equivalent_plastic_strain: strain,
         position: write.length(position[0]),
         depth: write.length(-position[1]),

@@ -50,16 +50,32 @@ pub(super) fn outline(solution: &BodySolution, body: &Body, symmetric: bool) -> 
             values.entry(node).or_insert_with(|| excess.at(recovery.node(node)));
         }
     }
+    let mesh = &solution.mesh;
+    let mut is_whole = vec![false; mesh.elements.len()];
+    for &element in &elements {
+        is_whole[element] = mesh.elements[element].iter().all(|node| values[node] >= 0.0);
+    }
+    // Between two elements that are inside as a whole, an edge would only meet its opposite.
+    let is_within = |element: usize, (from, ..): Corner, (to, ..): Corner| {
+        let shares = |&other: &u32| {
+            let other = other as usize;
+            other != element && is_whole[other] && mesh.elements[other].contains(&to)
+        };
+        is_whole[element] && recovery.elements_of(from).iter().any(shares)
+    };
+    let is_on_axis = |node: u32| mesh.nodes[node as usize][0] == 0.0;
+    let image = |(a, b, _): Corner| (a, b, !(is_on_axis(a) && is_on_axis(b)));
     let mut edges = Edges::default();
     for &element in &elements {
-        let corners = cut(solution.mesh.elements[element], &values);
-        edges.add(&corners);
-        if symmetric {
-            let is_on_axis = |node: u32| solution.mesh.nodes[node as usize][0] == 0.0;
-            let image = |&(a, b, _): &Corner| (a, b, !(is_on_axis(a) && is_on_axis(b)));
-            let mut images: Vec<Corner> = corners.iter().map(image).collect();
-            images.reverse();
-            edges.add(&images);
+        let corners = cut(mesh.elements[element], &values);
+        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            if is_within(element, from, to) {
+                continue;
+            }
+            edges.add(from, to);
+            if symmetric {
+                edges.add(image(to), image(from));
+            }
         }
     }
     let place = |corner: &Corner| position(*corner, solution, &values);
@@ -143,16 +159,14 @@ fn position((a, b, mirrored): Corner, solution: &BodySolution, values: &BTreeMap
 struct Edges(BTreeMap<Corner, Vec<Corner>>);
 
 impl Edges {
-    /// Adds the edges of a polygon.
-    fn add(&mut self, corners: &[Corner]) {
-        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-            if let Some(ends) = self.0.get_mut(&to)
-                && let Some(k) = ends.iter().position(|end| *end == from)
-            {
-                ends.swap_remove(k);
-            } else {
-                self.0.entry(from).or_default().push(to);
-            }
+    /// Adds an edge of a polygon.
+    fn add(&mut self, from: Corner, to: Corner) {
+        if let Some(ends) = self.0.get_mut(&to)
+            && let Some(k) = ends.iter().position(|end| *end == from)
+        {
+            ends.swap_remove(k);
+        } else {
+            self.0.entry(from).or_default().push(to);
         }
     }
 
@@ -203,8 +217,11 @@ mod tests {
     fn shared_edges_cancel_and_the_rest_closes() {
         let corner = |node: u32| (node, node, false);
         let mut edges = Edges::default();
-        edges.add(&[0, 1, 4, 3].map(corner));
-        edges.add(&[1, 2, 5, 4].map(corner));
+        for nodes in [[0, 1, 4, 3], [1, 2, 5, 4]] {
+            for k in 0..4 {
+                edges.add(corner(nodes[k]), corner(nodes[(k + 1) % 4]));
+            }
+        }
         let chains = edges.chain();
         assert_eq!(chains, [[0, 1, 2, 5, 4, 3].map(corner).to_vec()]);
     }

@@ -26,6 +26,8 @@ pub(super) struct Recovery<'a> {
     symmetric: bool,
     elements_around: ElementsAround,
     at_node: HashMap<u32, Values>,
+    /// The element that the last point was found in.
+    last: usize,
 }
 
 /// The elements around each node: those of node `k` are `elements[offsets[k]..offsets[k + 1]]`.
@@ -66,15 +68,18 @@ impl ElementsAround {
 impl<'a> Recovery<'a> {
     pub fn new(body: &'a BodySolution, symmetric: bool) -> Self {
         let elements_around = ElementsAround::of(&body.mesh);
-        Self { body, symmetric, elements_around, at_node: HashMap::new() }
+        Self { body, symmetric, elements_around, at_node: HashMap::new(), last: 0 }
     }
 
-    /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh.
+    /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh. Cheap next to the point before.
     pub fn at(&mut self, point: [f64; 2]) -> Option<Values> {
         let mesh = &self.body.mesh;
-        let (element, shape) = (0..mesh.elements.len()).find_map(|element| {
-            shape_functions(&mesh.corners(element), point).map(|shape| (element, shape))
-        })?;
+        let within =
+            |element: usize| shape_functions(&mesh.corners(element), point).map(|shape| (element, shape));
+        let around = mesh.elements[self.last].iter().flat_map(|&node| self.elements_of(node));
+        let near = around.map(|&element| element as usize).find_map(within);
+        let (element, shape) = near.or_else(|| (0..mesh.elements.len()).find_map(within))?;
+        self.last = element;
         let mut values = [0.0; 5];
         for (&node, weight) in mesh.elements[element].iter().zip(shape) {
             for (value, recovered) in values.iter_mut().zip(self.node(node)) {
