@@ -203,7 +203,9 @@ impl Product {
         }
         for (column, &row) in product.chunks_exact(m).zip(rows) {
             let target = block.rows.as_mut().col_mut(row as usize - start);
-            let Some(target) = target.try_as_col_major_mut() else { continue };
+            let Some(target) = target.try_as_col_major_mut() else {
+                unreachable!("panels are stored by columns")
+            };
             let target = target.as_slice_mut();
             for &Run { from, to, len } in &self.runs {
                 for (entry, value) in target[to..to + len].iter_mut().zip(&column[from..from + len]) {

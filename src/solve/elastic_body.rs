@@ -261,31 +261,35 @@ pub(super) fn refactor(
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::model::{PoissonRatio, PositiveF64, Shape};
     use crate::solve::Unobserved;
 
-    /// A cylinder meshed around a contact of a hundredth of its radius.
-    fn cylinder(
-        radius: f64,
-        young: f64,
-        support: Support,
-        other: Option<&Arc<ElasticBody>>,
-    ) -> Arc<ElasticBody> {
+    /// A cylinder with a contact of a hundredth of its radius.
+    pub(in crate::solve) fn plan(radius: f64, young: f64, support: Support) -> BodyPlan {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
-        let plan = BodyPlan {
+        BodyPlan {
             outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
-            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 10, symmetric: true },
-            refinement: Refinement { growth: 1.2 },
+            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 8, symmetric: true },
+            refinement: Refinement { growth: 1.3 },
             kinematics: Kinematics::PlaneStrain,
             constants: Elastic {
                 young_modulus: positive(young),
                 poisson_ratio: PoissonRatio::new(0.3).unwrap(),
             },
             support,
-        };
-        ElasticBody::prepare(plan, other, None, &mut PhaseTimes::default(), &mut Unobserved).unwrap()
+        }
+    }
+
+    fn cylinder(
+        radius: f64,
+        young: f64,
+        support: Support,
+        other: Option<&Arc<ElasticBody>>,
+    ) -> Arc<ElasticBody> {
+        let (plan, mut phases) = (plan(radius, young, support), PhaseTimes::default());
+        ElasticBody::prepare(plan, other, None, &mut phases, &mut Unobserved).unwrap()
     }
 
     #[test]

@@ -179,28 +179,12 @@ mod tests {
     use std::ops::ControlFlow;
 
     use super::*;
-    use crate::element::Kinematics;
-    use crate::mesh::{ContactZone, Outline, Refinement};
-    use crate::model::{Elastic, PoissonRatio, PositiveF64, Shape, Support};
+    use crate::model::Support;
+    use crate::solve::elastic_body::tests;
     use crate::solve::{PhaseTimes, Unobserved};
 
-    fn positive(value: f64) -> PositiveF64 {
-        PositiveF64::new(value).unwrap()
-    }
-
-    /// A cylinder of some radius.
     fn plan(radius: f64) -> BodyPlan {
-        BodyPlan {
-            outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
-            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 6, symmetric: true },
-            refinement: Refinement { growth: 1.4 },
-            kinematics: Kinematics::PlaneStrain,
-            constants: Elastic {
-                young_modulus: positive(210e3),
-                poisson_ratio: PoissonRatio::new(0.3).unwrap(),
-            },
-            support: Support::Clamped,
-        }
+        tests::plan(radius, 210e3, Support::Clamped)
     }
 
     fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
