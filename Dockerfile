@@ -3,18 +3,19 @@
 
 FROM rust:1.95-slim-bookworm AS build
 WORKDIR /build
-ENV CARGO_PROFILE_RELEASE_STRIP=symbols
 # The libraries by themselves: this layer lasts until Cargo.lock changes.
 COPY Cargo.toml Cargo.lock ./
-RUN mkdir src benches \
- && benches=$(sed -n '/^\[\[bench\]\]/{n;s/name = "\(.*\)"/benches\/\1.rs/p}' Cargo.toml) \
+COPY crates/brinell-solver/Cargo.toml crates/brinell-solver/
+COPY crates/sparse-cholesky/Cargo.toml crates/sparse-cholesky/
+RUN mkdir -p src crates/brinell-solver/src crates/sparse-cholesky/src crates/brinell-solver/benches \
+ && benches=$(sed -n '/^\[\[bench\]\]/{n;s#name = "\(.*\)"#crates/brinell-solver/benches/\1.rs#p}' crates/brinell-solver/Cargo.toml) \
  && echo 'fn main() {}' | tee src/main.rs $benches >/dev/null \
- && touch src/lib.rs \
- && cargo build --release --locked --bin brinell \
- && rm -r src benches
+ && touch src/lib.rs crates/brinell-solver/src/lib.rs crates/sparse-cholesky/src/lib.rs \
+ && cargo build --profile dist --locked --bin brinell \
+ && rm -r src crates
 COPY . .
 # Copied files keep their times, and cargo goes by those.
-RUN touch src/lib.rs src/main.rs && cargo build --release --locked --bin brinell && mkdir /data
+RUN touch src/lib.rs src/main.rs crates/*/src/lib.rs && cargo build --profile dist --locked --bin brinell && mkdir /data
 
 FROM debian:bookworm-slim
 ARG VERSION=0.1.0
@@ -22,7 +23,7 @@ LABEL org.opencontainers.image.title="brinell" \
       org.opencontainers.image.description="Elasto-plastic contact between two bodies as an HTTP service" \
       org.opencontainers.image.version="${VERSION}" \
       org.opencontainers.image.licenses="MIT OR Apache-2.0"
-COPY --from=build /build/target/release/brinell /usr/local/bin/brinell
+COPY --from=build /build/target/dist/brinell /usr/local/bin/brinell
 COPY LICENSE-MIT LICENSE-APACHE /usr/share/doc/brinell/
 # A number, so that an orchestrator can see that it is not root.
 COPY --from=build --chown=10001:10001 /data /var/lib/brinell

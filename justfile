@@ -38,7 +38,7 @@ doc:
 
 # The core without the service around it
 core:
-    cargo check --lib --no-default-features
+    cargo check -p brinell-solver
 
 # The reference problem over HTTP, shown
 demo:

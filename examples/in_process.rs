@@ -9,9 +9,9 @@ use std::thread::{available_parallelism, scope};
 use std::time::{Duration, Instant};
 
 use brinell::jobs::encode;
-use brinell::model::Job;
-use brinell::results;
-use brinell::solve::{FactorCache, Options, Unobserved};
+use brinell_solver::job::Job;
+use brinell_solver::report;
+use brinell_solver::solver::{FactorCache, Options, Unobserved};
 use mimalloc::MiMalloc;
 
 /// As in the program.
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = args.next().ok_or("which job?")?;
     let seconds: f64 = args.next().ok_or("for how many seconds?")?.parse()?;
     let text = std::fs::read(path)?;
-    results::run(&Job::from_json(&text)?, &mut Unobserved)?;
+    report::run(&Job::from_json(&text)?, &mut Unobserved)?;
 
     let cache = Arc::new(FactorCache::new(512 << 20));
     let (solved, threads) = (AtomicU64::new(0), available_parallelism()?.get());
@@ -46,6 +46,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn answer(text: &[u8], cache: &Arc<FactorCache>) -> bool {
     let options = Options { cache: Some(cache), ..Options::default() };
     let report = Job::from_json(text).ok();
-    let report = report.and_then(|job| results::run_with(&job, options, &mut Unobserved).ok());
+    let report = report.and_then(|job| report::run_with(&job, options, &mut Unobserved).ok());
     report.is_some_and(|report| encode(&report).is_ok())
 }

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use brinell::http::openapi;
-use brinell::model::Job;
-use brinell::results;
-use brinell::solve::Unobserved;
+use brinell_solver::job::Job;
+use brinell_solver::report;
+use brinell_solver::solver::Unobserved;
 use serde_json::{Value, json};
 
 fn root() -> &'static Path {
@@ -119,7 +119,7 @@ fn assert_valid(validator: &jsonschema::Validator, what: &str, value: &Value) {
 /// The report of a job, as it is written.
 fn solve(job: &Value) -> Value {
     let job = Job::from_value(job).unwrap();
-    serde_json::to_value(results::run(&job, &mut Unobserved).unwrap()).unwrap()
+    serde_json::to_value(report::run(&job, &mut Unobserved).unwrap()).unwrap()
 }
 
 #[test]

@@ -2,8 +2,8 @@
 //! be estimated. Nothing panics.
 #![no_main]
 
-use brinell::model::{Job, JobError};
-use brinell::results::preflight;
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::preflight;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &[u8]| {

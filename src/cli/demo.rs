@@ -19,9 +19,9 @@ use crate::app::Service;
 use crate::config::{DatabaseUrl, ServeConfig, StorageConfig};
 use crate::jobs::{CoreSolver, IterationRecord, JobId, JobState};
 use crate::lifecycle::stop_on_signal;
-use crate::model::Job;
-use crate::results::Report;
-use crate::solve::SolveStatus;
+use brinell_solver::job::Job;
+use brinell_solver::report::Report;
+use brinell_solver::solver::SolveStatus;
 
 /// Two equal steel cylinders pressed together to three times their yield stress.
 const EXAMPLE: &[u8] = include_bytes!("../../api/examples/two_cylinders.json");

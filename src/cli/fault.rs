@@ -10,9 +10,9 @@ use super::client::RequestError;
 use super::style::Style;
 use crate::app::AppError;
 use crate::jobs::{EncodeError, KeyId, StoreError};
-use crate::model::{FieldError, JobError};
-use crate::results::RunError;
-use crate::results::export::ExportError;
+use brinell_solver::job::{FieldError, JobError};
+use brinell_solver::report::RunError;
+use brinell_solver::report::export::ExportError;
 
 /// Exit code for faults of the program or its surroundings.
 const FAILED: u8 = 1;

@@ -5,7 +5,7 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 
 use super::fault::Fault;
-use crate::model::Job;
+use brinell_solver::job::Job;
 
 /// Reads and checks the job in a file; `-` is standard input.
 pub(super) fn read_job(path: &Path) -> Result<(String, Job), Fault> {

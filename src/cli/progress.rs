@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use super::table::significant;
 use crate::jobs::IterationRecord;
-use crate::linalg::{Cores, OccupiedCore};
-use crate::solve::{Interrupt, Observer};
+use brinell_solver::solver::{Interrupt, Observer};
+use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Work shorter than this shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);

@@ -14,10 +14,10 @@ use super::progress::ProgressLine;
 use super::style::Style;
 use super::table::table;
 use crate::jobs::{check_finite, encode};
-use crate::model::JobError;
-use crate::results::export::Export;
-use crate::results::{self, RunError};
-use crate::solve::SolveStatus;
+use brinell_solver::job::JobError;
+use brinell_solver::report::export::Export;
+use brinell_solver::report::{self, RunError};
+use brinell_solver::solver::SolveStatus;
 
 /// Arguments of `brinell solve`.
 #[derive(Debug, Args)]
@@ -90,7 +90,7 @@ pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
         form.require(&mut job);
     }
     let mut progress = ProgressLine::start();
-    let report = results::run(&job, &mut progress).map_err(|error| match error {
+    let report = report::run(&job, &mut progress).map_err(|error| match error {
         RunError::Input(errors) => Fault::of_job(&name, JobError::Fields(errors)),
         other => Fault::Run(other),
     })?;

@@ -8,9 +8,9 @@ mod plot;
 use std::fmt::Write;
 
 use super::style::Style;
-use crate::model::{Analysis, Job, Units};
-use crate::results::{HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings};
-use crate::solve::SolveStatus;
+use brinell_solver::job::{Analysis, Job, Units};
+use brinell_solver::report::{HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings};
+use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
 
 /// Widest line.

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use crate::model::{FieldError, Job, Load, Quantity, Units};
-use crate::solve::ElasticReference;
+use brinell_solver::job::{FieldError, Job, Load, Quantity, Units};
+use brinell_solver::solver::ElasticReference;
 
 /// Hertz's contact of the bodies of a job, in the units of the job.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]

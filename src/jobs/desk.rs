@@ -14,8 +14,8 @@ use super::{
     ApiKey, ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage,
     JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Watch, read_token,
 };
-use crate::model::{Job, JobError};
-use crate::results::JobEstimate;
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::JobEstimate;
 
 /// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
 /// an announcement from another process is lost.

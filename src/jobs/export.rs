@@ -4,9 +4,9 @@ use bytes::Bytes;
 use thiserror::Error;
 
 use super::{Desk, JobId, StoreError};
-use crate::model::Job;
-use crate::results::Report;
-use crate::results::export::{Export, ExportError};
+use brinell_solver::job::Job;
+use brinell_solver::report::Report;
+use brinell_solver::report::export::{Export, ExportError};
 
 /// Why a result is not to be had in a form.
 #[derive(Debug, Error)]

@@ -4,8 +4,8 @@ use bytes::Bytes;
 use serde::{Deserialize, Serialize};
 
 use super::JobState;
-use crate::model::FieldError;
-use crate::solve::{Interrupt, SolveStatus};
+use brinell_solver::job::FieldError;
+use brinell_solver::solver::{Interrupt, SolveStatus};
 
 /// Whose fault a failure is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

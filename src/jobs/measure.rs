@@ -5,7 +5,7 @@ use std::time::Duration;
 use metrics::{counter, gauge, histogram};
 
 use super::{Counts, JobState};
-use crate::solve::FactorCacheFigures;
+use brinell_solver::solver::FactorCacheFigures;
 
 /// Jobs waiting, of all nodes that share the queue.
 pub const QUEUE_DEPTH: &str = "brinell_queue_depth";

@@ -45,7 +45,7 @@ pub use store::{
     Retention, SWEEP, StoreError,
 };
 
-pub use crate::model::{FieldError, JobError};
-pub use crate::results::JobEstimate;
-pub use crate::results::export::{Export, ExportError};
-pub use crate::solve::IterationRecord;
+pub use brinell_solver::job::{FieldError, JobError};
+pub use brinell_solver::report::JobEstimate;
+pub use brinell_solver::report::export::{Export, ExportError};
+pub use brinell_solver::solver::IterationRecord;

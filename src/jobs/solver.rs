@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::measure;
-use crate::model::{FieldError, Job};
-use crate::results::{self, JobEstimate, Report, RunError};
-use crate::solve::{FactorCache, Observer, Options};
+use brinell_solver::job::{FieldError, Job};
+use brinell_solver::report::{self, JobEstimate, Report, RunError};
+use brinell_solver::solver::{FactorCache, Observer, Options};
 
 /// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its place.
 pub trait JobSolver: Send + Sync + 'static {
@@ -14,7 +14,7 @@ pub trait JobSolver: Send + Sync + 'static {
     /// # Errors
     /// Every field that makes the job impossible.
     fn estimate(&self, job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-        results::preflight(job)
+        report::preflight(job)
     }
 
     /// Solves the job; runs on a thread of its own and may take its time, but asks `observer` between phases.
@@ -40,7 +40,7 @@ impl CoreSolver {
 impl JobSolver for CoreSolver {
     fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
         let options = Options { cache: self.cache.as_ref(), ..Options::default() };
-        let report = results::run_with(job, options, observer);
+        let report = report::run_with(job, options, observer);
         if let Some(cache) = &self.cache {
             measure::factor_cache(cache.figures());
         }

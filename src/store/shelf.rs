@@ -13,7 +13,7 @@ use crate::jobs::{
     Claim, ClaimRequest, Claims, Counts, Enqueued, IterationRecord, JobFailure, JobFilter, JobId, JobPage,
     JobRecord, JobState, KeyId, Lease, LeaseStatus, NewJob, Outcome, Retention, SWEEP, StoreError, WorkerId,
 };
-use crate::solve::Interrupt;
+use brinell_solver::solver::Interrupt;
 
 /// One job.
 pub(super) struct Entry {

@@ -5,8 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::observer::JobObserver;
 use crate::jobs::{JobFailure, JobId, JobSolver, Outcome, encode};
-use crate::model::{Job, JobError};
-use crate::results::RunError;
+use brinell_solver::job::{Job, JobError};
+use brinell_solver::report::RunError;
 
 /// Solves a job and catches whatever goes wrong. Never panics.
 pub(super) fn attempt(

@@ -20,10 +20,10 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 use crate::jobs::{Claim, ClaimRequest, Hub, JobSolver, JobStore, WorkerId};
-use crate::linalg::Cores;
 use pool::SolverPool;
 use running::Running;
 use seats::{Seats, Taken};
+use sparse_cholesky::Cores;
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 const LAST_WORDS: Duration = Duration::from_secs(2);

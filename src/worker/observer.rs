@@ -9,8 +9,8 @@ use tokio::sync::mpsc::UnboundedSender;
 
 use super::supervise::Message;
 use crate::jobs::{IterationRecord, check_finite};
-use crate::linalg::{Cores, OccupiedCore};
-use crate::solve::{Interrupt, Observer};
+use brinell_solver::solver::{Interrupt, Observer};
+use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
 /// of its iterations; what a job that ends sooner has to tell comes with its outcome.

@@ -5,9 +5,9 @@ use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
 use brinell::jobs::{FieldError, JobSolver};
-use brinell::model::Job;
-use brinell::results::{MeshReport, Report, RunError, Timings};
-use brinell::solve::{Interrupt, IterationRecord, Observer, SolveStatus};
+use brinell_solver::job::Job;
+use brinell_solver::report::{MeshReport, Report, RunError, Timings};
+use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
 /// `abort`, `panic`, `nan`, `impossible`, `give_up`; `slow` iterates until the gate is opened or it is told to stop; anything
 /// else converges at once. `meet` waits for company, in vain if it is solved alone.

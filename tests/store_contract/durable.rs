@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use brinell::jobs::{Hub, JobState, StoreError, SystemClock};
-use brinell::solve::SolveStatus;
 use brinell::store::{SqliteError, open_sqlite};
+use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 use tokio::time::timeout;
 

@@ -1,7 +1,7 @@
 //! What becomes of jobs that somebody waits for, beside those that must survive.
 
 use brinell::jobs::{ClaimRequest, JobState, LeaseStatus, NewJob, StoreError};
-use brinell::solve::SolveStatus;
+use brinell_solver::solver::SolveStatus;
 
 use crate::subject::{ALL, LEASE, Subject, ids, iteration, job};
 

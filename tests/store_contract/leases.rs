@@ -1,7 +1,7 @@
 //! Whose job it is.
 
 use brinell::jobs::{ClaimRequest, FailureKind, JobId, JobState, Lease, LeaseStatus, StoreError, WorkerId};
-use brinell::solve::SolveStatus;
+use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
 use crate::subject::{LEASE, Subject, ids, iteration};

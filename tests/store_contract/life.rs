@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use brinell::jobs::{JobFailure, JobId, JobState, Outcome, Retention, StoreError};
-use brinell::solve::SolveStatus;
+use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
 use crate::subject::{ALL, DEADLINE, Subject, iteration, reported};

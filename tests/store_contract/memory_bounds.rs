@@ -1,8 +1,8 @@
 //! Bounds that only the store in memory has.
 
 use brinell::jobs::{NewJob, Outcome, StoreError};
-use brinell::solve::SolveStatus;
 use brinell::store::MemoryLimits;
+use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
 
 use crate::subject::{ALL, Subject};

@@ -1,7 +1,7 @@
 //! Submissions that come twice.
 
 use brinell::jobs::{Idempotency, KeyId, NewJob, StoreError};
-use brinell::solve::SolveStatus;
+use brinell_solver::solver::SolveStatus;
 
 use crate::subject::{ALL, QUEUE_CAPACITY, Subject, job};
 

@@ -9,8 +9,8 @@ use brinell::jobs::{
     Claim, ClaimRequest, Claims, Clock, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobRecord, Lease,
     NewJob, Outcome, StoreError, WorkerId,
 };
-use brinell::solve::SolveStatus;
 use brinell::store::{MemoryLimits, MemoryStore, Store, open_postgres, open_sqlite};
+use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
 use jiff::{SignedDuration, Timestamp};
 

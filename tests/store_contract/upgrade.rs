@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use brinell::jobs::{Idempotency, JobId, JobState, NewJob, Scope};
-use brinell::results::Report;
-use brinell::solve::SolveStatus;
+use brinell_solver::report::Report;
+use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
 
 use crate::subject::{ALL, Place, Subject, clock, job};
@@ -68,7 +68,7 @@ async fn everything_is_there(subject: &Subject) {
     let report: Report = serde_json::from_slice(&store.report(done).await.unwrap().unwrap()).unwrap();
     assert_eq!((report.status, report.version.as_str()), (SolveStatus::Converged, "0.1.0"));
     let request = store.request(done).await.unwrap();
-    brinell::model::Job::from_json(&request).expect("what was a job is a job");
+    brinell_solver::job::Job::from_json(&request).expect("what was a job is a job");
 
     let digest = sha2::Digest::finalize(<sha2::Sha256 as sha2::Digest>::new_with_prefix(&request)).into();
     let again = NewJob { idempotency: Some(Idempotency { key: "press-7".to_owned(), digest }), ..job("x") };

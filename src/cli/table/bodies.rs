@@ -1,7 +1,7 @@
 //! A body in a few words.
 
 use super::number::short;
-use crate::model::{Body, Deformable, Hardening, Material, Shape, Support, Units};
+use brinell_solver::job::{Body, Deformable, Hardening, Material, Shape, Support, Units};
 
 /// Shape, material and support, in the units of the job.
 pub(super) fn describe(body: &Body, units: Units) -> Vec<String> {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::UnitNames;
 use super::number::{round_up, short};
 use crate::cli::style::Style;
-use crate::results::{ContactNodes, ContactReport, HertzReport};
+use brinell_solver::report::{ContactNodes, ContactReport, HertzReport};
 
 /// Size of the picture in characters; each is 2 × 4 dots.
 const COLUMNS: usize = 64;

@@ -6,7 +6,7 @@ use super::schema::{
     Field, closed, field, list_of, named, named_as, names, object, one_of, optional, pair, pure, quantities,
     quantity, tagged, truth, whole, word,
 };
-use crate::model::{
+use brinell_solver::job::{
     Analysis, ContactMethod, Coupling, MeshSettings, OutputSettings, Profile, Quantity, SolverSettings,
     Support, Sweep, TablePoints, Units, hardening, tags,
 };
@@ -370,7 +370,7 @@ mod tests {
 
     use super::*;
     use crate::http::openapi::document;
-    use crate::model::{Job, roundtrip};
+    use brinell_solver::job::{Job, strategy};
 
     fn validator() -> jsonschema::Validator {
         let mut schema = document();
@@ -380,7 +380,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn whatever_the_format_can_say_is_in_the_schema(job in roundtrip::job()) {
+        fn whatever_the_format_can_say_is_in_the_schema(job in strategy::job()) {
             let job = serde_json::to_value(job).unwrap();
             let faults: Vec<_> = validator().iter_errors(&job).map(|fault| fault.to_string()).collect();
             prop_assert!(faults.is_empty(), "{faults:?} in {job}");

@@ -1,4 +1,4 @@
-//! The schema of a result: what `results::Report` is written as, with the unit and the sign of every figure.
+//! The schema of a result: what `report::Report` is written as, with the unit and the sign of every figure.
 
 use serde_json::{Value, json};
 

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use serde_json::{Map, Value, json};
 
-use crate::model::{Named, Quantity, Units};
+use brinell_solver::job::{Named, Quantity, Units};
 
 /// A member of an object.
 pub(super) struct Field {

@@ -59,7 +59,7 @@ mod tests {
             assert!(EXAMPLES.iter().any(|(served, _)| *served == name), "{name} is not served");
         }
         for (name, text) in EXAMPLES {
-            assert!(crate::model::Job::from_json(text.as_bytes()).is_ok(), "{name}");
+            assert!(brinell_solver::job::Job::from_json(text.as_bytes()).is_ok(), "{name}");
         }
     }
 }

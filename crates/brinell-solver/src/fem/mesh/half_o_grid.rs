@@ -1,0 +1,360 @@
+//! The half-O-grid: a block of squares under the contact zone, wrapped in rings that reach the outer boundary.
+//!
+//! Rings are interpolated transfinitely between the block's perimeter and the outer boundary, in the plane of
+//! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
+//! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
+
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "the limits of a job keep node and equation counts far below 2^31"
+)]
+
+use std::f64::consts::PI;
+
+use super::{Mesh, MeshError, Outline};
+use sparse_cholesky::LatticePoint;
+
+/// The part of the surface where contact may happen, and its division.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactZone {
+    /// Left end \[mm\]; 0 for a half model.
+    pub x_min: f64,
+    /// Right end \[mm\].
+    pub x_max: f64,
+    /// Elements across the zone.
+    pub columns: usize,
+    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is meshed.
+    pub symmetric: bool,
+}
+
+impl ContactZone {
+    /// Width of a column \[mm\].
+    pub fn spacing(&self) -> f64 {
+        (self.x_max - self.x_min) / self.columns as f64
+    }
+
+    /// Abscissa of candidate node `k` \[mm\], the same on both bodies.
+    pub fn abscissa(&self, k: usize) -> f64 {
+        if k == self.columns { self.x_max } else { self.x_min + self.spacing() * k as f64 }
+    }
+
+    /// Middle of the contact zone \[mm\]: the axis of a half model.
+    pub fn centre(&self) -> f64 {
+        if self.symmetric { 0.0 } else { 0.5 * (self.x_min + self.x_max) }
+    }
+
+    /// Whether the zone leaves enough of a body's surface beside it to be meshed.
+    pub fn fits(&self, outline: &Outline) -> bool {
+        let (left, right) = outline.span();
+        self.x_max <= MAX_ZONE_SPAN * right && self.x_min >= MAX_ZONE_SPAN * left
+    }
+
+    /// Half of the zone's width, both sides of the axis counted \[mm\].
+    pub fn half_width(&self) -> f64 {
+        if self.symmetric { self.x_max } else { 0.5 * (self.x_max - self.x_min) }
+    }
+}
+
+/// How fine the rings are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refinement {
+    /// Ratio of the thicknesses of neighbouring rings, above 1.
+    pub growth: f64,
+}
+
+/// Largest part of the body's surface that the zone may take.
+const MAX_ZONE_SPAN: f64 = 0.8;
+/// Largest part of the body's depth that the block may take.
+const MAX_BLOCK_DEPTH: f64 = 0.5;
+
+/// A point in the plane of the interpolation: `(ln r, φ)` about the centre.
+#[derive(Clone, Copy)]
+struct Polar {
+    log_radius: f64,
+    angle: f64,
+}
+
+/// Makes a mesh. The deviation of the free surface from its chord fades along the rings with the power `fade` of the
+/// distance from it.
+pub(super) fn generate(
+    outline: &Outline,
+    zone: ContactZone,
+    refinement: Refinement,
+    fade: i32,
+) -> Result<Mesh, MeshError> {
+    let (left, right) = outline.span();
+    let available = MAX_ZONE_SPAN * right.min(-left);
+    if !zone.fits(outline) {
+        return Err(MeshError::ZoneBeyondBody { half_width: zone.x_max.max(-zone.x_min), available });
+    }
+    let rows = block_rows(outline, &zone);
+    let mut grid = Builder::new(outline, zone, rows);
+    grid.block();
+    grid.rings(refinement, fade);
+    Ok(grid.finish())
+}
+
+/// Rows of the block: about as deep as one half of the zone is wide, but never more than a part of the body.
+fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
+    let wanted = zone.half_width().min(MAX_BLOCK_DEPTH * outline.depth());
+    ((wanted / zone.spacing()).round() as usize).max(2)
+}
+
+/// About how many nodes [`generate`] will make.
+pub(super) fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
+    let rows = block_rows(outline, &zone);
+    let sides = if zone.symmetric { 1 } else { 2 };
+    let columns = zone.columns;
+    // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
+    let (growth, distance) = (refinement.growth, outline.depth().max(outline.span().1));
+    let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
+    (columns + 1) * (rows + 1) + rings.ceil().max(1.0) as usize * (columns + sides * rows + 1)
+}
+
+struct Builder<'a> {
+    outline: &'a Outline,
+    zone: ContactZone,
+    rows: usize,
+    /// y of the block's base, negative.
+    base: f64,
+    mesh: Mesh,
+}
+
+impl<'a> Builder<'a> {
+    fn new(outline: &'a Outline, zone: ContactZone, rows: usize) -> Self {
+        let lowest =
+            (0..=zone.columns).map(|k| outline.height(zone.abscissa(k))).fold(f64::INFINITY, f64::min);
+        let mesh = Mesh {
+            nodes: Vec::new(),
+            elements: Vec::new(),
+            contact_nodes: Vec::new(),
+            support_nodes: Vec::new(),
+            axis_nodes: Vec::new(),
+            lattice: Vec::new(),
+            zone,
+        };
+        let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (outline.depth() + lowest));
+        let base = lowest - depth;
+        Self { outline, zone, rows, base, mesh }
+    }
+
+    /// The block, column by column from the surface down.
+    fn block(&mut self) {
+        for i in 0..=self.zone.columns {
+            let x = self.zone.abscissa(i);
+            let top = self.outline.height(x);
+            self.mesh.contact_nodes.push(self.block_node(i, 0));
+            for j in 0..=self.rows {
+                let t = j as f64 / self.rows as f64;
+                self.mesh.nodes.push([x, (1.0 - t) * top + t * self.base]);
+                self.mesh.lattice.push(LatticePoint { patch: 0, i: i as i32, j: j as i32 });
+                if i == 0 && self.zone.symmetric {
+                    self.mesh.axis_nodes.push(self.block_node(i, j));
+                }
+            }
+        }
+        for i in 0..self.zone.columns {
+            for j in 0..self.rows {
+                let [a, b] = [self.block_node(i, j), self.block_node(i, j + 1)];
+                let [d, c] = [self.block_node(i + 1, j), self.block_node(i + 1, j + 1)];
+                self.mesh.elements.push([a, b, c, d]);
+            }
+        }
+    }
+
+    fn block_node(&self, column: usize, row: usize) -> u32 {
+        (column * (self.rows + 1) + row) as u32
+    }
+
+    /// Block nodes met going round from the right end of the zone, down, along the base and, in a full model,
+    /// up to the left end.
+    fn perimeter(&self) -> Vec<u32> {
+        let right = (0..self.rows).map(|j| self.block_node(self.zone.columns, j));
+        let base = (0..=self.zone.columns).rev().map(|i| self.block_node(i, self.rows));
+        let left = (0..self.rows).rev().map(|j| self.block_node(0, j));
+        if self.zone.symmetric {
+            right.chain(base).collect()
+        } else {
+            right.chain(base).chain(left).collect()
+        }
+    }
+
+    /// Points on the outer boundary that face the perimeter, and which of them are held.
+    ///
+    /// Each lies at nearly the angle about the centre at which its perimeter node lies, so that rays stay straight
+    /// and rings cannot fold; angles are stretched as a whole where the free surface bends down, and the rays next
+    /// to the corners of the body are turned into them.
+    fn outer_boundary(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<([f64; 2], bool)> {
+        let depth = self.outline.depth();
+        let end = |sign: f64| self.outline.end(sign);
+        let first = angle_about(centre, end(1.0));
+        let last = if self.zone.symmetric { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
+        let (from, to) = (inner[0].angle, inner[inner.len() - 1].angle);
+        let mut angles: Vec<f64> =
+            inner.iter().map(|p| first + (p.angle - from) * (last - first) / (to - from)).collect();
+        let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
+        let mut corners = Vec::new();
+        for sign in [1.0, -1.0] {
+            if has_wall(sign) && (sign > 0.0 || !self.zone.symmetric) {
+                let corner = angle_about(centre, [end(sign)[0], -depth]);
+                corners.push(turn_nearest(&mut angles, corner));
+            }
+        }
+        let right = if has_wall(1.0) { corners.first().copied().unwrap_or(0) } else { 0 };
+        let left = match (self.zone.symmetric, has_wall(-1.0)) {
+            (false, true) => corners.last().copied().unwrap_or(angles.len() - 1),
+            _ => angles.len() - 1,
+        };
+        let place = |(s, &angle): (usize, &f64)| {
+            let (sin, cos) = angle.sin_cos();
+            let drop = centre[1] + depth;
+            let point = if s == 0 {
+                end(1.0)
+            } else if s + 1 == angles.len() && !self.zone.symmetric {
+                end(-1.0)
+            } else if s < right {
+                [end(1.0)[0], centre[1] + (end(1.0)[0] - centre[0]) * sin / cos]
+            } else if s > left {
+                [end(-1.0)[0], centre[1] + (end(-1.0)[0] - centre[0]) * sin / cos]
+            } else if s == right && right > 0 {
+                [end(1.0)[0], -depth]
+            } else if s == left && left + 1 < angles.len() {
+                [end(-1.0)[0], -depth]
+            } else {
+                [centre[0] - drop * cos / sin, -depth]
+            };
+            (point, (right..=left).contains(&s))
+        };
+        let mut points: Vec<_> = angles.iter().enumerate().map(place).collect();
+        if let (true, Some(axis)) = (self.zone.symmetric, points.last_mut()) {
+            axis.0 = [0.0, -depth];
+        }
+        points
+    }
+
+    /// The rings, from the block outward.
+    fn rings(&mut self, refinement: Refinement, fade: i32) {
+        let perimeter = self.perimeter();
+        let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
+        let polar = |p: [f64; 2]| Polar {
+            log_radius: (p[0] - centre[0]).hypot(p[1] - centre[1]).ln(),
+            angle: angle_about(centre, p),
+        };
+        let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
+        let outer = self.outer_boundary(&inner, centre);
+        let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
+        let steps = ring_steps(&inner, &outer_polar, &self.zone, refinement);
+        let last = perimeter.len() - 1;
+
+        let mut previous = perimeter;
+        for (k, &eta) in steps.iter().enumerate() {
+            let is_outermost = k + 1 == steps.len();
+            let sides = [
+                self.side_correction(&inner, &outer_polar, 0, eta, centre),
+                if self.zone.symmetric {
+                    0.0
+                } else {
+                    self.side_correction(&inner, &outer_polar, last, eta, centre)
+                },
+            ];
+            let mut current = Vec::with_capacity(previous.len());
+            for s in 0..=last {
+                let node = self.mesh.nodes.len() as u32;
+                let xi = s as f64 / last as f64;
+                let log_radius = (1.0 - eta) * inner[s].log_radius + eta * outer_polar[s].log_radius;
+                let angle = (1.0 - eta) * inner[s].angle
+                    + eta * outer_polar[s].angle
+                    + (1.0 - xi).powi(fade) * sides[0]
+                    + xi.powi(fade) * sides[1];
+                let on_axis = self.zone.symmetric && s == last;
+                let position = if is_outermost {
+                    outer[s].0
+                } else if on_axis {
+                    [0.0, centre[1] - log_radius.exp()]
+                } else {
+                    let (sin, cos) = angle.sin_cos();
+                    [centre[0] + log_radius.exp() * cos, centre[1] + log_radius.exp() * sin]
+                };
+                self.mesh.nodes.push(position);
+                self.mesh.lattice.push(LatticePoint { patch: 1, i: s as i32, j: k as i32 });
+                if is_outermost && outer[s].1 {
+                    self.mesh.support_nodes.push(node);
+                }
+                if on_axis {
+                    self.mesh.axis_nodes.push(node);
+                }
+                current.push(node);
+            }
+            for s in 0..last {
+                self.mesh.elements.push([previous[s], previous[s + 1], current[s + 1], current[s]]);
+            }
+            previous = current;
+        }
+    }
+
+    /// By how much the free surface at one end of the rings deviates in angle from the straight line between
+    /// its two ends, at the ring of parameter `eta`.
+    fn side_correction(&self, inner: &[Polar], outer: &[Polar], s: usize, eta: f64, centre: [f64; 2]) -> f64 {
+        let radius = ((1.0 - eta) * inner[s].log_radius + eta * outer[s].log_radius).exp();
+        let sign = if s == 0 { 1.0 } else { -1.0 };
+        let [x, y] = self.outline.surface_point_at(centre, radius, sign);
+        angle_about(centre, [x, y]) - ((1.0 - eta) * inner[s].angle + eta * outer[s].angle)
+    }
+
+    fn finish(self) -> Mesh {
+        self.mesh
+    }
+}
+
+/// Angle of a point about a centre, from 0 (right) through -π/2 (below) to -π (left); a surface that rises a little
+/// on the left goes on below -π instead of jumping to +π.
+fn angle_about(centre: [f64; 2], point: [f64; 2]) -> f64 {
+    let angle = (point[1] - centre[1]).atan2(point[0] - centre[0]);
+    if angle > 0.5 * PI { angle - 2.0 * PI } else { angle }
+}
+
+/// Sets the inner angle nearest to `target` to it and returns its index; angles fall and stay in order.
+fn turn_nearest(angles: &mut [f64], target: f64) -> usize {
+    let distance = |s: &usize| (angles[*s] - target).abs();
+    let inner = 1..angles.len().saturating_sub(1);
+    let nearest = inner.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
+    // A target beyond the last inner ray leaves that ray on the near side of its neighbour.
+    if let Some(angle) = angles.get_mut(nearest) {
+        *angle = target;
+    }
+    nearest
+}
+
+/// Parameters `0 < η_1 < … < η_n = 1` of the rings: the first ring is about as thick as a block element, each
+/// further one `growth` times thicker.
+fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: Refinement) -> Vec<f64> {
+    let spacing = zone.spacing();
+    // Of both sides of the axis, also where only one is meshed, so that half and full models have the same rings.
+    let mean = |curve: &[Polar]| {
+        let sum: f64 = curve.iter().map(|p| p.log_radius).sum();
+        match curve.last() {
+            Some(axis) if zone.symmetric => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
+            _ => sum / curve.len() as f64,
+        }
+    };
+    let (first, last) = (mean(inner).exp(), mean(outer).exp());
+    let growth = refinement.growth;
+    let (mut radii, mut radius, mut thickness) = (Vec::new(), first, spacing);
+    while radius < last {
+        thickness *= growth;
+        radius += thickness;
+        radii.push(radius);
+    }
+    // Stretch the series a little so that it ends on the boundary instead of beyond it.
+    let end = radii.last().copied().unwrap_or(last);
+    let mut steps: Vec<f64> = radii.iter().map(|r| (r / first).ln() / (end / first).ln()).collect();
+    if steps.is_empty() {
+        steps.push(1.0);
+    }
+    if let Some(step) = steps.last_mut() {
+        *step = 1.0;
+    }
+    steps
+}

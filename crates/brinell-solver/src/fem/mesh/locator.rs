@@ -1,0 +1,164 @@
+//! Where in a mesh a point lies: what carries a field from one mesh to another.
+
+use std::collections::HashMap;
+
+use super::Mesh;
+
+/// Finds points by walking from element to element. A search starts where the last one ended, so that points taken
+/// in the order of a structured mesh cost a few steps each.
+#[derive(Debug)]
+pub struct Locator<'a> {
+    mesh: &'a Mesh,
+    /// Element beyond each side of each element; side k runs from corner k to the next.
+    neighbours: Vec<[Option<u32>; 4]>,
+    last: usize,
+}
+
+/// A point in a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Nodes of the element that holds it.
+    pub nodes: [u32; 4],
+    /// Their shape functions there.
+    pub shape: [f64; 4],
+}
+
+impl Place {
+    /// The value of a field given at the nodes of the mesh.
+    pub fn interpolate<const N: usize>(&self, field: &[[f64; N]]) -> [f64; N] {
+        let mut value = [0.0; N];
+        for (&node, weight) in self.nodes.iter().zip(self.shape) {
+            for (sum, v) in value.iter_mut().zip(&field[node as usize]) {
+                *sum += weight * v;
+            }
+        }
+        value
+    }
+}
+
+/// Steps after which a walk goes in circles.
+const MAX_STEPS: usize = 10_000;
+
+impl<'a> Locator<'a> {
+    /// Prepares the search. Cost: linear in the elements.
+    pub fn new(mesh: &'a Mesh) -> Self {
+        let mut open: HashMap<(u32, u32), (u32, usize)> = HashMap::with_capacity(2 * mesh.elements.len());
+        let mut neighbours = vec![[None; 4]; mesh.elements.len()];
+        for (element, nodes) in (0u32..).zip(&mesh.elements) {
+            for side in 0..4 {
+                let (a, b) = (nodes[side], nodes[(side + 1) % 4]);
+                // A neighbour runs along the common side the other way.
+                if let Some((other, its_side)) = open.remove(&(b, a)) {
+                    neighbours[element as usize][side] = Some(other);
+                    neighbours[other as usize][its_side] = Some(element);
+                } else {
+                    open.insert((a, b), (element, side));
+                }
+            }
+        }
+        Self { mesh, neighbours, last: 0 }
+    }
+
+    /// Where a point `[x, y]` lies. A point a little outside the mesh is moved to its border.
+    pub fn locate(&mut self, point: [f64; 2]) -> Place {
+        let mut element = self.last;
+        for _ in 0..MAX_STEPS {
+            match self.way_out(element, point) {
+                Some(next) => element = next as usize,
+                None => break,
+            }
+        }
+        self.last = element;
+        let [xi, eta] = natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let shape = corners.map(|(a, b)| 0.25 * (1.0 + a * xi) * (1.0 + b * eta));
+        Place { nodes: self.mesh.elements[element], shape }
+    }
+
+    /// The neighbour beyond the side that a point lies farthest outside of, relative to the length of the side.
+    fn way_out(&self, element: usize, [x, y]: [f64; 2]) -> Option<u32> {
+        let corners = self.mesh.corners(element);
+        let outside = |side: usize| {
+            let ([ax, ay], [bx, by]) = (corners[side], corners[(side + 1) % 4]);
+            let (dx, dy) = (bx - ax, by - ay);
+            ((x - ax) * dy - (y - ay) * dx) / (dx * dx + dy * dy)
+        };
+        let beyond = (0..4).filter_map(|side| Some((outside(side), self.neighbours[element][side]?)));
+        let farthest = beyond.max_by(|a, b| a.0.total_cmp(&b.0));
+        farthest.filter(|(distance, _)| *distance > 1e-9).map(|(_, next)| next)
+    }
+}
+
+/// Coordinates in the reference square of a point in, or near, a quadrilateral, by Newton's method.
+fn natural_coordinates(corners: &[[f64; 2]; 4], point: [f64; 2]) -> [f64; 2] {
+    let [a, b, c, d] = *corners;
+    // x(ξ, η) = m + p ξ + q η + r ξη, by component.
+    let combine = |s: [f64; 4]| -> [f64; 2] {
+        std::array::from_fn(|k| 0.25 * (s[0] * a[k] + s[1] * b[k] + s[2] * c[k] + s[3] * d[k]))
+    };
+    let m = combine([1.0, 1.0, 1.0, 1.0]);
+    let p = combine([-1.0, 1.0, 1.0, -1.0]);
+    let q = combine([-1.0, -1.0, 1.0, 1.0]);
+    let r = combine([1.0, -1.0, 1.0, -1.0]);
+    let [mut xi, mut eta] = [0.0f64; 2];
+    for _ in 0..8 {
+        let rest: [f64; 2] =
+            std::array::from_fn(|k| point[k] - (m[k] + p[k] * xi + q[k] * eta + r[k] * xi * eta));
+        let along_xi: [f64; 2] = std::array::from_fn(|k| p[k] + r[k] * eta);
+        let along_eta: [f64; 2] = std::array::from_fn(|k| q[k] + r[k] * xi);
+        let determinant = along_xi[0] * along_eta[1] - along_xi[1] * along_eta[0];
+        let step = [
+            (rest[0] * along_eta[1] - rest[1] * along_eta[0]) / determinant,
+            (along_xi[0] * rest[1] - along_xi[1] * rest[0]) / determinant,
+        ];
+        if !(step[0].is_finite() && step[1].is_finite()) {
+            break;
+        }
+        xi = (xi + step[0]).clamp(-2.0, 2.0);
+        eta = (eta + step[1]).clamp(-2.0, 2.0);
+        if step[0].abs() + step[1].abs() < 1e-12 {
+            break;
+        }
+    }
+    [xi, eta]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fem::mesh::{ContactZone, Outline, Refinement};
+    use crate::job::{PositiveF64, Shape};
+
+    fn mesh(columns: usize, symmetric: bool) -> Mesh {
+        let outline = Outline::of(&Shape::Cylinder { radius: PositiveF64::new(20.0).unwrap() });
+        let x_min = if symmetric { 0.0 } else { -0.5 };
+        let zone = ContactZone { x_min, x_max: 0.5, columns, symmetric };
+        Mesh::generate(&outline, zone, Refinement { growth: 1.3 }).unwrap()
+    }
+
+    /// A linear field is carried exactly, but for the sagitta of the arc between two nodes of the surface.
+    #[test]
+    fn a_linear_field_is_read_exactly_at_the_nodes_of_another_mesh() {
+        for symmetric in [true, false] {
+            let (coarse, fine) = (mesh(8, symmetric), mesh(14, symmetric));
+            let linear = |[x, y]: [f64; 2]| [1.0 + 0.3 * x - 0.2 * y, 0.5 * x + 0.1 * y];
+            let field: Vec<[f64; 2]> = coarse.nodes.iter().map(|&node| linear(node)).collect();
+            let mut locator = Locator::new(&coarse);
+            let surface = |[x, y]: [f64; 2]| x.hypot(y + 20.0) > 19.999 || y > -1e-3;
+            for &node in fine.nodes.iter().filter(|node| !surface(**node)) {
+                let (found, expected) = (locator.locate(node).interpolate(&field), linear(node));
+                for (a, b) in found.iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-9, "{node:?}: {found:?} for {expected:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_point_beside_the_mesh_takes_the_value_at_the_border() {
+        let mesh = mesh(8, true);
+        let field: Vec<[f64; 1]> = mesh.nodes.iter().map(|[x, _]| [*x]).collect();
+        let [value] = Locator::new(&mesh).locate([-1.0, -3.0]).interpolate(&field);
+        assert!(value.abs() < 1e-12);
+    }
+}

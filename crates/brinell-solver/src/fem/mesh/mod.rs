@@ -1,0 +1,114 @@
+//! Half-O-grid meshes of the two bodies.
+//!
+//! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y` points out
+//! of the body, so the material lies at `y <= surface(x)`. The upper body of a job is this picture mirrored,
+//! which is why two equal bodies need only one mesh.
+//!
+//! ```text
+//!   y ^   contact zone: columns of width h, the same abscissae on both bodies
+//!     +--+--+--+--+----_____          free surface
+//!     |  |  |  |  |   /    /  ‾‾--
+//!     +--+--+--+--+--/    /      \    rings: thickness grows geometrically outward,
+//!     |  |  |  |  | /    /        |   interpolated in (ln r, φ), a conformal map, so that
+//!     +--+--+--+--+     /         |   right angles survive between block and outer boundary
+//!     |    \    \      /          |
+//!     +-----------------+---------+   support
+//! ```
+
+mod half_o_grid;
+mod interpolation;
+mod locator;
+mod outline;
+mod quality;
+
+pub use half_o_grid::{ContactZone, Refinement};
+pub use locator::{Locator, Place};
+pub use outline::Outline;
+pub use quality::Quality;
+
+use thiserror::Error;
+
+use sparse_cholesky::LatticePoint;
+
+/// Why no mesh could be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MeshError {
+    /// The contact zone does not fit on the body.
+    #[error(
+        "a contact zone of half-width {half_width:.4} mm does not fit on a surface that spans {available:.4} mm"
+    )]
+    ZoneBeyondBody {
+        /// Half-width of the zone asked for \[mm\].
+        half_width: f64,
+        /// Largest half-width that the surface offers \[mm\].
+        available: f64,
+    },
+    /// The interpolation folded over itself.
+    #[error("element {element} of the mesh is turned inside out; this is a defect of the mesh generator")]
+    Inverted {
+        /// Index of the element.
+        element: usize,
+    },
+}
+
+/// About how many nodes a mesh will have.
+pub fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
+    half_o_grid::estimated_nodes(outline, zone, refinement)
+}
+
+/// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
+const FADES: [i32; 4] = [1, 2, 4, 8];
+
+/// A mesh of 4-node quadrilaterals with the node sets that mechanics needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Node coordinates `[x, y]` \[mm\].
+    pub nodes: Vec<[f64; 2]>,
+    /// Nodes of each element, counter-clockwise.
+    pub elements: Vec<[u32; 4]>,
+    /// Candidate contact nodes in order of x.
+    pub contact_nodes: Vec<u32>,
+    /// Nodes of the far boundary.
+    pub support_nodes: Vec<u32>,
+    /// Nodes on the symmetry axis `x = 0`; empty for a full model.
+    pub axis_nodes: Vec<u32>,
+    /// Place of each node in the structured patches, for the fill-reducing ordering.
+    pub lattice: Vec<LatticePoint>,
+    /// The contact zone the mesh was made for.
+    pub zone: ContactZone,
+}
+
+impl Mesh {
+    /// Meshes a body around a contact zone.
+    ///
+    /// # Errors
+    /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::Inverted`] if an
+    /// element has a Jacobian that is not positive.
+    pub fn generate(outline: &Outline, zone: ContactZone, refinement: Refinement) -> Result<Self, MeshError> {
+        // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
+        // folds the rings there; a steeper fade keeps it near the surface.
+        let mut outcome = Err(MeshError::Inverted { element: 0 });
+        for fade in FADES {
+            let mesh = half_o_grid::generate(outline, zone, refinement, fade)?;
+            outcome = quality::require_positive_jacobians(&mesh).map(|()| mesh);
+            if outcome.is_ok() {
+                break;
+            }
+        }
+        outcome
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let node_lists = [&self.contact_nodes, &self.support_nodes, &self.axis_nodes];
+        size_of_val(self.nodes.as_slice())
+            + size_of_val(self.elements.as_slice())
+            + size_of_val(self.lattice.as_slice())
+            + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
+    }
+
+    /// Coordinates of the four corners of an element \[mm\].
+    pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
+        self.elements[element].map(|node| self.nodes[node as usize])
+    }
+}

@@ -1,0 +1,49 @@
+//! The validated job: what is asked of the solver, in types that cannot hold a wrong value.
+//!
+//! A [`Job`] is built in one of two ways: [`Job::from_json`] parses the wire format and reports *every* field
+//! at fault with its JSON pointer, or a library user fills the public fields with the number types of
+//! [`number`] and with [`Deformable`], [`Groove`], [`Profile`], [`TablePoints`] and [`Sweep`], each of which checks
+//! its invariants when it is made. [`Job::validate`] holds a job of the second kind to the limits of the first.
+//!
+//! # Units
+//! The core works in one consistent system, N–mm–MPa. [`Units`] says how the wire figures are written;
+//! parsing converts them, and the results convert back.
+
+pub mod body;
+pub mod contact_job;
+pub mod error;
+pub mod groove;
+pub mod hardening;
+pub mod load;
+pub mod material;
+pub mod number;
+pub mod profile;
+pub mod quantity;
+mod reader;
+mod revolution;
+#[cfg(test)]
+mod roundtrip;
+pub mod settings;
+pub mod shape;
+#[cfg(any(test, feature = "proptest"))]
+pub mod strategy;
+pub mod table;
+pub mod tags;
+pub mod units;
+mod wire;
+
+pub use body::{Body, Support};
+pub use contact_job::{Analysis, Job};
+pub use error::{FieldError, JobError};
+pub use groove::Groove;
+pub use hardening::Hardening;
+pub use load::{Load, Sweep};
+pub use material::{Deformable, Elastic, Material};
+pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
+pub use profile::Profile;
+pub use quantity::Quantity;
+pub use reader::Named;
+pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings};
+pub use shape::Shape;
+pub use table::TablePoints;
+pub use units::Units;

@@ -1,0 +1,111 @@
+//! The collected faults of a document and the places they stand at.
+
+use std::cell::{Cell, RefCell};
+use std::fmt;
+
+use super::tree::Node;
+use crate::job::FieldError;
+
+/// Most faults that are listed; the rest are only counted.
+pub const MAX_FAULTS: usize = 100;
+/// Longest key, in bytes, that a pointer repeats.
+const LONGEST_KEY: usize = 256;
+
+/// A value's place in the document, as a path of links up to the root. Costs nothing until it is written.
+#[derive(Debug, Clone, Copy)]
+pub enum Place<'a> {
+    /// The document.
+    Root,
+    /// A member of the object at a place.
+    Key(&'a Place<'a>, &'a str),
+    /// An item of the array at a place.
+    Index(&'a Place<'a>, usize),
+}
+
+impl Place<'_> {
+    /// The JSON pointer (RFC 6901). A member whose key is absurdly long is given as its parent.
+    pub fn pointer(&self) -> String {
+        match self {
+            Self::Root => String::new(),
+            Self::Key(parent, key) if key.len() > LONGEST_KEY => parent.pointer(),
+            Self::Key(parent, key) => {
+                format!("{}/{}", parent.pointer(), key.replace('~', "~0").replace('/', "~1"))
+            }
+            Self::Index(parent, index) => format!("{}/{index}", parent.pointer()),
+        }
+    }
+}
+
+/// Everything found wrong so far.
+#[derive(Debug, Default)]
+pub struct Faults {
+    list: RefCell<Vec<FieldError>>,
+    unlisted: Cell<usize>,
+}
+
+impl Faults {
+    /// Records a fault; its text is only written while there is room for it.
+    pub fn add(&self, place: &Place<'_>, detail: fmt::Arguments<'_>) {
+        if self.list.borrow().len() < MAX_FAULTS {
+            self.push(FieldError { pointer: place.pointer(), detail: detail.to_string() });
+        } else {
+            self.unlisted.set(self.unlisted.get() + 1);
+        }
+    }
+
+    /// Records a fault, unless the same one is already there.
+    pub fn push(&self, fault: FieldError) {
+        let mut list = self.list.borrow_mut();
+        if list.contains(&fault) {
+        } else if list.len() < MAX_FAULTS {
+            list.push(fault);
+        } else {
+            self.unlisted.set(self.unlisted.get() + 1);
+        }
+    }
+
+    /// Records several faults.
+    pub fn extend(&self, found: impl IntoIterator<Item = FieldError>) {
+        for fault in found {
+            self.push(fault);
+        }
+    }
+
+    /// The faults in document order, closed by a note if there were more than fit.
+    pub fn into_sorted(self, document: &Node) -> Vec<FieldError> {
+        let mut list = self.list.into_inner();
+        list.sort_by_cached_key(|fault| document.position(&fault.pointer));
+        let unlisted = self.unlisted.get();
+        if unlisted > 0 {
+            let detail = format!("{unlisted} more faults are not listed; these are the first {MAX_FAULTS}");
+            list.push(FieldError { pointer: String::new(), detail });
+        }
+        list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pointers_are_escaped() {
+        let tags = Place::Key(&Place::Root, "tags");
+        assert_eq!(Place::Key(&tags, "a/b~c").pointer(), "/tags/a~1b~0c");
+        assert_eq!(Place::Index(&tags, 7).pointer(), "/tags/7");
+        assert_eq!(Place::Key(&tags, &"k".repeat(1000)).pointer(), "/tags");
+        assert_eq!(Place::Root.pointer(), "");
+    }
+
+    #[test]
+    fn the_list_is_bounded() {
+        let faults = Faults::default();
+        for index in 0..250 {
+            faults.add(&Place::Index(&Place::Root, index), format_args!("wrong"));
+        }
+        let list = faults.into_sorted(&Node::Array(vec![Node::Null; 250]));
+        assert_eq!(list.len(), MAX_FAULTS + 1);
+        let last = list.last().unwrap();
+        assert_eq!(last.to_string(), "(job): 150 more faults are not listed; these are the first 100");
+    }
+}

@@ -1,0 +1,108 @@
+//! The members of an object, by key.
+
+use std::collections::HashSet;
+use std::fmt;
+
+use super::text::{Guess, List, Quoted};
+use super::{Cursor, Faults, Node, Place};
+use crate::job::FieldError;
+
+/// An object of the document.
+#[derive(Debug, Clone, Copy)]
+pub struct Object<'a> {
+    at: Cursor<'a>,
+    members: &'a [(String, Node)],
+}
+
+impl<'a> Object<'a> {
+    /// Takes the members and reports keys that are given more than once.
+    pub fn new(at: Cursor<'a>, members: &'a [(String, Node)]) -> Self {
+        let object = Self { at, members };
+        let mut seen = HashSet::with_capacity(members.len());
+        let mut told = HashSet::new();
+        for (key, _) in members {
+            if !seen.insert(key) && told.insert(key) {
+                object.fault(key, format_args!("the key {} is given more than once", Quoted(key)));
+            }
+        }
+        object
+    }
+
+    /// Reports every key that is not known here.
+    pub fn only(&self, known: &[&str]) {
+        for (key, _) in self.members {
+            let written = key.as_str();
+            if !known.contains(&written) {
+                let guess = Guess { written, known };
+                let (key, known) = (Quoted(written), List(known));
+                self.fault(written, format_args!("unknown key {key}; expected one of: {known}{guess}"));
+            }
+        }
+    }
+
+    /// Whether a key is present.
+    pub fn has(&self, key: &str) -> bool {
+        self.find(key).is_some()
+    }
+
+    /// The members with their cursors, for objects with free keys.
+    pub fn each(&self, mut visit: impl FnMut(&str, Cursor<'_>)) {
+        for (key, node) in self.members {
+            visit(key, Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() });
+        }
+    }
+
+    /// Number of members.
+    pub fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Reads a member that must be there.
+    pub fn required<T>(&self, key: &str, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
+        let Some(node) = self.find(key) else {
+            self.fault(key, format_args!("is required"));
+            return None;
+        };
+        read(Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() })
+    }
+
+    /// Reads a member that may be left out.
+    pub fn or<T>(&self, key: &str, default: T, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
+        match self.find(key) {
+            None => Some(default),
+            Some(Node::Null) => {
+                self.fault(key, format_args!("must not be null; leave the key out to take the default"));
+                None
+            }
+            Some(_) => self.required(key, read),
+        }
+    }
+
+    /// Records a fault of a member.
+    pub fn fault(&self, key: &str, detail: fmt::Arguments<'_>) {
+        self.faults().add(&Place::Key(self.at.place, key), detail);
+    }
+
+    /// Records a fault of the object itself.
+    pub fn fault_here(&self, detail: fmt::Arguments<'_>) {
+        self.at.fault(detail);
+    }
+
+    /// As [`Cursor::report`].
+    pub fn report(&self, found: impl IntoIterator<Item = FieldError>) {
+        self.at.report(found);
+    }
+
+    /// As [`Cursor::checked`].
+    pub fn checked<T>(&self, built: Result<T, Vec<FieldError>>) -> Option<T> {
+        self.at.checked(built)
+    }
+
+    fn find(&self, key: &str) -> Option<&'a Node> {
+        self.members.iter().find(|(name, _)| name == key).map(|(_, node)| node)
+    }
+
+    fn faults(&self) -> &'a Faults {
+        self.at.faults
+    }
+}

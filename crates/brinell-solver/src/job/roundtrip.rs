@@ -1,0 +1,70 @@
+//! Whatever the format can say, written out and read back, is the same job.
+
+use proptest::prelude::*;
+use serde::Deserialize;
+
+use super::reader::Node;
+use super::strategy::job;
+use super::*;
+
+/// Every number of two jobs, compared in mm, agrees to a few units in the last place; all else is equal.
+fn assert_close(left: &serde_json::Value, right: &serde_json::Value) {
+    use serde_json::Value;
+    match (left, right) {
+        (Value::Number(left), Value::Number(right)) => {
+            let (left, right) = (left.as_f64().unwrap(), right.as_f64().unwrap());
+            assert!((left - right).abs() <= 1e-15 * left.abs(), "{left:e} became {right:e}");
+        }
+        (Value::Array(left), Value::Array(right)) => {
+            assert_eq!(left.len(), right.len());
+            left.iter().zip(right).for_each(|(left, right)| assert_close(left, right));
+        }
+        (Value::Object(left), Value::Object(right)) => {
+            assert!(left.keys().eq(right.keys()));
+            left.iter().for_each(|(key, left)| assert_close(left, &right[key]));
+        }
+        (left, right) => assert_eq!(left, right),
+    }
+}
+
+fn in_mm(job: &Job) -> serde_json::Value {
+    serde_json::to_value(Job { units: Units::MmNMpa, ..job.clone() }).unwrap()
+}
+
+proptest! {
+    #[test]
+    fn every_job_survives_its_wire_form(job in job()) {
+        let text = serde_json::to_string(&job).unwrap();
+        let back = Job::read(&reader::parse(text.as_bytes()).unwrap()).unwrap();
+        prop_assert_eq!(back.units, job.units);
+        assert_close(&in_mm(&job), &in_mm(&back));
+        if job.units == Units::MmNMpa {
+            prop_assert_eq!(&back, &job);
+        }
+        let value = serde_json::to_value(&job).unwrap();
+        let by_value = Job::read(&Node::deserialize(&value).unwrap()).unwrap();
+        assert_close(&in_mm(&job), &in_mm(&by_value));
+    }
+
+    #[test]
+    fn a_change_of_units_is_the_same_job(job in job()) {
+        let other = if job.units == Units::Si { Units::MmNMpa } else { Units::Si };
+        let written = serde_json::to_string(&Job { units: other, ..job.clone() }).unwrap();
+        let back = Job::read(&reader::parse(written.as_bytes()).unwrap()).unwrap();
+        assert_close(&in_mm(&job), &in_mm(&back));
+    }
+}
+
+#[test]
+fn words_are_those_that_are_serialized() {
+    fn check<T: Named + serde::Serialize>() {
+        for value in T::ALL {
+            assert_eq!(serde_json::to_value(value).unwrap(), value.name());
+        }
+    }
+    check::<Analysis>();
+    check::<Units>();
+    check::<Support>();
+    check::<Coupling>();
+    check::<ContactMethod>();
+}

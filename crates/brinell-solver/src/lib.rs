@@ -1,0 +1,58 @@
+//! Elasto-plastic contact between two bodies: contact pressure, approach, stresses below the surface and the
+//! plastic zone, in milliseconds.
+//!
+//! # The problem
+//! Two bodies meet at candidate node pairs `k` with initial gaps `δ0_k`, and a force P presses them together.
+//! Wanted are the contact forces R, the gaps δ that remain, the approach α of the two supports and the
+//! displacements u:
+//!
+//! ```text
+//! K u = R + P_e(u)                      equilibrium of each body, K a stiffness factorized once
+//! P_e(u) = ∫ Bᵀ (D_e - D_s(u)) B dV u   what plastic flow adds to the load (deformation theory)
+//! u_p                                   what P_e alone does to the gap of each pair
+//! -F R + α e + δ = δ0 + u_p             continuity, F the flexibility of both bodies at the pairs
+//! eᵀR = P,  R >= 0,  δ >= 0,  R_k δ_k = 0
+//! ```
+//!
+//! Everything after that one factorization of each body is forward and back substitution over the small
+//! part of the factor that the contact and the plastic zone can reach. Contact and plasticity alternate until
+//! the state is in equilibrium, and a judge that shares no code with the solvers has the last word.
+//! `docs/theory.md` in the repository has every equation.
+//!
+//! # Example
+//! ```
+//! use brinell::{model::Job, results, solver::Unobserved};
+//!
+//! let body = r#"{"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210000,
+//!     "poisson_ratio": 0.3,
+//!     "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10500}}}"#;
+//! let job = format!(
+//!     r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body}, "load": {{"force": 612.6106}}}}"#
+//! );
+//! let report = report::run(&Job::from_json(job.as_bytes())?, &mut Unobserved)?;
+//! let peak_pressure = report.steps[0].contact.peak_pressure; // MPa; Hertz's elastic answer is 1500
+//! assert!((peak_pressure - 1182.6).abs() < 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Map
+//! From the top down. The crate is pure: no async, no files, no clock, no printing.
+//!
+//! | module | what it is for |
+//! |---|---|
+//! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
+//! | [`solver`] | sizes the meshes, alternates contact and plasticity, checks the final state |
+//! | [`contact`] | two solvers of the contact conditions and the check that both have to pass |
+//! | [`fem`] | mesh, B-bar element, equations, stiffness, initial-stress loads, stresses |
+//! | [`material`] | hardening curves, deformation theory |
+//! | [`job`] | the job, in types that cannot hold a wrong value; units |
+//! | [`analytical`] | closed forms to compare with: Hertz, McEwen, Hill, Prandtl |
+//!
+//! Imports run downward only.
+pub mod analytical;
+pub mod contact;
+pub mod fem;
+pub mod job;
+pub mod material;
+pub mod report;
+pub mod solver;

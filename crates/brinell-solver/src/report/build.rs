@@ -1,0 +1,193 @@
+//! The report of a solution.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::units::Writer;
+use super::{
+    HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport, Timings, contact,
+    error_bars, fields, load_approach, onset, plastic_zone, subsurface, validity,
+};
+use crate::contact::ContactLoad;
+use crate::job::{Body, Job, Material, Named, Quantity, Shape};
+use crate::solver::{
+    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
+    StepSolution,
+};
+
+/// Writes the report, last of all its own time.
+pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) -> Report {
+    let start = observer.elapsed();
+    let write = Writer::new(job.units, job.analysis);
+    let steps = solution.steps.iter().map(|step| step_report(job, step, write)).collect();
+    let end = observer.elapsed();
+    Report {
+        units: job.units.name().to_owned(),
+        analysis: job.analysis.name().to_owned(),
+        status: worst_status(solution),
+        steps,
+        load_approach: load_approach::curve(&solution.steps, write),
+        mesh: mesh_report(solution, write),
+        timings_ms: timings(&solution.phases, end, end.saturating_sub(start)),
+        tags: job.tags.clone(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+    }
+}
+
+fn worst_status(solution: &Solution) -> SolveStatus {
+    let rank = |status: &SolveStatus| match status {
+        SolveStatus::Converged => 0,
+        SolveStatus::NotConverged => 1,
+        SolveStatus::TimedOut => 2,
+        SolveStatus::Cancelled => 3,
+    };
+    let interrupted = solution.interrupted.map(SolveStatus::from);
+    let statuses = solution.steps.iter().map(|step| step.status).chain(interrupted);
+    statuses.max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
+}
+
+fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
+    let peak = contact::peak_abscissa(step);
+    // Who stops a job wants its core back, not its stresses.
+    let is_stopped = step.status.is_stopped();
+    let subsurface = (job.output.subsurface && !is_stopped)
+        .then(|| per_body(step, |body, _| subsurface::profile(body, step.symmetric, peak, write)));
+    let reference = ElasticReference::of(job, contact::force(step));
+    let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
+    let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
+    let plasticity = if is_stopped {
+        PerBody { upper: None, lower: None }
+    } else {
+        let bodies = [&job.upper, &job.lower];
+        per_body(step, |solution, k| plasticity_report(solution, bodies[k], step.symmetric, write))
+    };
+    StepReport {
+        load: match step.load {
+            ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
+            ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
+        },
+        status: step.status,
+        approach: write.length(step.approach),
+        approach_datum: approach_datum(job, write),
+        contact: contact::report(step, write),
+        contact_stiffness: write.stiffness(step.contact_stiffness),
+        subsurface,
+        plasticity,
+        hertz: reference.map(|reference| HertzReport {
+            half_width: write.length(reference.half_width),
+            peak_pressure: write.stress(reference.peak_pressure),
+            yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
+            yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
+        }),
+        validity: validity::notes(step, radius, &depths),
+        yield_onset: onset::onset(job, step, write),
+        estimated_error: error_bars::estimate(step),
+        fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
+        history: step.history.iter().map(|record| in_units(record, write)).collect(),
+    }
+}
+
+/// What there is to say of each deformable body; once where one solution stands for both.
+fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution, usize) -> T) -> PerBody<Option<T>> {
+    let [upper, lower] = &step.bodies;
+    let of = |body: &Option<Arc<BodySolution>>, k| body.as_ref().map(|body| say(body, k));
+    let of_upper = of(upper, 0);
+    let of_lower = match (upper, lower) {
+        (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
+        _ => of(lower, 1),
+    };
+    PerBody { upper: of_upper, lower: of_lower }
+}
+
+fn plasticity_report(
+    solution: &BodySolution,
+    body: &Body,
+    symmetric: bool,
+    write: Writer,
+) -> PlasticityReport {
+    let copies = if symmetric { 2.0 } else { 1.0 };
+    let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
+    for point in solution.stress.points.iter().flatten() {
+        if point.yielded {
+            yielded = true;
+            area += point.area;
+        }
+        if point.equivalent_plastic_strain > strain {
+            (strain, position) = (point.equivalent_plastic_strain, point.position);
+        }
+    }
+    let zone = plastic_zone::outline(solution, body, symmetric);
+    let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
+    PlasticityReport {
+        yielded,
+        max_equivalent_plastic_strain: strain,
+        position: write.length(position[0]),
+        depth: write.length(-position[1]),
+        area: write.area(copies * area),
+        reached_surface: zone.reached_surface,
+        outline: zone.outline.iter().map(written).collect(),
+    }
+}
+
+fn approach_datum(job: &Job, write: Writer) -> String {
+    let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
+        (Material::Rigid, _) => format!("the rigid {side} body"),
+        (_, Shape::Cylinder { radius }) => {
+            format!(
+                "the diametral plane of the {side} body, {} from the contact",
+                write.length_text(radius.get())
+            )
+        }
+        (_, Shape::Block { depth, .. }) => block_base(side, depth.get(), write),
+        (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
+        (_, Shape::Profile(profile)) => block_base(side, profile.depth().get(), write),
+    };
+    format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
+}
+
+fn block_base(side: &str, depth: f64, write: Writer) -> String {
+    format!("the base of the {side} body, {} from the contact", write.length_text(depth))
+}
+
+fn in_units(record: &IterationRecord, write: Writer) -> IterationRecord {
+    IterationRecord {
+        approach: write.figure(Quantity::Approach, record.approach),
+        peak_pressure: write.stress(record.peak_pressure),
+        ..record.clone()
+    }
+}
+
+fn mesh_report(solution: &Solution, write: Writer) -> MeshReport {
+    let last = solution.steps.last();
+    let bodies = || last.into_iter().flat_map(|step| step.bodies.iter().flatten());
+    let quality = bodies().map(|body| body.quality);
+    MeshReport {
+        symmetric: last.is_some_and(|step| step.symmetric),
+        spacing: write.length(last.map_or(0.0, |step| step.spacing)),
+        contact_pairs: last.map_or(0, |step| step.pairs.len()),
+        nodes: bodies().map(|body| body.mesh.nodes.len()).sum(),
+        elements: bodies().map(|body| body.mesh.elements.len()).sum(),
+        equations: bodies().map(|body| body.equations).sum(),
+        passes: solution.passes,
+        enlargements: solution.steps.iter().map(|step| step.enlargements).sum(),
+        min_jacobian_ratio: quality.clone().map(|q| q.min_jacobian_ratio).fold(1.0, f64::min),
+        max_aspect_ratio: quality.map(|q| q.max_aspect_ratio).fold(1.0, f64::max),
+    }
+}
+
+fn timings(phases: &PhaseTimes, total: Duration, report: Duration) -> Timings {
+    let ms = |duration: Duration| 1e3 * duration.as_secs_f64();
+    Timings {
+        total: ms(total),
+        mesh: ms(phases.spent(Phase::Mesh)),
+        assembly: ms(phases.spent(Phase::Assembly)),
+        ordering: ms(phases.spent(Phase::Ordering)),
+        symbolic: ms(phases.spent(Phase::Symbolic)),
+        numeric: ms(phases.spent(Phase::Numeric)),
+        flexibility: ms(phases.spent(Phase::Flexibility)),
+        contact: ms(phases.spent(Phase::Contact)),
+        plasticity: ms(phases.spent(Phase::Plasticity)),
+        solves: ms(phases.spent(Phase::Solves)),
+        output: ms(phases.spent(Phase::Output) + report),
+    }
+}

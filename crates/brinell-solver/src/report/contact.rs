@@ -1,0 +1,121 @@
+//! The contact itself: pressure, resultants, parts.
+
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+
+use super::units::Writer;
+use crate::fem::element::Kinematics;
+use crate::solver::{ContactPatch, StepSolution};
+
+/// Contact pressure and its resultants, both sides of the axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactReport {
+    /// Sum of the nodal forces.
+    pub force: f64,
+    /// Half of the distance between the ends of the pressure.
+    pub half_width: f64,
+    /// Largest pressure.
+    pub peak_pressure: f64,
+    /// x of the largest pressure.
+    pub peak_position: f64,
+    /// Force over width, or over the area of the contact circle.
+    pub mean_pressure: f64,
+    /// The connected parts of the contact, from left to right.
+    pub patches: Vec<Patch>,
+    /// The candidate pairs in order of x.
+    pub nodes: ContactNodes,
+}
+
+/// One connected part of the contact. The outer ends of all are interpolated to where the pressure vanishes, those
+/// between two parts are loaded nodes. Of a body of revolution they are radii.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Patch {
+    /// Left end.
+    pub left: f64,
+    /// Right end.
+    pub right: f64,
+}
+
+/// Values at the candidate pairs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactNodes {
+    /// Tangential position.
+    pub x: Vec<f64>,
+    /// Contact pressure.
+    pub pressure: Vec<f64>,
+    /// Nodal force.
+    pub force: Vec<f64>,
+    /// Gap after loading.
+    pub gap: Vec<f64>,
+}
+
+/// Force on both sides of the axis \[N/mm, or N in axisymmetry\].
+pub(super) fn force(step: &StepSolution) -> f64 {
+    let meshed: f64 = step.pairs.iter().map(|pair| pair.force).sum();
+    let on_axis = step.pairs.first().map_or(0.0, |pair| pair.force);
+    if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
+}
+
+/// x of the largest pressure \[mm\].
+pub(super) fn peak_abscissa(step: &StepSolution) -> f64 {
+    let highest = step.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
+    highest.map_or(0.0, |pair| pair.x)
+}
+
+/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
+fn area(step: &StepSolution, half_width: f64) -> f64 {
+    match step.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => 2.0 * half_width,
+        Kinematics::Axisymmetric => PI * half_width * half_width,
+    }
+}
+
+pub(super) fn report(step: &StepSolution, write: Writer) -> ContactReport {
+    let force = force(step);
+    let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
+    let mean = if half_width > 0.0 { force / area(step, half_width) } else { 0.0 };
+    // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
+    let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
+    let pairs =
+        || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
+    ContactReport {
+        force: write.force(force),
+        half_width: write.length(half_width),
+        peak_pressure: write.stress(step.peak_pressure),
+        peak_position: write.length(peak_abscissa(step)),
+        mean_pressure: write.stress(mean),
+        patches: patches(step)
+            .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })
+            .collect(),
+        nodes: ContactNodes {
+            x: pairs().map(|(pair, sign)| write.length(sign * pair.x)).collect(),
+            pressure: pairs().map(|(pair, _)| write.stress(pair.pressure)).collect(),
+            force: pairs().map(|(pair, _)| write.force(pair.force)).collect(),
+            gap: pairs().map(|(pair, _)| write.length(pair.gap)).collect(),
+        },
+    }
+}
+
+/// The parts with their interpolated ends; those of a plane half model beside their images.
+fn patches(step: &StepSolution) -> impl Iterator<Item = ContactPatch> {
+    let mut parts = step.parts.clone();
+    if let (Some(part), Some(whole)) = (parts.last_mut(), step.patch) {
+        part.right = whole.right;
+    }
+    let mut images = Vec::new();
+    if step.is_mirrored() {
+        images =
+            parts.iter().rev().map(|part| ContactPatch { left: -part.right, right: -part.left }).collect();
+        // The part on the axis and its image are one.
+        if let (Some(first), Some(image)) = (parts.first_mut(), images.last())
+            && first.left == 0.0
+        {
+            first.left = image.left;
+            images.pop();
+        }
+    } else if let (Some(part), Some(whole), false) = (parts.first_mut(), step.patch, step.symmetric) {
+        part.left = whole.left;
+    }
+    images.into_iter().chain(parts)
+}

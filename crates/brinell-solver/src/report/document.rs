@@ -1,0 +1,197 @@
+//! The result as it goes over the wire, field by field.
+//!
+//! Lengths, forces and stresses are in the job's own units. `x` is tangential, `y` normal to the contact and
+//! `z` out of the plane; stresses are tensile positive, pressures compressive positive.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{ContactReport, ErrorEstimate, FieldsReport, LoadApproach, ValidityNote, YieldOnsetReport};
+use crate::solver::{IterationRecord, SolveStatus};
+
+/// The answer to a job.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// `mm_N_MPa` or `SI`.
+    pub units: String,
+    /// `plane_strain`, `plane_stress` or `axisymmetric`.
+    pub analysis: String,
+    /// The least good status of all steps.
+    pub status: SolveStatus,
+    /// One entry for each load.
+    pub steps: Vec<StepReport>,
+    /// The load–approach curve of a sweep.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_approach: Option<LoadApproach>,
+    /// The mesh of the last step.
+    pub mesh: MeshReport,
+    /// Where the time went.
+    pub timings_ms: Timings,
+    /// Labels of the job.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub tags: BTreeMap<String, String>,
+    /// Version of the program.
+    pub version: String,
+}
+
+/// One load step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StepReport {
+    /// What was prescribed.
+    pub load: LoadReport,
+    /// How this step ended.
+    pub status: SolveStatus,
+    /// Approach α of the supports.
+    pub approach: f64,
+    /// Between which two boundaries α is counted.
+    pub approach_datum: String,
+    /// Contact pressure and its resultants.
+    pub contact: ContactReport,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
+    /// 0 where nothing touches and where the step was stopped.
+    pub contact_stiffness: f64,
+    /// Stresses over depth; absent when not asked for, and where the step was stopped.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
+    /// Plastic zone of each body; `null` for a rigid one.
+    pub plasticity: PerBody<Option<PlasticityReport>>,
+    /// The closed-form elastic contact of the same bodies, where there is one.
+    pub hertz: Option<HertzReport>,
+    /// The onset of yield; only of a job with `"load": {"onset": true}`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_onset: Option<YieldOnsetReport>,
+    /// What to keep in mind about this answer.
+    pub validity: Vec<ValidityNote>,
+    /// Estimated relative discretization errors, where two meshes allow them.
+    pub estimated_error: Option<ErrorEstimate>,
+    /// Mesh and nodal fields; absent unless asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fields: Option<PerBody<Option<FieldsReport>>>,
+    /// Every outer iteration.
+    pub history: Vec<IterationRecord>,
+}
+
+/// What a step prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadReport {
+    /// Total force.
+    Force(f64),
+    /// Approach.
+    Approach(f64),
+}
+
+/// One value for each body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PerBody<T> {
+    /// Of the upper body.
+    pub upper: T,
+    /// Of the lower body.
+    pub lower: T,
+}
+
+/// Stresses along the normal under the peak pressure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SubsurfaceReport {
+    /// Depth below the surface, from 0.
+    pub depth: Vec<f64>,
+    /// Tangential stress.
+    pub sigma_x: Vec<f64>,
+    /// Normal stress.
+    pub sigma_y: Vec<f64>,
+    /// Out-of-plane stress.
+    pub sigma_z: Vec<f64>,
+    /// Largest shear stress, half the difference of the extreme principal stresses.
+    pub tau_max: Vec<f64>,
+    /// Von Mises stress.
+    pub von_mises: Vec<f64>,
+    /// Equivalent plastic strain.
+    pub equivalent_plastic_strain: Vec<f64>,
+}
+
+/// Extent of plastic flow in one body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlasticityReport {
+    /// Whether any Gauss point is beyond yield.
+    pub yielded: bool,
+    /// Largest equivalent plastic strain at a Gauss point.
+    pub max_equivalent_plastic_strain: f64,
+    /// x of that point.
+    pub position: f64,
+    /// Depth of that point.
+    pub depth: f64,
+    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points.
+    pub area: f64,
+    /// Whether the plastic zone includes a part of the free surface.
+    pub reached_surface: bool,
+    /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not repeated, both sides of
+    /// the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either
+    /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise.
+    pub outline: Vec<Vec<[f64; 2]>>,
+}
+
+/// Hertz's elastic contact under the same force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct HertzReport {
+    /// Half-width a.
+    pub half_width: f64,
+    /// Peak pressure.
+    pub peak_pressure: f64,
+    /// Force at which the first body begins to yield; `null` if none can.
+    pub yield_onset_force: Option<f64>,
+    /// Depth at which it does.
+    pub yield_onset_depth: Option<f64>,
+}
+
+/// The mesh that was solved on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MeshReport {
+    /// Whether one half stands for both by symmetry.
+    pub symmetric: bool,
+    /// Tangential spacing in the contact.
+    pub spacing: f64,
+    /// Candidate node pairs of the meshed part.
+    pub contact_pairs: usize,
+    /// Nodes of both bodies.
+    pub nodes: usize,
+    /// Elements of both bodies.
+    pub elements: usize,
+    /// Equations of both bodies.
+    pub equations: usize,
+    /// Mesh passes made, the sizing ones included.
+    pub passes: usize,
+    /// Times the mesh was enlarged because the contact reached its edge.
+    pub enlargements: usize,
+    /// Smallest ratio of Jacobian determinants within one element; 1 is a parallelogram.
+    pub min_jacobian_ratio: f64,
+    /// Largest ratio of element side lengths.
+    pub max_aspect_ratio: f64,
+}
+
+/// Wall time \[ms\] by phase, all passes and steps together.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Timings {
+    /// Everything.
+    pub total: f64,
+    /// Mesh generation.
+    pub mesh: f64,
+    /// Stiffness assembly.
+    pub assembly: f64,
+    /// Fill-reducing ordering.
+    pub ordering: f64,
+    /// Symbolic factorization.
+    pub symbolic: f64,
+    /// Numeric factorization.
+    pub numeric: f64,
+    /// Contact flexibility matrix.
+    pub flexibility: f64,
+    /// Contact solves.
+    pub contact: f64,
+    /// Plastic law and initial-stress loads.
+    pub plasticity: f64,
+    /// Forward and back substitutions, the contact stiffness among them.
+    pub solves: f64,
+    /// Final fields and this report.
+    pub output: f64,
+}

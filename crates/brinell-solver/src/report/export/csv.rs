@@ -1,0 +1,71 @@
+//! Tables with a header row that names the units; one block of rows for each step.
+
+use std::fmt::Write as _;
+
+use super::ExportError;
+use crate::job::{Quantity, Units};
+use crate::report::{Report, SubsurfaceReport};
+
+fn units(report: &Report) -> Units {
+    if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
+}
+
+/// `step, x, pressure, force, gap` of every candidate pair.
+pub fn pressure_csv(report: &Report) -> String {
+    let units = units(report);
+    let symbol = |quantity: Quantity| quantity.symbol(units);
+    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
+    let (length, stress) = (symbol(Quantity::Length), symbol(Quantity::Stress));
+    let mut text =
+        format!("step,x [{length}],pressure [{stress}],force [{}],gap [{length}]\n", symbol(force));
+    for (k, step) in report.steps.iter().enumerate() {
+        let nodes = &step.contact.nodes;
+        let columns = nodes.x.iter().zip(&nodes.pressure).zip(&nodes.force).zip(&nodes.gap);
+        for (((x, pressure), force), gap) in columns {
+            let _ = writeln!(text, "{},{x},{pressure},{force},{gap}", k + 1);
+        }
+    }
+    text
+}
+
+/// `step, body, depth, stresses, plastic strain` along the normal below the peak pressure.
+///
+/// # Errors
+/// [`ExportError::NoSubsurface`] where the job did not ask for it.
+pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
+    if report.steps.iter().all(|step| step.subsurface.is_none()) {
+        return Err(ExportError::NoSubsurface);
+    }
+    let units = units(report);
+    let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
+    let mut text = format!(
+        "step,body,depth [{length}],sigma_x [{stress}],sigma_y [{stress}],sigma_z [{stress}],tau_max [{stress}],\
+         von_mises [{stress}],equivalent_plastic_strain\n"
+    );
+    for (k, step) in report.steps.iter().enumerate() {
+        let Some(bodies) = &step.subsurface else { continue };
+        for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
+            let Some(body) = body else { continue };
+            write_profile(&mut text, k + 1, name, body);
+        }
+    }
+    Ok(text)
+}
+
+fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport) {
+    for (k, depth) in body.depth.iter().enumerate() {
+        let columns = [
+            &body.sigma_x,
+            &body.sigma_y,
+            &body.sigma_z,
+            &body.tau_max,
+            &body.von_mises,
+            &body.equivalent_plastic_strain,
+        ];
+        let _ = write!(text, "{step},{name},{depth}");
+        for column in columns {
+            let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
+        }
+        text.push('\n');
+    }
+}

@@ -1,0 +1,177 @@
+//! Pressure over the contact and stresses over depth, each beside the elastic closed form, as SVG.
+
+use plotters::style::RGBColor;
+
+use super::ExportError;
+use super::chart::{Chart, Curve, Stroke};
+use crate::analytical::HertzLine;
+use crate::job::{Analysis, Body, Job, Material, Quantity};
+use crate::report::{HertzReport, Report, StepReport, SubsurfaceReport};
+
+// Okabe and Ito's colours, told apart by everybody.
+const BLUE: RGBColor = RGBColor(0, 114, 178);
+const VERMILION: RGBColor = RGBColor(213, 94, 0);
+const GREEN: RGBColor = RGBColor(0, 158, 115);
+const GREY: RGBColor = RGBColor(110, 110, 110);
+
+/// Points of a closed-form curve.
+const SAMPLES: u32 = 400;
+
+/// Contact pressure over x, with Hertz's beside it; steps are counted from 0.
+///
+/// # Errors
+/// [`ExportError`].
+pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
+    let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+    let nodes = &step.contact.nodes;
+    let mut curves = vec![Curve {
+        name: "this contact".to_owned(),
+        points: nodes.x.iter().copied().zip(nodes.pressure.iter().copied()).collect(),
+        colour: BLUE,
+        stroke: Stroke::Solid,
+    }];
+    curves.extend(step.hertz.as_ref().map(|hertz| hertz_curve(job, hertz)));
+    let highest = curves.iter().flat_map(|curve| &curve.points).map(|p| p.1).fold(0.0, f64::max);
+    let left = nodes.x.first().copied().unwrap_or(-1.0);
+    let right = nodes.x.last().copied().unwrap_or(1.0);
+    let abscissa = if job.analysis == Analysis::Axisymmetric { "radius r" } else { "x" };
+    Chart {
+        title: "Contact pressure".to_owned(),
+        x_label: format!("{abscissa} [{length}]"),
+        y_label: format!("pressure [{stress}]"),
+        x_range: (left, right),
+        y_range: (0.0, if highest > 0.0 { 1.08 * highest } else { 1.0 }),
+        curves,
+        legend_below: false,
+        band: None,
+    }
+    .svg()
+}
+
+fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
+    let (a, p0) = (hertz.half_width, hertz.peak_pressure);
+    let from = if job.analysis == Analysis::Axisymmetric { 0.0 } else { -1.0 };
+    let points = (0..=SAMPLES).map(|k| {
+        let s = from + (1.0 - from) * f64::from(k) / f64::from(SAMPLES);
+        (s * a, p0 * (1.0 - s * s).max(0.0).sqrt())
+    });
+    Curve {
+        name: "Hertz, elastic".to_owned(),
+        points: points.collect(),
+        colour: GREY,
+        stroke: Stroke::Dashed,
+    }
+}
+
+/// Stresses over depth below the peak pressure, in the lower body if it deforms, with McEwen's elastic ones beside
+/// them for line contacts; the plastic zone is shaded. Steps are counted from 0.
+///
+/// # Errors
+/// [`ExportError`].
+pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
+    let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    let bodies = step.subsurface.as_ref().ok_or(ExportError::NoSubsurface)?;
+    let (body, profile) = [(&job.lower, &bodies.lower), (&job.upper, &bodies.upper)]
+        .into_iter()
+        .find_map(|(body, profile)| Some((body, profile.as_ref()?)))
+        .ok_or(ExportError::NoSubsurface)?;
+    let reach = shown_depth(step, profile);
+    let mut curves = Vec::new();
+    for (name, values, colour) in [
+        ("σ_x", &profile.sigma_x, BLUE),
+        ("σ_y", &profile.sigma_y, VERMILION),
+        ("σ_z", &profile.sigma_z, GREEN),
+    ] {
+        let points = profile.depth.iter().copied().zip(values.iter().copied());
+        curves.push(Curve {
+            name: format!("{name}, this contact"),
+            points: points.take_while(|(depth, _)| *depth <= reach).collect(),
+            colour,
+            stroke: Stroke::Solid,
+        });
+    }
+    curves.extend(elastic_curves(job, body, step, reach));
+    let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p.1);
+    let (lowest, highest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
+    let margin = 0.06 * (highest - lowest).max(f64::MIN_POSITIVE);
+    let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
+    Chart {
+        title: "Stresses below the contact".to_owned(),
+        x_label: format!("depth [{length}]"),
+        y_label: format!("stress, tension positive [{stress}]"),
+        x_range: (0.0, reach),
+        y_range: (lowest - margin, highest + margin),
+        curves,
+        legend_below: true,
+        band: plastic_band(profile).map(|band| (band, "plastic".to_owned())),
+    }
+    .svg()
+}
+
+/// Four half-widths, or what there is.
+fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
+    let deepest = profile.depth.last().copied().unwrap_or(1.0);
+    if step.contact.half_width > 0.0 { deepest.min(4.0 * step.contact.half_width) } else { deepest }
+}
+
+/// First and last depth with plastic strain.
+fn plastic_band(profile: &SubsurfaceReport) -> Option<(f64, f64)> {
+    let most = profile.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
+    let plastic = || {
+        let pairs = profile.depth.iter().zip(&profile.equivalent_plastic_strain);
+        pairs.filter(move |(_, strain)| **strain > 1e-3 * most && **strain > 0.0).map(|(depth, _)| *depth)
+    };
+    Some((plastic().next()?, plastic().next_back()?))
+}
+
+fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<Curve> {
+    let (Some(hertz), Material::Deformable(material)) = (&step.hertz, &body.material) else {
+        return Vec::new();
+    };
+    let poisson = match job.analysis {
+        Analysis::PlaneStrain => material.elastic().poisson_ratio.get(),
+        Analysis::PlaneStress => 0.0,
+        Analysis::Axisymmetric => return Vec::new(),
+    };
+    // The contact with this half-width and peak pressure: a = 2 R p0 / E* with R = a, E* = 2 p0.
+    let field =
+        HertzLine::from_peak_pressure(hertz.peak_pressure, hertz.half_width, 2.0 * hertz.peak_pressure);
+    let sample = |k: u32| {
+        let depth = reach * f64::from(k) / f64::from(SAMPLES);
+        (depth, field.stress_on_axis(depth, poisson))
+    };
+    let curve = |colour, name: &str, component: fn(&crate::analytical::Stress) -> f64| Curve {
+        name: name.to_owned(),
+        points: (0..=SAMPLES).map(sample).map(|(depth, stress)| (depth, component(&stress))).collect(),
+        colour,
+        stroke: Stroke::Dashed,
+    };
+    vec![
+        curve(BLUE, "elastic (McEwen)", |stress| stress.sigma_x),
+        curve(VERMILION, "", |stress| stress.sigma_y),
+        curve(GREEN, "", |stress| stress.sigma_z),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report;
+    use crate::solver::Unobserved;
+
+    #[test]
+    fn figures_show_both_curves_with_their_units() {
+        let job = Job::from_json(include_bytes!("../../../../../api/examples/two_cylinders.json")).unwrap();
+        let report = report::run(&job, &mut Unobserved).unwrap();
+        let pressure = pressure_svg(&job, &report, 0).unwrap();
+        for text in ["<svg", "pressure [MPa]", "x [mm]", "Hertz, elastic", "this contact"] {
+            assert!(pressure.contains(text), "{text}");
+        }
+        let depth = depth_svg(&job, &report, 0).unwrap();
+        for text in ["depth [mm]", "σ_x", "σ_y", "σ_z", "plastic", "McEwen"] {
+            assert!(depth.contains(text), "{text}");
+        }
+        assert_eq!(pressure_svg(&job, &report, 1), Err(ExportError::NoStep(1)));
+    }
+}

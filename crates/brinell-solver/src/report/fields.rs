@@ -1,0 +1,77 @@
+//! The mesh fields of a step, in one frame for both bodies.
+//!
+//! The core keeps each body in its own frame, `y` out of the material. The lower body is given as it is; the upper
+//! one is its own picture mirrored in the contact plane:
+//!
+//! ```text
+//! y → -y - g,  u_y → -u_y,  τ_xy → -τ_xy,  element corners in reverse order (still counter-clockwise)
+//! ```
+//!
+//! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just touch.
+
+use serde::{Deserialize, Serialize};
+
+use super::PerBody;
+use super::recovery::Recovery;
+use super::units::Writer;
+use crate::analytical::Stress;
+use crate::solver::{BodySolution, StepSolution};
+
+/// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
+/// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct FieldsReport {
+    /// Nodes `[x, y]`.
+    pub nodes: Vec<[f64; 2]>,
+    /// Corners of each element, counter-clockwise, counted from 0.
+    pub elements: Vec<[u32; 4]>,
+    /// Displacements `[u_x, u_y]`, each body relative to its own support.
+    pub displacement: Vec<[f64; 2]>,
+    /// Stress along x, or along the radius.
+    pub sigma_x: Vec<f64>,
+    /// Stress along y.
+    pub sigma_y: Vec<f64>,
+    /// Out-of-plane stress, or hoop stress.
+    pub sigma_z: Vec<f64>,
+    /// Shear stress.
+    pub tau_xy: Vec<f64>,
+    /// Von Mises stress.
+    pub von_mises: Vec<f64>,
+    /// Equivalent plastic strain.
+    pub equivalent_plastic_strain: Vec<f64>,
+}
+
+/// The fields of both bodies; nothing for a rigid one.
+pub(super) fn fields(step: &StepSolution, write: Writer) -> PerBody<Option<FieldsReport>> {
+    let [upper, lower] = &step.bodies;
+    let of = |body: &BodySolution, mirror| body_fields(body, step, mirror, write);
+    PerBody {
+        upper: upper.as_ref().map(|body| of(body, true)),
+        lower: lower.as_ref().map(|body| of(body, false)),
+    }
+}
+
+fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: Writer) -> FieldsReport {
+    // Adding zero turns a mirrored -0 into 0.
+    let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
+    let global = |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
+    let mut report = FieldsReport {
+        nodes: body.mesh.nodes.iter().map(|node| global(node, gap)).collect(),
+        elements: body.mesh.elements.clone(),
+        displacement: body.displacement.iter().map(|u| global(u, 0.0)).collect(),
+        ..FieldsReport::default()
+    };
+    if mirror {
+        report.elements.iter_mut().for_each(|corners| corners.reverse());
+    }
+    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain] in Recovery::new(body, step.symmetric).nodes() {
+        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
+        report.sigma_x.push(write.stress(sigma_x));
+        report.sigma_y.push(write.stress(sigma_y));
+        report.sigma_z.push(write.stress(sigma_z));
+        report.tau_xy.push(write.stress(sign * tau_xy) + 0.0);
+        report.von_mises.push(write.stress(stress.von_mises()));
+        report.equivalent_plastic_strain.push(plastic_strain);
+    }
+    report
+}

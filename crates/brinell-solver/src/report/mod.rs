@@ -1,0 +1,25 @@
+//! What a solution means to its reader: the report, its validity and its error bars.
+
+mod build;
+mod contact;
+mod document;
+mod error_bars;
+pub mod export;
+mod fields;
+mod load_approach;
+mod onset;
+mod plastic_zone;
+mod recovery;
+mod run;
+mod subsurface;
+mod units;
+mod validity;
+
+pub use contact::{ContactNodes, ContactReport, Patch};
+pub use document::*;
+pub use error_bars::ErrorEstimate;
+pub use fields::FieldsReport;
+pub use load_approach::LoadApproach;
+pub use onset::{Side, YieldOnsetReport};
+pub use run::{JobEstimate, RunError, preflight, run, run_with};
+pub use validity::ValidityNote;

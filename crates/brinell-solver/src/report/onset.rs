@@ -1,0 +1,74 @@
+//! Where and under which force a contact first yields.
+
+use serde::{Deserialize, Serialize};
+
+use super::contact::force;
+use super::recovery::element_mean;
+use super::units::Writer;
+use crate::contact::ContactLoad;
+use crate::job::{Body, Job, Load, Material};
+use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
+use crate::solver::StepSolution;
+
+/// The onset of yield, found numerically for the job's own shapes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct YieldOnsetReport {
+    /// Force P_Y.
+    pub force: f64,
+    /// Approach under it.
+    pub approach: f64,
+    /// Peak pressure under it.
+    pub peak_pressure: f64,
+    /// Which body yields first; of two alike, the lower one.
+    pub body: Side,
+    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as well.
+    pub position: f64,
+    /// Depth of that middle.
+    pub depth: f64,
+}
+
+/// One of the two bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// The upper body.
+    Upper,
+    /// The lower body.
+    Lower,
+}
+
+/// The onset that a job asked for; `None` for any other job.
+pub(super) fn onset(job: &Job, step: &StepSolution, write: Writer) -> Option<YieldOnsetReport> {
+    if job.load != Load::Onset {
+        return None;
+    }
+    let sides = [(Side::Upper, &job.upper, &step.bodies[0]), (Side::Lower, &job.lower, &step.bodies[1])];
+    let points = sides.into_iter().filter_map(|(side, body, solution)| {
+        let (limit, solution) = (yield_stress(body)?, solution.as_ref()?);
+        // As in the search for the load: single Gauss points lie above the field.
+        let means = solution.stress.points.iter().map(element_mean);
+        let utilisations =
+            means.map(|(centroid, [x, y, z, t, _])| (von_mises([x, y, z, t]) / limit, centroid));
+        let highest = utilisations.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((side, highest))
+    });
+    let (body, (_, [x, y])) = points.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    // The force that was prescribed; the nodal ones add up to it but for rounding.
+    let force = match step.load {
+        ContactLoad::Force(force) => force,
+        ContactLoad::Approach(_) => force(step),
+    };
+    Some(YieldOnsetReport {
+        force: write.force(force),
+        approach: write.length(step.approach),
+        peak_pressure: write.stress(step.peak_pressure),
+        body,
+        position: write.length(x),
+        depth: write.length(-y),
+    })
+}
+
+fn yield_stress(body: &Body) -> Option<f64> {
+    let Material::Deformable(material) = &body.material else { return None };
+    Some(UniaxialCurve::of(material)?.yield_stress()).filter(|stress| *stress > 0.0)
+}

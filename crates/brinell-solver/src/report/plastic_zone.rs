@@ -1,0 +1,246 @@
+//! The outline of the plastic zone.
+//!
+//! ```text
+//! f = q + 3G ε_p - σ_y        q = von_mises, ε_p = equivalent_plastic_strain, σ_y = yield_stress [MPa]
+//! ```
+//!
+//! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the stress that the strain
+//! would cause in an elastic body, less the yield stress: unlike q it runs smoothly through the boundary. For a law
+//! without a yield point (Ramberg–Osgood) the zone is by convention where q exceeds the reference stress.
+//!
+//! f is recovered at the nodes. Each quadrilateral is cut along the straight line between the zeros on its edges;
+//! an edge that two pieces share cancels, and what is left is chained to closed polygons.
+
+use std::collections::BTreeMap;
+
+use super::recovery::{Recovery, Values};
+use crate::analytical::Stress;
+use crate::job::{Body, Hardening, Material};
+use crate::material::{HardeningLaw, UniaxialCurve};
+use crate::solver::BodySolution;
+
+/// Most points of a polygon; a longer one is thinned.
+const MAX_POINTS: usize = 400;
+/// Most polygons; the largest are kept.
+const MAX_POLYGONS: usize = 8;
+/// Area of a polygon over that of the largest below which it is dropped as noise.
+const NOISE: f64 = 1e-3;
+
+/// Where a body is beyond yield.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct PlasticZone {
+    /// Closed polygons `[x, depth]` \[mm\] without the first point repeated; anticlockwise in the axes
+    /// `(x, depth)`, holes clockwise. A symmetric body is completed by its mirror image.
+    pub outline: Vec<Vec<[f64; 2]>>,
+    /// Whether the zone includes a point of the free surface.
+    pub reached_surface: bool,
+}
+
+/// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a mirror image.
+type Corner = (u32, u32, bool);
+
+/// Outlines the zone of a body.
+pub(super) fn outline(solution: &BodySolution, body: &Body, symmetric: bool) -> PlasticZone {
+    let Some(excess) = Excess::of(&body.material) else { return PlasticZone::default() };
+    let mut recovery = Recovery::new(solution, symmetric);
+    let elements = elements_near_yield(solution, &recovery);
+    let mut values = BTreeMap::new();
+    for &element in &elements {
+        for node in solution.mesh.elements[element] {
+            values.entry(node).or_insert_with(|| excess.at(recovery.node(node)));
+        }
+    }
+    let mesh = &solution.mesh;
+    let mut is_whole = vec![false; mesh.elements.len()];
+    for &element in &elements {
+        is_whole[element] = mesh.elements[element].iter().all(|node| values[node] >= 0.0);
+    }
+    // Between two elements that are inside as a whole, an edge would only meet its opposite.
+    let is_within = |element: usize, (from, ..): Corner, (to, ..): Corner| {
+        let shares = |&other: &u32| {
+            let other = other as usize;
+            other != element && is_whole[other] && mesh.elements[other].contains(&to)
+        };
+        is_whole[element] && recovery.elements_of(from).iter().any(shares)
+    };
+    let is_on_axis = |node: u32| mesh.nodes[node as usize][0] == 0.0;
+    let image = |(a, b, _): Corner| (a, b, !(is_on_axis(a) && is_on_axis(b)));
+    let mut edges = Edges::default();
+    for &element in &elements {
+        let corners = cut(mesh.elements[element], &values);
+        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            if is_within(element, from, to) {
+                continue;
+            }
+            edges.add(from, to);
+            if symmetric {
+                edges.add(image(to), image(from));
+            }
+        }
+    }
+    let place = |corner: &Corner| position(*corner, solution, &values);
+    let polygons = edges.chain().iter().map(|chain| chain.iter().rev().map(place).collect()).collect();
+    let last_ray = solution.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
+    let is_on_surface = |node: u32| {
+        let p = solution.mesh.lattice[node as usize];
+        if p.patch == 0 { p.j == 0 } else { p.i == 0 || !symmetric && Some(p.i) == last_ray }
+    };
+    PlasticZone {
+        outline: largest(polygons),
+        reached_surface: values.iter().any(|(&node, &f)| f >= 0.0 && is_on_surface(node)),
+    }
+}
+
+/// How f is formed from recovered values.
+struct Excess {
+    /// Yield or reference stress \[MPa\].
+    limit: f64,
+    /// 3G where plastic strain counts \[MPa\], else 0.
+    triple_shear: f64,
+}
+
+impl Excess {
+    fn of(material: &Material) -> Option<Self> {
+        let Material::Deformable(material) = material else { return None };
+        if let Some(Hardening::RambergOsgood { reference_stress, .. }) = material.plasticity() {
+            return Some(Self { limit: reference_stress.get(), triple_shear: 0.0 });
+        }
+        let limit = UniaxialCurve::of(material)?.yield_stress();
+        Some(Self { limit, triple_shear: 3.0 * material.elastic().shear_modulus() })
+    }
+
+    fn at(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]: Values) -> f64 {
+        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
+        stress.von_mises() + self.triple_shear * plastic_strain - self.limit
+    }
+}
+
+/// Elements with a Gauss point beyond yield, and their neighbours.
+fn elements_near_yield(solution: &BodySolution, recovery: &Recovery<'_>) -> Vec<usize> {
+    let mut near = vec![false; solution.mesh.elements.len()];
+    for (nodes, points) in solution.mesh.elements.iter().zip(&solution.stress.points) {
+        if points.iter().any(|point| point.yielded) {
+            for &element in nodes.iter().flat_map(|&node| recovery.elements_of(node)) {
+                near[element as usize] = true;
+            }
+        }
+    }
+    near.iter().enumerate().filter(|(_, near)| **near).map(|(element, _)| element).collect()
+}
+
+/// Corners of the part of a quadrilateral where f is not negative, in the quadrilateral's sense of rotation.
+fn cut(nodes: [u32; 4], values: &BTreeMap<u32, f64>) -> Vec<Corner> {
+    let is_inside = |node: u32| values.get(&node).is_some_and(|f| *f >= 0.0);
+    let mut corners = Vec::with_capacity(6);
+    for (&from, &to) in nodes.iter().zip(nodes.iter().cycle().skip(1)) {
+        if is_inside(from) {
+            corners.push((from, from, false));
+        }
+        if is_inside(from) != is_inside(to) {
+            corners.push((from.min(to), from.max(to), false));
+        }
+    }
+    corners
+}
+
+/// `[x, depth]` of a corner.
+fn position((a, b, mirrored): Corner, solution: &BodySolution, values: &BTreeMap<u32, f64>) -> [f64; 2] {
+    let node = |node: u32| solution.mesh.nodes[node as usize];
+    let value = |node: u32| values.get(&node).copied().unwrap_or(0.0);
+    let ([xa, ya], [xb, yb]) = (node(a), node(b));
+    let (fa, fb) = (value(a), value(b));
+    let t = if a == b { 0.0 } else { fa / (fa - fb) };
+    let (x, y) = (xa + t * (xb - xa), ya + t * (yb - ya));
+    [if mirrored { -x } else { x }, 0.0 - y]
+}
+
+/// Directed edges that have not met their opposite.
+#[derive(Default)]
+struct Edges(BTreeMap<Corner, Vec<Corner>>);
+
+impl Edges {
+    /// Adds an edge of a polygon.
+    fn add(&mut self, from: Corner, to: Corner) {
+        if let Some(ends) = self.0.get_mut(&to)
+            && let Some(k) = ends.iter().position(|end| *end == from)
+        {
+            ends.swap_remove(k);
+        } else {
+            self.0.entry(from).or_default().push(to);
+        }
+    }
+
+    /// Chains the edges that are left. As many edges arrive at every corner as leave it, so every chain closes.
+    fn chain(mut self) -> Vec<Vec<Corner>> {
+        let starts: Vec<Corner> = self.0.keys().copied().collect();
+        let mut chains = Vec::new();
+        for start in starts {
+            while let Some(mut end) = self.0.get_mut(&start).and_then(Vec::pop) {
+                let mut chain = vec![start];
+                while end != start {
+                    chain.push(end);
+                    let Some(next) = self.0.get_mut(&end).and_then(Vec::pop) else { break };
+                    end = next;
+                }
+                chains.push(chain);
+            }
+        }
+        chains
+    }
+}
+
+/// The largest polygons, largest first, thinned.
+fn largest(mut polygons: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
+    let size = |polygon: &Vec<[f64; 2]>| signed_area(polygon).abs();
+    polygons.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let least = polygons.first().map_or(0.0, |largest| NOISE * size(largest));
+    polygons.retain(|polygon| polygon.len() >= 3 && size(polygon) > least);
+    polygons.truncate(MAX_POLYGONS);
+    for polygon in &mut polygons {
+        let stride = polygon.len().div_ceil(MAX_POINTS);
+        *polygon = polygon.iter().copied().step_by(stride).collect();
+    }
+    polygons
+}
+
+/// Area of a polygon, positive anticlockwise.
+fn signed_area(polygon: &[[f64; 2]]) -> f64 {
+    let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    0.5 * pairs.map(|([x0, y0], [x1, y1])| x0 * y1 - x1 * y0).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shared_edges_cancel_and_the_rest_closes() {
+        let corner = |node: u32| (node, node, false);
+        let mut edges = Edges::default();
+        for nodes in [[0, 1, 4, 3], [1, 2, 5, 4]] {
+            for k in 0..4 {
+                edges.add(corner(nodes[k]), corner(nodes[(k + 1) % 4]));
+            }
+        }
+        let chains = edges.chain();
+        assert_eq!(chains, [[0, 1, 2, 5, 4, 3].map(corner).to_vec()]);
+    }
+
+    #[test]
+    fn a_quadrilateral_is_cut_at_the_zeros() {
+        let values = BTreeMap::from([(0, 1.0), (1, -1.0), (2, -1.0), (3, 1.0)]);
+        assert_eq!(cut([0, 1, 2, 3], &values), [(0, 0, false), (0, 1, false), (2, 3, false), (3, 3, false)]);
+    }
+
+    #[test]
+    fn long_polygons_are_thinned_and_specks_dropped() {
+        let circle = |n: u32, r: f64| -> Vec<[f64; 2]> {
+            let angles = (0..n).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(n));
+            angles.map(|t| [r * t.cos(), r * t.sin()]).collect()
+        };
+        let kept = largest(vec![circle(8, 0.01), circle(2000, 1.0)]);
+        assert_eq!(kept.len(), 1);
+        assert_eq!(kept[0].len(), MAX_POINTS);
+        assert!((signed_area(&kept[0]) - std::f64::consts::PI).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,264 @@
+//! Stresses at any point of a body, recovered from the Gauss points.
+//!
+//! The mean stress over an element is the most accurate value it has, and it belongs to its centroid. Around
+//! each node the means of the surrounding elements are fitted by a plane, component by component, and the plane
+//! is read at the node; between nodes values are interpolated by the shape functions. At a boundary the patch is
+//! one layer of elements deeper; on the symmetry axis it is completed by mirror images.
+//!
+//! # Reference
+//! O. C. Zienkiewicz, J. Z. Zhu, *The superconvergent patch recovery and a posteriori error estimates*, Int. J.
+//! Numer. Meth. Engng 33 (1992) 1331–1364.
+
+use std::collections::HashMap;
+
+use crate::fem::assembly::GaussPoint;
+use crate::fem::element::QUADRATURE_POINTS;
+use crate::fem::mesh::Mesh;
+use crate::solver::BodySolution;
+use sparse_cholesky::dense::DenseCholesky;
+
+/// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p]` at a point \[MPa, MPa, MPa, MPa, 1\].
+pub(super) type Values = [f64; 5];
+
+/// Recovers values on one body, node by node as they are needed.
+pub(super) struct Recovery<'a> {
+    body: &'a BodySolution,
+    symmetric: bool,
+    elements_around: ElementsAround,
+    at_node: HashMap<u32, Values>,
+    /// The element that the last point was found in.
+    last: usize,
+}
+
+/// The elements around each node: those of node `k` are `elements[offsets[k]..offsets[k + 1]]`.
+struct ElementsAround {
+    offsets: Vec<u32>,
+    elements: Vec<u32>,
+}
+
+impl ElementsAround {
+    fn of(mesh: &Mesh) -> Self {
+        // The first entry of a node serves as the place of its next element while they are filled in.
+        let mut offsets = vec![0u32; mesh.nodes.len() + 2];
+        for &node in mesh.elements.iter().flatten() {
+            offsets[node as usize + 2] += 1;
+        }
+        let mut total = 0;
+        for offset in &mut offsets {
+            total += *offset;
+            *offset = total;
+        }
+        let mut elements = vec![0; 4 * mesh.elements.len()];
+        for (element, nodes) in (0u32..).zip(&mesh.elements) {
+            for &node in nodes {
+                let place = &mut offsets[node as usize + 1];
+                elements[*place as usize] = element;
+                *place += 1;
+            }
+        }
+        Self { offsets, elements }
+    }
+
+    fn node(&self, node: u32) -> &[u32] {
+        let range = self.offsets[node as usize]..self.offsets[node as usize + 1];
+        &self.elements[range.start as usize..range.end as usize]
+    }
+}
+
+impl<'a> Recovery<'a> {
+    pub fn new(body: &'a BodySolution, symmetric: bool) -> Self {
+        let elements_around = ElementsAround::of(&body.mesh);
+        Self { body, symmetric, elements_around, at_node: HashMap::new(), last: 0 }
+    }
+
+    /// Values at a point `[x, y]` of the body \[mm\]; `None` outside the mesh. Cheap next to the point before.
+    pub fn at(&mut self, point: [f64; 2]) -> Option<Values> {
+        let mesh = &self.body.mesh;
+        let within =
+            |element: usize| shape_functions(&mesh.corners(element), point).map(|shape| (element, shape));
+        let around = mesh.elements[self.last].iter().flat_map(|&node| self.elements_of(node));
+        let near = around.map(|&element| element as usize).find_map(within);
+        let (element, shape) = near.or_else(|| (0..mesh.elements.len()).find_map(within))?;
+        self.last = element;
+        let mut values = [0.0; 5];
+        for (&node, weight) in mesh.elements[element].iter().zip(shape) {
+            for (value, recovered) in values.iter_mut().zip(self.node(node)) {
+                *value += weight * recovered;
+            }
+        }
+        values[4] = values[4].max(0.0);
+        Some(values)
+    }
+
+    /// Values at a node.
+    pub fn node(&mut self, node: u32) -> Values {
+        if let Some(values) = self.at_node.get(&node) {
+            return *values;
+        }
+        let values = self.fit(node);
+        self.at_node.insert(node, values);
+        values
+    }
+
+    /// Values at every node, in time proportional to their number.
+    pub fn nodes(&mut self) -> Vec<Values> {
+        (0u32..)
+            .take(self.body.mesh.nodes.len())
+            .map(|node| {
+                let mut values = self.node(node);
+                values[4] = values[4].max(0.0);
+                values
+            })
+            .collect()
+    }
+
+    /// The elements around a node.
+    pub fn elements_of(&self, node: u32) -> &[u32] {
+        self.elements_around.node(node)
+    }
+
+    fn fit(&self, node: u32) -> Values {
+        let centre = self.body.mesh.nodes[node as usize];
+        let on_axis = self.symmetric && centre[0] == 0.0;
+        let own = self.elements_of(node);
+        let mut patch = own.to_vec();
+        // An interior node has four elements, one on the axis two and their images.
+        if own.len() * if on_axis { 2 } else { 1 } < 4 {
+            let nodes = own.iter().flat_map(|&e| self.body.mesh.elements[e as usize]);
+            patch = nodes.flat_map(|n| self.elements_of(n).iter().copied()).collect();
+            patch.sort_unstable();
+            patch.dedup();
+        }
+        let mut samples: Vec<([f64; 2], Values)> =
+            patch.iter().map(|&e| element_mean(&self.body.stress.points[e as usize])).collect();
+        if on_axis {
+            let images = samples.clone();
+            samples.extend(images.into_iter().map(|([x, y], mut values)| {
+                values[3] = -values[3];
+                ([-x, y], values)
+            }));
+        }
+        plane_fit(&samples, centre)
+    }
+}
+
+/// Centroid and mean values of an element.
+pub(super) fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
+    let total: f64 = points.iter().map(|p| p.weight).sum();
+    let (mut centroid, mut values) = ([0.0; 2], [0.0; 5]);
+    for point in points {
+        let share = point.weight / total;
+        for (c, x) in centroid.iter_mut().zip(point.position) {
+            *c += share * x;
+        }
+        let [x, y, z, t] = point.stress;
+        for (value, v) in values.iter_mut().zip([x, y, z, t, point.equivalent_plastic_strain]) {
+            *value += share * v;
+        }
+    }
+    (centroid, values)
+}
+
+/// Least-squares plane through samples, read at `centre`; their mean where they determine no plane.
+fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
+    let scale = samples
+        .iter()
+        .map(|([x, y], _)| (x - centre[0]).abs().max((y - centre[1]).abs()))
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let basis = |[x, y]: [f64; 2]| [1.0, (x - centre[0]) / scale, (y - centre[1]) / scale];
+    let mut normal = vec![0.0; 9];
+    let mut right = [[0.0; 3]; 5];
+    for (position, values) in samples {
+        let b = basis(*position);
+        for i in 0..3 {
+            for j in 0..3 {
+                normal[3 * i + j] += b[i] * b[j];
+            }
+            for (row, value) in right.iter_mut().zip(values) {
+                row[i] += b[i] * value;
+            }
+        }
+    }
+    match DenseCholesky::factor(3, normal) {
+        Ok(factor) => right.map(|mut coefficients| {
+            factor.solve_in_place(&mut coefficients);
+            coefficients[0]
+        }),
+        Err(_) => right.map(|row| row[0] / samples.len() as f64),
+    }
+}
+
+/// Shape functions of a quadrilateral at a point; `None` if the point lies outside it.
+///
+/// The bilinear map is inverted by Newton's method, which is exact after one step on a parallelogram.
+fn shape_functions(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]> {
+    const OUTSIDE: f64 = 1.0 + 1e-7;
+    let range = |k: usize| {
+        let values = corners.iter().map(|c| c[k]);
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+    };
+    for (k, &coordinate) in point.iter().enumerate() {
+        let (low, high) = range(k);
+        let slack = 1e-9 * (high - low);
+        if coordinate < low - slack || coordinate > high + slack {
+            return None;
+        }
+    }
+    let shape = |xi: f64, eta: f64| {
+        [
+            0.25 * (1.0 - xi) * (1.0 - eta),
+            0.25 * (1.0 + xi) * (1.0 - eta),
+            0.25 * (1.0 + xi) * (1.0 + eta),
+            0.25 * (1.0 - xi) * (1.0 + eta),
+        ]
+    };
+    let (mut xi, mut eta) = (0.0, 0.0);
+    for _ in 0..20 {
+        let n = shape(xi, eta);
+        let d_xi = [-0.25 * (1.0 - eta), 0.25 * (1.0 - eta), 0.25 * (1.0 + eta), -0.25 * (1.0 + eta)];
+        let d_eta = [-0.25 * (1.0 - xi), -0.25 * (1.0 + xi), 0.25 * (1.0 + xi), 0.25 * (1.0 - xi)];
+        let sum =
+            |weights: &[f64; 4], k: usize| weights.iter().zip(corners).map(|(w, c)| w * c[k]).sum::<f64>();
+        let rest = [point[0] - sum(&n, 0), point[1] - sum(&n, 1)];
+        let [a, b, c, d] = [sum(&d_xi, 0), sum(&d_eta, 0), sum(&d_xi, 1), sum(&d_eta, 1)];
+        let determinant = a * d - b * c;
+        if determinant == 0.0 {
+            return None;
+        }
+        let step = [(d * rest[0] - b * rest[1]) / determinant, (a * rest[1] - c * rest[0]) / determinant];
+        xi += step[0];
+        eta += step[1];
+        if step[0].abs() + step[1].abs() < 1e-12 {
+            break;
+        }
+    }
+    (xi.abs() <= OUTSIDE && eta.abs() <= OUTSIDE).then(|| shape(xi, eta))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plane_is_recovered_exactly() {
+        let value = |x: f64, y: f64| [1.0 + x, y, 2.0 * x - y, 3.0, 0.0];
+        let samples: Vec<_> = [(0.0, 0.0), (1.0, 0.1), (0.2, 1.0), (1.3, 0.9), (2.0, 0.4)]
+            .map(|(x, y)| ([x, y], value(x, y)))
+            .to_vec();
+        for (got, expected) in plane_fit(&samples, [5.0, -2.0]).iter().zip(value(5.0, -2.0)) {
+            assert!((got - expected).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn points_are_found_inside_and_refused_outside() {
+        let corners = [[0.0, 0.0], [2.0, 0.3], [2.4, 1.9], [-0.2, 1.5]];
+        let shape = shape_functions(&corners, [1.1, 0.9]).unwrap();
+        for k in 0..2 {
+            let position: f64 = shape.iter().zip(&corners).map(|(n, c)| n * c[k]).sum();
+            assert!((position - [1.1, 0.9][k]).abs() < 1e-12);
+        }
+        assert_eq!(shape_functions(&corners, [2.3, 0.2]), None);
+        assert!(shape_functions(&corners, [0.0, 0.0]).is_some());
+    }
+}

@@ -1,0 +1,62 @@
+//! Stresses over depth below the peak pressure.
+
+use super::SubsurfaceReport;
+use super::recovery::Recovery;
+use super::units::Writer;
+use crate::analytical::Stress;
+use crate::job::Quantity;
+use crate::solver::BodySolution;
+
+/// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
+/// below the nearest candidate node, from the surface to the support.
+pub(super) fn profile(body: &BodySolution, symmetric: bool, x: f64, write: Writer) -> SubsurfaceReport {
+    let mesh = &body.mesh;
+    let mut recovery = Recovery::new(body, symmetric);
+    let line = normal_line(body, x);
+    let surface = line.first().map_or(0.0, |&node| mesh.nodes[node as usize][1]);
+    let mut report = SubsurfaceReport {
+        depth: Vec::new(),
+        sigma_x: Vec::new(),
+        sigma_y: Vec::new(),
+        sigma_z: Vec::new(),
+        tau_max: Vec::new(),
+        von_mises: Vec::new(),
+        equivalent_plastic_strain: Vec::new(),
+    };
+    for node in line {
+        let y = mesh.nodes[node as usize][1];
+        // A node on the very line needs no interpolation.
+        let is_on_line = (mesh.nodes[node as usize][0] - x).abs() <= 1e-12 * mesh.zone.half_width();
+        let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, y]) };
+        let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]) = values else { continue };
+        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
+        report.depth.push(write.figure(Quantity::Length, surface - y));
+        report.sigma_x.push(write.figure(Quantity::Stress, sigma_x));
+        report.sigma_y.push(write.figure(Quantity::Stress, sigma_y));
+        report.sigma_z.push(write.figure(Quantity::Stress, sigma_z));
+        report.tau_max.push(write.figure(Quantity::Stress, stress.tau_max()));
+        report.von_mises.push(write.figure(Quantity::Stress, stress.von_mises()));
+        report.equivalent_plastic_strain.push(plastic_strain.max(0.0));
+    }
+    report
+}
+
+/// Nodes of the grid line that starts at the candidate node nearest to `x` and runs down through block and
+/// rings.
+fn normal_line(body: &BodySolution, x: f64) -> Vec<u32> {
+    let mesh = &body.mesh;
+    let offset = |node: &u32| (mesh.nodes[*node as usize][0] - x).abs();
+    let Some(&top) = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b))) else {
+        return Vec::new();
+    };
+    let column = mesh.lattice[top as usize].i;
+    let rows = mesh.lattice.iter().filter(|p| p.patch == 0).map(|p| p.j).max().unwrap_or(0);
+    let columns = mesh.lattice.iter().filter(|p| p.patch == 0).map(|p| p.i).max().unwrap_or(0);
+    // Rings are numbered from the right end of the zone, down the block's side and back along its base.
+    let ray = rows + columns - column;
+    (0u32..)
+        .zip(&mesh.lattice)
+        .filter(|(_, p)| if p.patch == 0 { p.i == column } else { p.i == ray })
+        .map(|(node, _)| node)
+        .collect()
+}

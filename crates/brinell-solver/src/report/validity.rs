@@ -1,0 +1,137 @@
+//! What to keep in mind about an answer.
+
+use serde::{Deserialize, Serialize};
+
+use crate::solver::{SolveStatus, StepSolution};
+
+/// One remark on the validity of the answer.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ValidityNote {
+    /// Stable identifier.
+    pub code: String,
+    /// For a person.
+    pub message: String,
+}
+
+/// Half-width over effective radius beyond which the surfaces are no longer close to their tangent.
+const WIDE_CONTACT: f64 = 0.1;
+/// Plastic strain beyond which small-strain theory is stretched.
+const LARGE_STRAIN: f64 = 0.05;
+/// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
+/// half-width, so one of 10 elements may turn out to have 9.5.
+const COARSE_MESH: f64 = 9.0;
+/// Depth of a body over the half-width below which its support shapes the answer.
+const NEAR_SUPPORT: f64 = 5.0;
+
+/// The remarks that apply to a step. `effective_radius` is infinite or negative where Hertz's theory has none;
+/// `depths` are those of the deformable bodies \[mm\].
+pub(super) fn notes(step: &StepSolution, effective_radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
+    let mut notes = Vec::new();
+    let mut say = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
+    match step.status {
+        SolveStatus::Converged => {}
+        SolveStatus::NotConverged => {
+            say("not_converged", not_converged(step));
+        }
+        SolveStatus::Cancelled => {
+            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into());
+        }
+        SolveStatus::TimedOut => {
+            say("timed_out", "The deadline passed; the figures are those of the last iteration.".into());
+        }
+    }
+    let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
+    if effective_radius > 0.0 && half_width > WIDE_CONTACT * effective_radius {
+        say(
+            "wide_contact",
+            format!(
+                "The half-width is {:.0} % of the effective radius; contact theory with small displacements and \
+                 vertical gaps is meant for up to 10 %.",
+                100.0 * half_width / effective_radius
+            ),
+        );
+    }
+    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    if strain > LARGE_STRAIN {
+        say(
+            "large_strain",
+            format!(
+                "Plastic strain reaches {:.1} %; small-strain theory is meant for up to 5 %.",
+                100.0 * strain
+            ),
+        );
+    }
+    if strain > 0.0 {
+        say(
+            "deformation_theory",
+            "Plasticity by deformation theory: exact where stresses grow in proportion, which below a growing \
+             contact they do not quite; incremental theory gives peak pressures about 2 % lower at three times \
+             the yield stress. Says nothing about unloading or residual stresses."
+                .into(),
+        );
+    }
+    if step.reaches_edge {
+        say(
+            "contact_at_edge",
+            "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing."
+                .into(),
+        );
+    }
+    if half_width > 0.0 && half_width < COARSE_MESH * step.spacing {
+        say(
+            "coarse_mesh",
+            format!(
+                "The half-width has only {:.1} elements; ask for at least 10 (`mesh.elements_per_half_width`).",
+                half_width / step.spacing
+            ),
+        );
+    }
+    if depths.iter().any(|depth| *depth < NEAR_SUPPORT * half_width) {
+        say(
+            "near_support",
+            "A support is closer than five half-widths below the contact; it shapes the stresses, and Hertz's \
+             half-space figures beside them do not apply."
+                .into(),
+        );
+    }
+    notes
+}
+
+fn not_converged(step: &StepSolution) -> String {
+    let contact = step.contact_check.worst();
+    let iterations = step.history.len();
+    let residual = step.equilibrium_residual;
+    if step.contact_is_sound {
+        format!(
+            "Not converged after {iterations} iterations: forces are off balance by {residual:.1e} of the contact \
+             force. Raise `solver.max_iterations` or use the accelerated coupling."
+        )
+    } else {
+        format!(
+            "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
+             or load); do not use it."
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+    use crate::solver::{Unobserved, run};
+
+    /// Meshes grow with the contact, so no job is known that ends like this.
+    #[test]
+    fn a_contact_at_the_edge_is_told() {
+        let job =
+            br#"{"analysis": "plane_strain", "load": {"force": 50}, "mesh": {"elements_per_half_width": 10},
+            "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 20, "depth": 20},
+                      "material": {"young_modulus": 70000, "poisson_ratio": 0.3}}}"#;
+        let mut step = run(&Job::from_json(job).unwrap(), &mut Unobserved).unwrap().steps.remove(0);
+        assert!(notes(&step, 10.0, &[20.0]).is_empty());
+        step.reaches_edge = true;
+        let codes: Vec<_> = notes(&step, 10.0, &[20.0]).into_iter().map(|note| note.code).collect();
+        assert_eq!(codes, ["contact_at_edge"]);
+    }
+}

@@ -1,0 +1,128 @@
+//! Anderson acceleration of a fixed-point iteration `x = g(x)`.
+//!
+//! The next point is the combination `Σ θ_j g(x_j)`, `Σ θ_j = 1`, of the last steps whose combined residual
+//! `Σ θ_j (g(x_j) - x_j)` is smallest.
+//!
+//! # Reference
+//! D. G. Anderson, *Iterative procedures for nonlinear integral equations*, J. ACM 12 (1965) 547–560;
+//! H. F. Walker, P. Ni, *Anderson acceleration for fixed-point iterations*, SIAM J. Numer. Anal. 49 (2011)
+//! 1715–1735.
+
+use std::collections::VecDeque;
+
+use sparse_cholesky::dense::DenseCholesky;
+use sparse_cholesky::{dot, wide};
+
+/// Steps that are combined at most.
+pub(super) const DEPTH: usize = 7;
+/// A residual that grows by more than this factor empties the memory.
+const RESTART_GROWTH: f64 = 2.0;
+/// Relative shift that keeps nearly dependent differences from blowing up the combination.
+const REGULARIZATION: f64 = 1e-14;
+
+/// Memory of past steps, as differences of neighbouring ones.
+#[derive(Debug, Default)]
+pub(super) struct Anderson {
+    last: Option<Step>,
+    differences: VecDeque<Step>,
+    /// `ΔF_iᵀ ΔF_j` of the residual differences, in the order of `differences`.
+    gram: VecDeque<VecDeque<f64>>,
+}
+
+/// An image `g(x)` and its residual `g(x) - x`, or a difference of two such pairs.
+#[derive(Debug)]
+struct Step {
+    image: Vec<f64>,
+    residual: Vec<f64>,
+}
+
+impl Anderson {
+    /// Takes `x` and `g(x)` and returns the next point.
+    pub fn next(&mut self, x: &[f64], image: Vec<f64>) -> Vec<f64> {
+        let residual: Vec<f64> = image.iter().zip(x).map(|(g, x)| g - x).collect();
+        if let Some(last) = self.last.take() {
+            let (now, before) = wide(|| (dot(&residual, &residual), dot(&last.residual, &last.residual)));
+            if now > RESTART_GROWTH.powi(2) * before {
+                self.differences.clear();
+                self.gram.clear();
+            } else {
+                self.remember(last.until(&image, &residual));
+            }
+        }
+        let next = self.combine(&image, &residual);
+        self.last = Some(Step { image, residual });
+        next
+    }
+
+    fn remember(&mut self, difference: Step) {
+        if self.differences.len() == DEPTH {
+            self.differences.pop_front();
+            self.gram.pop_front();
+            for row in &mut self.gram {
+                row.pop_front();
+            }
+        }
+        self.differences.push_back(difference);
+        let Some(newest) = self.differences.back() else { return };
+        let products: VecDeque<f64> =
+            wide(|| self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect());
+        for (row, &product) in self.gram.iter_mut().zip(&products) {
+            row.push_back(product);
+        }
+        self.gram.push_back(products);
+    }
+
+    /// `g - Σ γ_j ΔG_j` with the γ that minimise `‖f - Σ γ_j ΔF_j‖`.
+    fn combine(&self, image: &[f64], residual: &[f64]) -> Vec<f64> {
+        let n = self.differences.len();
+        let mut gram: Vec<f64> = self.gram.iter().flatten().copied().collect();
+        for i in 0..n {
+            gram[i * n + i] *= 1.0 + REGULARIZATION;
+        }
+        let mut next = image.to_vec();
+        let Ok(factor) = DenseCholesky::factor(n, gram) else { return next };
+        wide(|| {
+            let mut gamma: Vec<f64> = self.differences.iter().map(|d| dot(&d.residual, residual)).collect();
+            factor.solve_in_place(&mut gamma);
+            for (difference, weight) in self.differences.iter().zip(gamma) {
+                for (value, d) in next.iter_mut().zip(&difference.image) {
+                    *value -= weight * d;
+                }
+            }
+        });
+        next
+    }
+}
+
+impl Step {
+    /// The step from here to another pair.
+    fn until(mut self, image: &[f64], residual: &[f64]) -> Self {
+        for (mine, later) in [(&mut self.image, image), (&mut self.residual, residual)] {
+            for (value, later) in mine.iter_mut().zip(later) {
+                *value = later - *value;
+            }
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `x = A x + b` with spectral radius 0.95; Anderson is GMRES there and ends after n steps.
+    #[test]
+    fn solves_a_linear_map_in_as_many_steps_as_dimensions() {
+        let map =
+            |x: &[f64]| vec![0.95 * x[0] + 0.1 * x[1] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + 0.2 * x[0]];
+        let mut x = vec![0.0; 3];
+        let mut anderson = Anderson::default();
+        for _ in 0..5 {
+            let image = map(&x);
+            x = anderson.next(&x, image);
+        }
+        for (g, x) in map(&x).iter().zip(&x) {
+            assert!((g - x).abs() < 1e-9);
+        }
+    }
+}

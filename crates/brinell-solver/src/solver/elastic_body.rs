@@ -1,0 +1,312 @@
+//! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
+
+use std::ops::ControlFlow;
+use std::sync::{Arc, OnceLock};
+
+use super::factor_cache::FactorCache;
+use super::phases::{Phase, PhaseTimes};
+use super::{Observer, SolveError};
+use crate::fem::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler};
+use crate::fem::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
+use crate::job::{Elastic, Support};
+use sparse_cholesky::dense::SymmetricMatrix;
+use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
+
+/// What an elastic body is made of: of equal plans come equal bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BodyPlan {
+    pub outline: Outline,
+    pub zone: ContactZone,
+    pub refinement: Refinement,
+    pub kinematics: Kinematics,
+    pub constants: Elastic,
+    pub support: Support,
+}
+
+impl BodyPlan {
+    /// About how many nodes it will have.
+    pub fn estimated_nodes(&self) -> usize {
+        estimated_nodes(&self.outline, self.zone, self.refinement)
+    }
+}
+
+/// What depends on mesh, elastic constants and supports alone.
+#[derive(Debug)]
+pub(super) struct ElasticBody {
+    pub plan: BodyPlan,
+    pub mesh: Arc<Mesh>,
+    pub equations: Arc<Equations>,
+    pub symbolic: Arc<SymbolicCholesky>,
+    /// Supernodes of the contact normals.
+    pub contact_reach: Reach,
+    restraint: Restraint,
+    bulk_modulus: f64,
+    /// The elastic stiffness, entry by entry of its pattern.
+    stiffness: Vec<f64>,
+    quality: OnceLock<Quality>,
+}
+
+impl ElasticBody {
+    /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
+    /// the cache has it already.
+    pub fn prepare(
+        plan: BodyPlan,
+        other: Option<&Arc<Self>>,
+        cache: Option<&FactorCache>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Arc<Self>, SolveError> {
+        if let Some(body) = other.filter(|other| other.plan == plan) {
+            return Ok(Arc::clone(body));
+        }
+        let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&plan));
+        if let Some(body) = cache.and_then(find) {
+            return Ok(body);
+        }
+        let like = |serves: &dyn Fn(&Self) -> bool| {
+            let body = other.filter(|other| serves(other)).cloned();
+            body.or_else(|| cache?.find_like(serves))
+        };
+        let body = Arc::new(Self::new(plan, like, phases, observer)?);
+        if let Some(cache) = cache {
+            phases.time(Phase::Mesh, observer, || cache.keep(&body));
+        }
+        Ok(body)
+    }
+
+    /// Meshes a body; orders and analyses its equations, unless there is another that has the same; assembles its
+    /// stiffness.
+    fn new(
+        plan: BodyPlan,
+        like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, SolveError> {
+        let BodyPlan { outline, zone, refinement, constants, support, .. } = &plan;
+        let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, *zone, *refinement))?;
+        let contacts = mesh.contact_nodes.len();
+        let restraint = Restraint::new(&mesh, *support);
+        let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
+        let (equations, symbolic) = match phases.time(Phase::Ordering, observer, || like(&is_like)) {
+            Some(body) => (Arc::clone(&body.equations), Arc::clone(&body.symbolic)),
+            None => structure(&mesh, &restraint, phases, observer)?,
+        };
+        let shear = constants.shear_modulus();
+        let mut body = Self {
+            mesh: Arc::new(mesh),
+            contact_reach: symbolic.trailing_reach(contacts),
+            equations,
+            symbolic,
+            restraint,
+            bulk_modulus: constants.bulk_modulus(),
+            stiffness: Vec::new(),
+            quality: OnceLock::new(),
+            plan,
+        };
+        body.stiffness =
+            phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
+        Ok(body)
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        self.mesh.bytes()
+            + self.equations.bytes()
+            + self.symbolic.bytes()
+            + size_of_val(self.stiffness.as_slice())
+    }
+
+    /// Third direction.
+    pub fn kinematics(&self) -> Kinematics {
+        self.plan.kinematics
+    }
+
+    /// Whether a mesh has the same equations, wherever its nodes may lie.
+    fn is_structured_like(&self, mesh: &Mesh, restraint: &Restraint) -> bool {
+        let own = &*self.mesh;
+        own.elements == mesh.elements
+            && own.lattice == mesh.lattice
+            && own.contact_nodes == mesh.contact_nodes
+            && self.restraint == *restraint
+    }
+
+    /// The stiffness with other shear moduli at the points of each element.
+    pub fn stiffness_with(&self, shear: impl Fn(usize) -> [f64; QUADRATURE_POINTS]) -> Vec<f64> {
+        let bulk = self.bulk_modulus;
+        self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
+    }
+
+    /// Factorizes the elastic stiffness, softened where a region says so, in place of what the factor was of. Returns the
+    /// contact flexibility that belongs to it.
+    pub fn factorize(
+        &self,
+        factor: &mut Cholesky,
+        region: Option<&InitialStressRegion>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<SymmetricMatrix, SolveError> {
+        let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
+        super::checkpoint(observer)?;
+        phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
+        super::checkpoint(observer)?;
+        let contacts = self.mesh.contact_nodes.len();
+        Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
+    }
+
+    fn softened_by(&self, region: Option<&InitialStressRegion>) -> Vec<f64> {
+        let mut values = self.stiffness.clone();
+        if let Some(region) = region {
+            let assembler = self.assembler();
+            for (element, addition) in region.softened_elements() {
+                assembler.add(&mut values, element, &addition);
+            }
+        }
+        values
+    }
+
+    fn assembler(&self) -> StiffnessAssembler<'_> {
+        StiffnessAssembler {
+            mesh: &self.mesh,
+            kinematics: self.plan.kinematics,
+            equations: &self.equations,
+            pattern: self.symbolic.pattern(),
+        }
+    }
+
+    /// Quality of the mesh.
+    pub fn quality(&self) -> Quality {
+        *self.quality.get_or_init(|| Quality::of(&self.mesh))
+    }
+
+    /// A vector over the equations, zero, with the extra entry that stands for held components.
+    pub fn zeros(&self) -> Vec<f64> {
+        vec![0.0; self.equations.len() + 1]
+    }
+
+    /// Displacements `[u_x, u_y]` of every node \[mm\].
+    pub fn nodal(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        (0u32..)
+            .take(self.mesh.nodes.len())
+            .map(|node| self.equations.of_node(node).map(|k| x[k as usize]))
+            .collect()
+    }
+
+    /// Adds contact forces that press on the body to a load vector.
+    pub fn press(&self, force: &[f64], load: &mut [f64]) {
+        let start = self.equations.contact_start();
+        for (entry, r) in load[start..].iter_mut().zip(force) {
+            *entry -= r;
+        }
+    }
+
+    /// Inward normal displacements of the contact nodes \[mm\].
+    pub fn contact_displacement<'a>(&self, x: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+        let start = self.equations.contact_start();
+        x[start..start + self.mesh.contact_nodes.len()].iter().map(|u| -u)
+    }
+
+    /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
+    pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        let last_ray = self.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
+        let is_left_end = |ray: i32| !self.mesh.zone.symmetric && Some(ray) == last_ray;
+        let mut surface: Vec<[f64; 2]> = (0u32..)
+            .zip(&self.mesh.lattice)
+            .filter(|(_, p)| if p.patch == 0 { p.j == 0 } else { p.i == 0 || is_left_end(p.i) })
+            .map(|(node, _)| {
+                let [_, normal] = self.equations.of_node(node);
+                [self.mesh.nodes[node as usize][0], -x[normal as usize]]
+            })
+            .collect();
+        surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        surface
+    }
+}
+
+/// Numbers the equations of a mesh, and analyses their factor.
+fn structure(
+    mesh: &Mesh,
+    restraint: &Restraint,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> Result<(Arc<Equations>, Arc<SymbolicCholesky>), SolveError> {
+    let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+        let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+        let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
+        (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
+    });
+    super::checkpoint(observer)?;
+    let symbolic =
+        phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
+    super::checkpoint(observer)?;
+    Ok((Arc::new(equations), symbolic))
+}
+
+/// Factorizes a stiffness in place of the last one; the observer can stop it.
+pub(super) fn refactor(
+    factor: &mut Cholesky,
+    values: Vec<f64>,
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    let mut interrupt = None;
+    let cores = observer.cores();
+    let outcome = factor.refactor(values, cores.as_deref(), &mut || match observer.on_checkpoint() {
+        ControlFlow::Continue(()) => ControlFlow::Continue(()),
+        ControlFlow::Break(wish) => {
+            interrupt = Some(wish);
+            ControlFlow::Break(())
+        }
+    });
+    interrupt.map_or_else(|| Ok(outcome?), |interrupt| Err(SolveError::Interrupted(interrupt)))
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::job::{PoissonRatio, PositiveF64, Shape};
+    use crate::solver::Unobserved;
+
+    /// A cylinder with a contact of a hundredth of its radius.
+    pub(in crate::solver) fn plan(radius: f64, young: f64, support: Support) -> BodyPlan {
+        let positive = |value: f64| PositiveF64::new(value).unwrap();
+        BodyPlan {
+            outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
+            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 8, symmetric: true },
+            refinement: Refinement { growth: 1.3 },
+            kinematics: Kinematics::PlaneStrain,
+            constants: Elastic {
+                young_modulus: positive(young),
+                poisson_ratio: PoissonRatio::new(0.3).unwrap(),
+            },
+            support,
+        }
+    }
+
+    fn cylinder(
+        radius: f64,
+        young: f64,
+        support: Support,
+        other: Option<&Arc<ElasticBody>>,
+    ) -> Arc<ElasticBody> {
+        let (plan, mut phases) = (plan(radius, young, support), PhaseTimes::default());
+        ElasticBody::prepare(plan, other, None, &mut phases, &mut Unobserved).unwrap()
+    }
+
+    #[test]
+    fn an_equal_plan_needs_nothing_new() {
+        let body = cylinder(20.0, 210e3, Support::Clamped, None);
+        assert!(Arc::ptr_eq(&body, &cylinder(20.0, 210e3, Support::Clamped, Some(&body))));
+        assert!(!Arc::ptr_eq(&body, &cylinder(20.0, 70e3, Support::Clamped, Some(&body))));
+    }
+
+    #[test]
+    fn another_material_or_size_needs_no_other_analysis() {
+        let body = cylinder(20.0, 210e3, Support::Clamped, None);
+        let shares = |radius: f64, young: f64, support: Support| {
+            let other = cylinder(radius, young, support, Some(&body));
+            Arc::ptr_eq(&other.symbolic, &body.symbolic) && Arc::ptr_eq(&other.equations, &body.equations)
+        };
+        assert!(shares(20.0, 70e3, Support::Clamped) && shares(40.0, 210e3, Support::Clamped));
+        assert!(!shares(20.0, 210e3, Support::Roller));
+    }
+}

@@ -1,0 +1,82 @@
+//! What a job will cost, without meshing it.
+
+use super::SolveError;
+use super::extent::{Extent, refinement};
+use super::plastic_reach::PlasticOutline;
+use super::problem::Problem;
+use super::run::{loads, resolution_reserve};
+use crate::fem::mesh::estimated_nodes;
+use crate::job::Job;
+
+/// Bytes of factor for each equation and binary digit of their number.
+const FACTOR_BYTES: f64 = 40.0;
+/// Bytes of everything else for each equation.
+const OTHER_BYTES: f64 = 2000.0;
+
+/// What a job will cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Estimate {
+    /// Equations of both bodies together.
+    pub equations: usize,
+    /// Peak memory \[bytes\].
+    pub bytes: u64,
+}
+
+/// Estimates the cost of a job without meshing it.
+///
+/// # Errors
+/// [`SolveError::Conforming`] or [`SolveError::TooWide`] for contacts that are not solved.
+pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
+    let problem = Problem::of(job);
+    let elements = job.mesh.elements_per_half_width as usize;
+    let mut worst = Estimate { equations: 0, bytes: 0 };
+    let Some(loads) = loads(&job.load) else { return Ok(nominal(&problem, elements)) };
+    for (k, &load) in loads.iter().enumerate() {
+        let extent = Extent::expected(&problem, load)?;
+        let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
+        let zone = extent.zone(problem.is_symmetric(), spacing);
+        let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
+        let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
+        worst.equations = worst.equations.max(found.equations);
+        worst.bytes = worst.bytes.max(found.bytes);
+    }
+    Ok(worst)
+}
+
+/// Where the load is yet to be found: a contact of a hundredth of the surface.
+fn nominal(problem: &Problem, elements: usize) -> Estimate {
+    let half_width = 0.01 * problem.span().1;
+    let extent = Extent {
+        centre: 0.0,
+        half_width,
+        smallest_part: half_width,
+        plastic: PlasticOutline::NONE,
+        unit: half_width,
+    };
+    let spacing = extent.spacing(elements);
+    let zone = extent.zone(problem.is_symmetric(), spacing);
+    let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
+    cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
+}
+
+/// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were measured and
+/// doubled. Equal bodies are solved once.
+fn cost(problem: &Problem, nodes: &[usize]) -> Estimate {
+    let equations: usize = nodes.iter().map(|n| 2 * n).sum();
+    let solved = if problem.bodies_are_equal() { 1 } else { nodes.len() };
+    let bytes: f64 = nodes
+        .iter()
+        .take(solved)
+        .map(|&nodes| {
+            let n = 2.0 * nodes as f64;
+            FACTOR_BYTES * n * n.max(2.0).log2() + OTHER_BYTES * n
+        })
+        .sum();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "positive and far below 2^64"
+    )]
+    let bytes = bytes as u64;
+    Estimate { equations, bytes }
+}

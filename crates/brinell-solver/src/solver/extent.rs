@@ -1,0 +1,191 @@
+//! How large the contact is expected to be: what meshes are sized by.
+
+use std::f64::consts::PI;
+
+use super::SolveError;
+use super::pass::Pass;
+use super::plastic_reach::PlasticOutline;
+use super::problem::Problem;
+use crate::contact::ContactLoad;
+use crate::fem::element::Kinematics;
+use crate::fem::mesh::{ContactZone, Refinement};
+
+/// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
+const MAX_HALF_WIDTH: f64 = 0.5;
+/// Half-width of the candidate zone over that of the contact.
+const ZONE: f64 = 1.6;
+/// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
+const RING_GROWTH: f64 = 0.065;
+/// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
+/// between two nodes if half-widths found on a coarser mesh were not a little low.
+const BEYOND_LAST: f64 = 0.4;
+/// Step from one element size to the next, as the part of an element by which it moves the end of the contact.
+const SIZE_STEP: f64 = 0.1;
+/// Step from one place of an off-centre zone to the next, in elements.
+const CENTRE_STEP: f64 = 0.1;
+/// A part of the contact is resolved by its own width down to this part of the whole width.
+const MAX_PART_RATIO: f64 = 6.0;
+
+/// Place and size of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extent {
+    /// Middle \[mm\].
+    pub centre: f64,
+    /// Half of the distance from end to end \[mm\].
+    pub half_width: f64,
+    /// Half-width of the smallest connected part \[mm\].
+    pub smallest_part: f64,
+    /// Where material yields.
+    pub plastic: PlasticOutline,
+    /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps from \[mm\].
+    pub unit: f64,
+}
+
+impl Extent {
+    /// The extent that closed forms suggest for a load.
+    ///
+    /// The gap at ±a stands for a parabola of the same opening, of which Hertz's theory knows the force; a fully
+    /// plastic contact needs at least the width that bears the force at the material's hardness. For a prescribed
+    /// approach the width is where the undeformed surfaces would overlap, which is too much.
+    ///
+    /// # Errors
+    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TooWide`] where the contact would
+    /// take up more of the surfaces than is solved.
+    pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
+        let (left, right) = problem.span();
+        // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
+        let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
+        let touching = if symmetric { problem.touching.abs() } else { problem.touching };
+        let beside = right - touching;
+        let available = if symmetric { beside } else { beside.min(touching - left) };
+        let limit = MAX_HALF_WIDTH * available;
+        if limit <= 0.0 {
+            return Err(SolveError::Conforming);
+        }
+        let opening = |a: f64| problem.initial_gap(touching + a) + problem.initial_gap(touching - a);
+        if opening(limit) <= 0.0 {
+            return Err(SolveError::Conforming);
+        }
+        let bears = |a: f64| match load {
+            ContactLoad::Force(force) => hertz_force(problem, a, opening(a)) >= force,
+            ContactLoad::Approach(approach) => 0.5 * opening(a) >= approach,
+        };
+        // From small to large, because a contact on several bumps opens, closes and opens again.
+        let half_width = (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a));
+        let plastic = match load {
+            ContactLoad::Force(force) => plastic_half_width(problem, force),
+            ContactLoad::Approach(_) => 0.0,
+        };
+        match half_width.map(|a| a.max(plastic)) {
+            Some(a) if a <= limit => {
+                let unit = half_width.unwrap_or(a);
+                Ok(Self::around(touching, a, unit, symmetric))
+            }
+            beyond => {
+                let elastic = match load {
+                    ContactLoad::Force(force) => {
+                        limit * (force / hertz_force(problem, limit, opening(limit))).sqrt()
+                    }
+                    ContactLoad::Approach(approach) => limit * (2.0 * approach / opening(limit)).sqrt(),
+                };
+                let half_width = beyond.unwrap_or(elastic).max(plastic);
+                Err(SolveError::TooWide { half_width, available })
+            }
+        }
+    }
+
+    fn around(touching: f64, a: f64, unit: f64, symmetric: bool) -> Self {
+        let (centre, half_width) = if symmetric { (0.0, touching + a) } else { (touching, a) };
+        Self { centre, half_width, smallest_part: a, plastic: PlasticOutline::NONE, unit }
+    }
+
+    /// The extent that a pass found; `self` where nothing touched.
+    pub fn found_by(self, pass: &Pass) -> Self {
+        let Some(patch) = pass.patch else { return self };
+        let zone = &pass.system.zone;
+        let own_width = |left: f64, right: f64| {
+            if zone.symmetric && left == 0.0 { right } else { 0.5 * (right - left) }
+        };
+        let parts = pass.parts();
+        let smallest = match parts.as_slice() {
+            [only] if !zone.symmetric || only.left == 0.0 => patch.half_width(),
+            many => {
+                many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
+            }
+        };
+        Self {
+            centre: 0.5 * (patch.left + patch.right),
+            half_width: patch.half_width(),
+            smallest_part: smallest.max(0.5 * zone.spacing()),
+            plastic: pass.plastic_outline(),
+            unit: self.unit,
+        }
+    }
+
+    /// This extent with all lengths scaled.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            centre: self.centre,
+            half_width: factor * self.half_width,
+            smallest_part: factor * self.smallest_part,
+            plastic: self.plastic.scaled(factor),
+            unit: self.unit,
+        }
+    }
+
+    /// Element size for so many elements over a half-width \[mm\], and a part of one more, so that the end of the
+    /// contact falls between two nodes.
+    ///
+    /// It is a member of a geometric series about the elastic contact, so that bodies which differ in their hardening
+    /// alone and touch over nearly the same width get the same mesh, and with it all that is known of it
+    /// ([`super::FactorCache`]).
+    pub fn spacing(&self, elements: usize) -> f64 {
+        let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
+        let elements = elements as f64 + BEYOND_LAST;
+        let step = (SIZE_STEP / elements).ln_1p();
+        let steps = (resolved / self.unit).ln() / step;
+        self.unit / elements * (step * steps.round()).exp()
+    }
+
+    /// A zone that covers the contact and more, with elements of a given size.
+    pub fn zone(&self, symmetric: bool, spacing: f64) -> ContactZone {
+        let columns = (ZONE * self.half_width / spacing).round().max(4.0);
+        let half = columns * spacing;
+        // Bounded by the limits of `elements_per_half_width` and of the ratios above.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
+        let columns = columns as usize;
+        if symmetric {
+            ContactZone { x_min: 0.0, x_max: half, columns, symmetric }
+        } else {
+            let step = CENTRE_STEP * spacing;
+            let centre = (self.centre / step).round() * step;
+            ContactZone { x_min: centre - half, x_max: centre + half, columns: 2 * columns, symmetric }
+        }
+    }
+}
+
+/// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
+pub(super) fn refinement(zone: &ContactZone) -> Refinement {
+    let columns = if zone.symmetric { zone.columns } else { zone.columns / 2 };
+    Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns as f64 }
+}
+
+/// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
+const SEARCH_RATIO: f64 = 1.02;
+const SEARCH_STEPS: i32 = 700;
+
+/// Force under which a parabola that has opened by `opening / 2` at ±a touches over the half-width a.
+fn hertz_force(problem: &Problem, a: f64, opening: f64) -> f64 {
+    let modulus = problem.effective_modulus();
+    match problem.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => 0.25 * PI * modulus * opening,
+        Kinematics::Axisymmetric => 4.0 / 3.0 * modulus * a * opening,
+    }
+}
+
+fn plastic_half_width(problem: &Problem, force: f64) -> f64 {
+    match problem.kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => force / (2.0 * problem.hardness()),
+        Kinematics::Axisymmetric => (force / (PI * problem.hardness())).sqrt(),
+    }
+}

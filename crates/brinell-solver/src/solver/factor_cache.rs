@@ -1,0 +1,246 @@
+//! Bodies and factors kept from one job to the next.
+
+use std::mem;
+use std::ops::{Deref, DerefMut};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::elastic_body::{BodyPlan, ElasticBody};
+use sparse_cholesky::Cholesky;
+
+/// Elastic bodies by what they are made of, each with the factors that earlier jobs left of it.
+///
+/// A job whose bodies are here already is neither meshed nor ordered nor analysed again, and of its stiffness only what
+/// differs from the one that the factor is of is factorized. No answer depends on what is kept: it is bit for bit the
+/// one of a job alone.
+///
+/// Holds at most so many bytes; what has not been used for longest goes first. What jobs have in hand does not count.
+#[derive(Debug)]
+pub struct FactorCache {
+    limit: usize,
+    shelf: Mutex<Shelf>,
+}
+
+/// What a cache has done and holds.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct FactorCacheFigures {
+    /// Bodies that were there when a job needed them.
+    pub hits: u64,
+    /// Bodies that had to be made.
+    pub misses: u64,
+    /// Bytes held.
+    pub bytes: usize,
+}
+
+#[derive(Debug, Default)]
+struct Shelf {
+    /// What has not been used for longest comes first.
+    entries: Vec<Entry>,
+    figures: FactorCacheFigures,
+}
+
+#[derive(Debug)]
+struct Entry {
+    body: Arc<ElasticBody>,
+    /// Factors that no job has in hand.
+    factors: Vec<Cholesky>,
+}
+
+impl Entry {
+    fn bytes(&self) -> usize {
+        self.body.bytes() + self.factors.iter().map(Cholesky::bytes).sum::<usize>()
+    }
+}
+
+impl FactorCache {
+    /// An empty cache for so many bytes.
+    pub fn new(limit: usize) -> Self {
+        Self { limit, shelf: Mutex::default() }
+    }
+
+    /// What it has done and holds.
+    pub fn figures(&self) -> FactorCacheFigures {
+        self.shelf().figures
+    }
+
+    /// The body of a plan, if it is here.
+    pub(super) fn find(&self, plan: &BodyPlan) -> Option<Arc<ElasticBody>> {
+        let mut shelf = self.shelf();
+        let found = shelf.entries.iter().rposition(|entry| entry.body.plan == *plan);
+        let count = if found.is_some() { &mut shelf.figures.hits } else { &mut shelf.figures.misses };
+        *count += 1;
+        let entry = shelf.entries.remove(found?);
+        let body = Arc::clone(&entry.body);
+        shelf.entries.push(entry);
+        Some(body)
+    }
+
+    /// The body used last of those that serve.
+    pub(super) fn find_like(&self, serves: impl Fn(&ElasticBody) -> bool) -> Option<Arc<ElasticBody>> {
+        let bodies: Vec<_> = self.shelf().entries.iter().map(|entry| Arc::clone(&entry.body)).collect();
+        bodies.into_iter().rfind(|body| serves(body))
+    }
+
+    /// Keeps a body, unless one of the same plan is here or it is too large.
+    pub(super) fn keep(&self, body: &Arc<ElasticBody>) {
+        self.change(|shelf| {
+            let is_new = shelf.entries.iter().all(|entry| entry.body.plan != body.plan);
+            if is_new && body.bytes() <= self.limit {
+                shelf.entries.push(Entry { body: Arc::clone(body), factors: Vec::new() });
+            }
+        });
+    }
+
+    /// A factor of some stiffness of a body; of none if no job has left one.
+    pub(super) fn lend(self: &Arc<Self>, body: &Arc<ElasticBody>) -> LentFactor {
+        let kept = self.change(|shelf| {
+            let entry = shelf.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
+            entry.and_then(|entry| entry.factors.pop())
+        });
+        let factor = kept.unwrap_or_else(|| Cholesky::empty(&body.symbolic));
+        LentFactor { factor, owner: Some((Arc::clone(self), Arc::clone(body))) }
+    }
+
+    /// Keeps a factor while its body is here, unless it is too large.
+    fn take_back(&self, body: &Arc<ElasticBody>, factor: Cholesky) {
+        let surplus = self.change(|shelf| {
+            let entry = shelf.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
+            match entry.filter(|entry| entry.bytes() + factor.bytes() <= self.limit) {
+                Some(entry) => {
+                    entry.factors.push(factor);
+                    None
+                }
+                None => Some(factor),
+            }
+        });
+        drop(surplus);
+    }
+
+    /// Changes what is held, then makes room.
+    fn change<T>(&self, work: impl FnOnce(&mut Shelf) -> T) -> T {
+        let mut shelf = self.shelf();
+        let outcome = work(&mut shelf);
+        let mut bytes: usize = shelf.entries.iter().map(Entry::bytes).sum();
+        let mut removed = 0;
+        while bytes > self.limit {
+            bytes -= shelf.entries[removed].bytes();
+            removed += 1;
+        }
+        shelf.figures.bytes = bytes;
+        let surplus: Vec<Entry> = shelf.entries.drain(..removed).collect();
+        drop(shelf);
+        // To give memory back takes its time, for which nobody has to wait.
+        drop(surplus);
+        outcome
+    }
+
+    fn shelf(&self) -> MutexGuard<'_, Shelf> {
+        self.shelf.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A factor in the hands of a job; goes back to the cache that it is from, if any, when it is dropped.
+pub(super) struct LentFactor {
+    factor: Cholesky,
+    owner: Option<(Arc<FactorCache>, Arc<ElasticBody>)>,
+}
+
+impl LentFactor {
+    /// A factor that belongs to no cache.
+    pub fn own(factor: Cholesky) -> Self {
+        Self { factor, owner: None }
+    }
+}
+
+impl Deref for LentFactor {
+    type Target = Cholesky;
+
+    fn deref(&self) -> &Cholesky {
+        &self.factor
+    }
+}
+
+impl DerefMut for LentFactor {
+    fn deref_mut(&mut self) -> &mut Cholesky {
+        &mut self.factor
+    }
+}
+
+impl Drop for LentFactor {
+    fn drop(&mut self) {
+        if let Some((cache, body)) = self.owner.take() {
+            let none = Cholesky::empty(&body.symbolic);
+            cache.take_back(&body, mem::replace(&mut self.factor, none));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use super::*;
+    use crate::job::Support;
+    use crate::solver::elastic_body::tests;
+    use crate::solver::{PhaseTimes, Unobserved};
+
+    fn plan(radius: f64) -> BodyPlan {
+        tests::plan(radius, 210e3, Support::Clamped)
+    }
+
+    fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
+        let phases = &mut PhaseTimes::default();
+        ElasticBody::prepare(plan(radius), None, cache, phases, &mut Unobserved).unwrap()
+    }
+
+    #[test]
+    fn what_has_not_been_used_for_longest_goes_first() {
+        let one = prepare(10.0, None).bytes();
+        let cache = FactorCache::new(2 * one + one / 2);
+        let first = prepare(10.0, Some(&cache));
+        prepare(11.0, Some(&cache));
+        assert!(Arc::ptr_eq(&prepare(10.0, Some(&cache)), &first));
+        let third = prepare(12.0, Some(&cache));
+        assert!(Arc::ptr_eq(&third.symbolic, &first.symbolic), "radii do not change the structure");
+        assert!(cache.find(&plan(10.0)).is_some() && cache.find(&plan(12.0)).is_some());
+        assert!(cache.find(&plan(11.0)).is_none());
+        assert_eq!(cache.figures(), FactorCacheFigures { hits: 3, misses: 4, bytes: 2 * one });
+    }
+
+    #[test]
+    fn factors_go_from_job_to_job() {
+        let cache = Arc::new(FactorCache::new(1 << 20));
+        let body = prepare(10.0, Some(&cache));
+        let bare = cache.figures().bytes;
+        let stiffness = body.stiffness_with(|_| [8e4; 4]);
+        let mut factor = cache.lend(&body);
+        factor.refactor(stiffness.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
+        let size = factor.bytes();
+        // Another job at the same time gets one of its own.
+        assert_eq!(cache.lend(&body).bytes(), 0);
+        assert_eq!(cache.figures().bytes, bare);
+        drop(factor);
+        assert_eq!(cache.figures().bytes, bare + size);
+        let again = cache.lend(&body);
+        assert_eq!((again.bytes(), cache.figures().bytes), (size, bare));
+        // What is no longer wanted goes with its last user.
+        cache.change(|shelf| shelf.entries.clear());
+        drop(again);
+        assert_eq!(cache.figures().bytes, 0);
+    }
+
+    #[test]
+    fn what_is_too_large_is_not_kept() {
+        let one = prepare(10.0, None).bytes();
+        let cache = Arc::new(FactorCache::new(one));
+        let body = prepare(10.0, Some(&cache));
+        assert_eq!(cache.figures().bytes, one);
+        let mut factor = cache.lend(&body);
+        factor.refactor(body.stiffness_with(|_| [8e4; 4]), None, &mut || ControlFlow::Continue(())).unwrap();
+        drop(factor);
+        assert_eq!(cache.figures().bytes, one);
+        assert!(cache.find(&plan(10.0)).is_some());
+        let smaller = FactorCache::new(one - 1);
+        prepare(10.0, Some(&smaller));
+        assert_eq!(smaller.figures().bytes, 0);
+    }
+}

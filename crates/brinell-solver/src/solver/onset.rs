@@ -1,0 +1,105 @@
+//! The load at which a contact of any shape first yields.
+
+use std::sync::Arc;
+
+use super::factor_cache::FactorCache;
+use super::problem::Problem;
+use super::run::Runner;
+use super::solution::{Solution, StepSolution};
+use super::{Observer, SolveError, SolveStatus};
+use crate::contact::{ContactLoad, ContactSolver};
+use crate::fem::assembly::GaussPoint;
+use crate::job::Job;
+use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
+
+/// Loads tried at most.
+const MAX_TRIALS: usize = 12;
+/// Distance of the highest von Mises stress from the yield stress that ends the search.
+const TOLERANCE: f64 = 2e-4;
+
+/// Finds the force at which the highest von Mises stress of an elastic contact equals the yield stress.
+///
+/// Stress grows with a power of the force that depends on the shape (1/2 for a cylinder, 1/3 for a sphere); the
+/// power is read off the last two trials. Every trial is a full solve of the elastic bodies, the last one is the
+/// answer.
+///
+/// # Errors
+/// [`SolveError::NoYieldPoint`] if no body has a yield stress, and those of a solve.
+pub(super) fn run(
+    problem: &Problem,
+    job: &Job,
+    contact: &dyn ContactSolver,
+    cache: Option<&Arc<FactorCache>>,
+    solution: &mut Solution,
+    observer: &mut dyn Observer,
+) -> Result<StepSolution, SolveError> {
+    let elastic = problem.without_plasticity();
+    let yield_stress = problem.bodies.each_ref().map(|body| {
+        let stress = UniaxialCurve::of(body.material.as_ref()?)?.yield_stress();
+        (stress > 0.0).then_some(stress)
+    });
+    if yield_stress.iter().all(Option::is_none) {
+        return Err(SolveError::NoYieldPoint);
+    }
+    let mut force = first_trial(&elastic, &yield_stress)?;
+    let mut exponent = 0.5;
+    let mut last: Option<(f64, f64)> = None;
+    let mut trial = 1;
+    loop {
+        let mut runner = Runner::new(&elastic, job, contact, cache);
+        let mut step = runner.step(ContactLoad::Force(force), None, solution, observer)?;
+        let ratio = utilisation(&step, &yield_stress);
+        if (ratio - 1.0).abs() <= TOLERANCE || trial == MAX_TRIALS || step.status != SolveStatus::Converged {
+            if (ratio - 1.0).abs() > TOLERANCE && step.status == SolveStatus::Converged {
+                step.status = SolveStatus::NotConverged;
+            }
+            return Ok(step);
+        }
+        if let Some((other, before)) = last {
+            let slope = (ratio / before).ln() / (force / other).ln();
+            if slope.is_finite() && (0.05..=2.0).contains(&slope) {
+                exponent = slope;
+            }
+        }
+        last = Some((force, ratio));
+        force *= ratio.recip().powf(exponent.recip()).clamp(1e-6, 1e6);
+        trial += 1;
+    }
+}
+
+/// A force whose contact is small, to start from.
+fn first_trial(problem: &Problem, yield_stress: &[Option<f64>; 2]) -> Result<f64, SolveError> {
+    let softest = yield_stress.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+    // The smallest force whose contact can be sized, brought up to a mean pressure of about the yield stress.
+    let (mut low, mut high) = (1e-9, 1e9);
+    let mean = |force: f64| -> Result<f64, SolveError> {
+        let extent = super::extent::Extent::expected(problem, ContactLoad::Force(force))?;
+        Ok(problem.mean_pressure(force, extent.half_width))
+    };
+    if matches!(mean(low), Err(SolveError::Conforming)) {
+        return Err(SolveError::Conforming);
+    }
+    for _ in 0..80 {
+        let middle = f64::sqrt(low * high);
+        match mean(middle) {
+            Ok(pressure) if pressure < softest => low = middle,
+            _ => high = middle,
+        }
+    }
+    Ok(low)
+}
+
+/// Highest von Mises stress over yield stress, both bodies, of the element means: single Gauss points lie above the
+/// field by half a percent.
+fn utilisation(step: &StepSolution, yield_stress: &[Option<f64>; 2]) -> f64 {
+    let highest = step.bodies.iter().zip(yield_stress).filter_map(|(body, limit)| {
+        let stresses = body.as_ref()?.stress.points.iter().map(|points| von_mises(mean_stress(points)));
+        Some(stresses.fold(0.0, f64::max) / (*limit)?)
+    });
+    highest.fold(0.0, f64::max)
+}
+
+fn mean_stress(points: &[GaussPoint]) -> [f64; 4] {
+    let total: f64 = points.iter().map(|point| point.weight).sum();
+    std::array::from_fn(|c| points.iter().map(|point| point.weight * point.stress[c]).sum::<f64>() / total)
+}

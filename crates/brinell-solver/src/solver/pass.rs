@@ -1,0 +1,395 @@
+//! One mesh: build, iterate, and do it again if the mesh turns out too small.
+
+#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use super::factor_cache::FactorCache;
+use super::former::FormerField;
+use super::iteration::{Beginning, Controls, Iteration, Outcome};
+use super::patch::ContactPatch;
+use super::phases::{Phase, PhaseTimes};
+use super::plastic_reach::{PlasticOutline, PlasticReach};
+use super::problem::Problem;
+use super::solution::CoarseFigures;
+use super::system::{Design, PerModel, System};
+use super::{Observer, SolveError, coupling};
+use crate::contact::{ContactLoad, ContactSolver};
+use crate::fem::assembly::StressField;
+use crate::fem::mesh::{ContactZone, Refinement};
+use crate::job::{Coupling, SolverSettings};
+use crate::material::ReferenceModuli;
+
+/// What a pass is asked to do.
+#[derive(Clone, Copy)]
+pub(super) struct PassRequest<'a> {
+    pub contact: &'a dyn ContactSolver,
+    pub zone: ContactZone,
+    pub refinement: Refinement,
+    pub plastic_reach: PlasticReach,
+    /// Load of both sides of the axis together.
+    pub load: ContactLoad,
+    pub solver: SolverSettings,
+    /// An answer on another mesh to start from, one field for each model.
+    pub former: Option<&'a [FormerField<'a>]>,
+    /// What other jobs have left.
+    pub cache: Option<&'a Arc<FactorCache>>,
+}
+
+/// A discretized problem, and the displacements that the last loads left on it.
+pub(super) struct Prepared {
+    pub system: System,
+    /// Load and displacements of the whole models, the latest last; at most two.
+    states: Vec<(f64, PerModel)>,
+    /// Displacements of all nodes under the last load, for each model; empty where nobody needs them again.
+    nodal: Vec<Vec<[f64; 2]>>,
+}
+
+impl Prepared {
+    /// The last answer, to start from on another mesh.
+    pub fn fields(&self) -> Vec<FormerField<'_>> {
+        let fields = self.system.bodies.iter().zip(&self.nodal);
+        fields.map(|(body, displacement)| FormerField { mesh: &body.elastic.mesh, displacement }).collect()
+    }
+
+    /// The system, its former states, and where the load of a request starts; linearized there if the coupling wants it.
+    fn resume(
+        self,
+        request: &PassRequest<'_>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Resumed, SolveError> {
+        let mut start = self.start(request.load.magnitude());
+        let Self { mut system, states, .. } = self;
+        phases.time(Phase::Plasticity, observer, || system.watch(request.plastic_reach));
+        if let Some(former) = request.former {
+            start = Some(system.linearize_by(former, phases, observer)?);
+        } else if request.solver.coupling == Coupling::Accelerated {
+            let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
+            system.linearize(at, phases, observer)?;
+        }
+        Ok((system, states, start))
+    }
+
+    /// Displacements to start a load from: on the straight line through the last two states, or the last one.
+    fn start(&self, load: f64) -> Option<PerModel> {
+        match self.states.as_slice() {
+            [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
+                let t = (load - last) / (last - before);
+                let along = |(u, v): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
+                    u.iter().zip(v).map(|(u, v)| v + t * (v - u)).collect()
+                };
+                Some(u.iter().zip(v).map(along).collect())
+            }
+            [.., (_, v)] => Some(v.clone()),
+            [] => None,
+        }
+    }
+}
+
+/// A system, its former states, and where to start.
+type Resumed = (System, Vec<(f64, PerModel)>, Option<PerModel>);
+
+/// The state of one whole model.
+pub(super) struct ModelField {
+    /// Displacements by equation \[mm\].
+    pub displacement: Vec<f64>,
+    /// Displacements `[u_x, u_y]` of every node \[mm\].
+    pub nodal: Vec<[f64; 2]>,
+    pub stress: StressField,
+}
+
+/// What came of a pass.
+pub(super) struct Pass {
+    pub system: System,
+    pub outcome: Outcome,
+    /// The state of each whole model; empty if it was stopped.
+    pub fields: Vec<ModelField>,
+    /// `None` where nothing touches.
+    pub patch: Option<ContactPatch>,
+    /// Whether the contact reaches the edge of the zone all the same.
+    pub reaches_edge: bool,
+    /// Times the zone was widened.
+    pub enlargements: usize,
+    /// Meshes made.
+    pub meshes: usize,
+    /// States of former loads on the same mesh.
+    former_states: Vec<(f64, PerModel)>,
+}
+
+impl Pass {
+    /// Where material yields.
+    pub fn plastic_outline(&self) -> PlasticOutline {
+        let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
+        let yielded = points.filter(|point| point.yielded).map(|point| point.position);
+        PlasticOutline::around(self.system.zone.centre(), yielded)
+    }
+
+    /// Whether the material yields where nobody has looked.
+    fn yields_unwatched(&self) -> bool {
+        let mut bodies = self.system.bodies.iter().zip(&self.fields);
+        bodies.any(|(body, field)| body.yields_unwatched(&field.stress))
+    }
+
+    /// The answer, to start from on another mesh.
+    pub fn former(&self) -> Vec<FormerField<'_>> {
+        let fields = self.system.bodies.iter().zip(&self.fields);
+        fields
+            .map(|(body, field)| FormerField { mesh: &body.elastic.mesh, displacement: &field.nodal })
+            .collect()
+    }
+
+    /// Headline figures.
+    pub fn figures(&self) -> Option<CoarseFigures> {
+        let contact = &self.outcome.state.response.contact;
+        Some(CoarseFigures {
+            peak_pressure: self.system.peak_pressure(&contact.force),
+            half_width: self.patch?.half_width(),
+            approach: contact.approach,
+        })
+    }
+
+    /// Connected parts of the contact.
+    pub fn parts(&self) -> Vec<ContactPatch> {
+        let (x, pressures) = self.system.pressure_over_x(&self.outcome.state.response.contact.force);
+        ContactPatch::parts(&x, &pressures)
+    }
+
+    /// What the next load may start from.
+    pub fn into_prepared(self, load: ContactLoad) -> Prepared {
+        let (displacement, nodal) =
+            self.fields.into_iter().map(|field| (field.displacement, field.nodal)).unzip();
+        let mut states = self.former_states;
+        states.push((load.magnitude(), displacement));
+        let surplus = states.len().saturating_sub(2);
+        states.drain(..surplus);
+        Prepared { system: self.system, states, nodal }
+    }
+}
+
+/// How much wider the zone becomes when the contact reaches its edge.
+const ENLARGEMENT: f64 = 1.5;
+/// Enlargements after which the contact is taken to be wider than the body.
+const MAX_ENLARGEMENTS: usize = 12;
+
+/// How much farther than it was found plastic flow is looked for when it had not been expected there.
+const WIDENING: f64 = 1.3;
+
+/// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond it.
+/// Where plastic flow turns up outside the part of the bodies that is watched, goes on with a larger part.
+pub(super) fn run(
+    problem: &Problem,
+    request: &PassRequest<'_>,
+    prepared: Option<Prepared>,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> Result<Pass, SolveError> {
+    let mut request = *request;
+    let former = request.former;
+    let mut available = prepared;
+    let (mut enlargements, mut meshes, mut widenings) = (0, 0, 0);
+    // Iterations made while less was watched.
+    let mut history = Vec::new();
+    loop {
+        let (mut system, states, start) = if let Some(prepared) = available.take() {
+            prepared.resume(&request, phases, observer)?
+        } else {
+            meshes += 1;
+            let PassRequest { zone, refinement, plastic_reach, cache, .. } = request;
+            let design = Design { zone, refinement, plastic_reach, cache };
+            let (system, start) = System::build(problem, design, former, phases, observer)?;
+            (system, Vec::new(), start)
+        };
+        let zone = system.zone;
+        let beginning =
+            Beginning { displacement: start, history: std::mem::take(&mut history), factorizations: 0 };
+        let mut outcome = iterate(&mut system, &request, beginning, phases, observer)?;
+        let fields =
+            phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
+        let interrupted = outcome.status.is_stopped();
+        let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
+        let (patch, reaches_edge) =
+            phases.time(Phase::Output, observer, || survey(problem, &system, &outcome, &fields));
+        let mut pass = Pass {
+            system,
+            outcome,
+            fields,
+            patch,
+            reaches_edge,
+            enlargements,
+            meshes,
+            former_states: states,
+        };
+        let yields_unwatched = phases
+            .time(Phase::Output, observer, || !interrupted && is_watched_in_part && pass.yields_unwatched());
+        if yields_unwatched {
+            let outline = pass.plastic_outline().scaled(WIDENING);
+            request.plastic_reach =
+                if widenings == 0 { PlasticReach::Within(outline) } else { PlasticReach::WholeBody };
+            widenings += 1;
+            history = std::mem::take(&mut pass.outcome.history);
+            // From here, not from the former answer.
+            request.former = None;
+            available = Some(pass.into_prepared(request.load));
+            continue;
+        }
+        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
+            let wider = enlarge(zone);
+            if fits(problem, &wider) {
+                enlargements += 1;
+                request.zone = wider;
+                continue;
+            }
+        }
+        return Ok(pass);
+    }
+}
+
+/// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
+/// iteration that was stopped, or is now, for who stops a job wants the core back.
+fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
+    let mut fields = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
+            outcome.status = interrupt.into();
+        }
+        if outcome.status.is_stopped() {
+            return Vec::new();
+        }
+        let state = &outcome.state;
+        let mut displacement = state.loads[k].clone();
+        body.elastic.press(&state.response.contact.force, &mut displacement);
+        let factor = state.factors.as_ref().map_or(&*body.factor, |factors| &factors[k]);
+        factor.solve(&mut displacement);
+        let elastic = &body.elastic;
+        let nodal = elastic.nodal(&displacement);
+        let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics(), &body.material, &nodal);
+        fields.push(ModelField { displacement, nodal, stress });
+    }
+    fields
+}
+
+fn enlarge(zone: ContactZone) -> ContactZone {
+    let (centre, half) = (zone.centre(), ENLARGEMENT * zone.half_width());
+    let columns = (zone.columns as f64 * ENLARGEMENT).round() as usize;
+    let x_min = if zone.symmetric { 0.0 } else { centre - half };
+    ContactZone { x_min, x_max: centre + half, columns, symmetric: zone.symmetric }
+}
+
+/// Whether a zone lies on both bodies.
+fn fits(problem: &Problem, zone: &ContactZone) -> bool {
+    problem.bodies.iter().all(|body| zone.fits(&body.outline))
+}
+
+/// Linearizations at most.
+const MAX_LINEARIZATIONS: usize = 8;
+/// Part of its first residual that a linearization must have come down to, and farther than the one before, if the next
+/// is to have moduli as near to the tangent. The softer they are, the sooner errors grow instead of falling.
+const PROGRESS: f64 = 0.5;
+
+/// Iterates; the accelerated coupling on stiffnesses that are linearized anew where one does not get on.
+fn iterate(
+    system: &mut System,
+    request: &PassRequest<'_>,
+    mut beginning: Beginning,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> Result<Outcome, SolveError> {
+    let coupling = request.solver.coupling;
+    let mut linearizations = 0;
+    let mut reference = ReferenceModuli::Tangent;
+    // Residual where the last stiffness led.
+    let mut reached = f64::INFINITY;
+    loop {
+        let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
+        let controls = Controls {
+            contact: request.contact,
+            load: system.part_of(request.load),
+            tolerance: request.solver.tolerance.get(),
+            max_iterations: request.solver.max_iterations as usize,
+            renewable,
+        };
+        let begun = beginning.history.len();
+        let outcome = coupling::run(Iteration::new(system, controls, beginning, observer, phases), coupling)?;
+        if !outcome.stalled {
+            return Ok(outcome);
+        }
+        let residuals = outcome.history[begun..].iter().map(|record| record.equilibrium_residual);
+        let (first, last) = (outcome.history[begun].equilibrium_residual, residuals.fold(0.0, |_, r| r));
+        let displacement = &outcome.state.response.displacement;
+        let gets_on = system.is_elastic() || (last < PROGRESS * first && last < reached);
+        reached = last;
+        let moduli = if gets_on { Some(reference) } else { reference.stiffer() };
+        reference = moduli.unwrap_or_default();
+        match system.linearize(moduli.map(|moduli| (displacement, moduli)), phases, observer) {
+            // What has been iterated is worth keeping.
+            Err(SolveError::Interrupted(interrupt)) => {
+                return Ok(Outcome { status: interrupt.into(), ..outcome });
+            }
+            linearized => linearized?,
+        }
+        linearizations += 1;
+        let factorizations = system.bodies.len();
+        let Outcome { state, history, .. } = outcome;
+        beginning = Beginning { displacement: Some(state.response.displacement), history, factorizations };
+    }
+}
+
+/// Where the contact is, and whether it goes beyond the zone.
+fn survey(
+    problem: &Problem,
+    system: &System,
+    outcome: &Outcome,
+    fields: &[ModelField],
+) -> (Option<ContactPatch>, bool) {
+    let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
+    let patch = ContactPatch::find(&x, &pressures, system.zone.symmetric);
+    let meets_beyond = !outcome.status.is_stopped()
+        && problem.may_touch_elsewhere()
+        && meets_beyond_zone(problem, system, outcome, fields);
+    (patch, meets_beyond || reaches_edge(system, outcome))
+}
+
+/// Whether one of the outermost two pairs of an open end of the zone carries force.
+fn reaches_edge(system: &System, outcome: &Outcome) -> bool {
+    let active = &outcome.state.response.contact.active_set;
+    let last = system.zone.columns;
+    let right = active.contains(last) || active.contains(last.saturating_sub(1));
+    let left = !system.zone.symmetric && (active.contains(0) || active.contains(1));
+    right || left
+}
+
+/// Whether the free surfaces beside the zone have moved into each other.
+///
+/// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each interpolated
+/// between its own nodes.
+fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fields: &[ModelField]) -> bool {
+    let contact = &outcome.state.response.contact;
+    let bodies = system.bodies.iter().zip(fields);
+    let surfaces: Vec<Vec<[f64; 2]>> =
+        bodies.map(|(body, field)| body.elastic.free_surface(&field.displacement)).collect();
+    let (left, right) = problem.span();
+    let inward = |x: f64| -> f64 {
+        surfaces
+            .iter()
+            .zip(&system.multiplicity)
+            .map(|(surface, n)| *n as f64 * interpolate(surface, x))
+            .sum()
+    };
+    let abscissae = surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
+    let mut beyond =
+        abscissae.filter(|x| *x > system.zone.x_max || (*x < system.zone.x_min && !system.zone.symmetric));
+    beyond.any(|x| problem.initial_gap(x) + inward(x) - contact.approach < 0.0)
+}
+
+/// Piecewise linear through `[x, value]` in order of x; constant beyond the ends, zero where there is nothing.
+fn interpolate(points: &[[f64; 2]], x: f64) -> f64 {
+    let right = points.partition_point(|p| p[0] < x);
+    match (right.checked_sub(1).map(|k| points[k]), points.get(right)) {
+        (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]),
+        (Some(end), None) => end[1],
+        (None, Some(end)) => end[1],
+        (None, None) => 0.0,
+    }
+}

@@ -1,0 +1,116 @@
+//! How far plastic flow reaches: the part of a body that an iteration watches.
+
+use std::f64::consts::PI;
+
+use crate::fem::mesh::Mesh;
+
+/// Directions in which distances are known, from +x down and round to -x.
+const DIRECTIONS: usize = 25;
+
+/// The outline of a plastic zone: how far it reaches from the middle of the contact \[mm\], linear in the angle between
+/// two directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PlasticOutline {
+    radius: [f64; DIRECTIONS],
+}
+
+impl PlasticOutline {
+    /// Nothing yields.
+    pub const NONE: Self = Self { radius: [0.0; DIRECTIONS] };
+
+    /// An outline that holds points `[x, y]` around `[centre, 0]`.
+    pub fn around(centre: f64, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let mut outline = Self::NONE;
+        for [x, y] in points {
+            let distance = (x - centre).hypot(y);
+            let (k, _) = direction(x - centre, y);
+            for radius in &mut outline.radius[k..=k + 1] {
+                *radius = radius.max(distance);
+            }
+        }
+        outline
+    }
+
+    /// This outline with all distances scaled.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { radius: self.radius.map(|radius| factor * radius) }
+    }
+
+    fn contains(&self, x: f64, y: f64) -> bool {
+        let (k, t) = direction(x, y);
+        x.hypot(y) < (1.0 - t) * self.radius[k] + t * self.radius[k + 1]
+    }
+}
+
+/// The direction before that of a point, and how far it is on the way to the next.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "between 0 and the number of directions"
+)]
+fn direction(x: f64, y: f64) -> (usize, f64) {
+    let position = (-y).max(0.0).atan2(x) / PI * (DIRECTIONS - 1) as f64;
+    let before = (position as usize).min(DIRECTIONS - 2);
+    (before, position - before as f64)
+}
+
+/// Where plastic flow is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PlasticReach {
+    /// Within this outline, and a little beyond.
+    Within(PlasticOutline),
+    /// Anywhere.
+    WholeBody,
+}
+
+/// Layers of elements around the expected plastic zone that are kept ready for it to grow into.
+const SPARE_LAYERS: usize = 3;
+
+impl PlasticReach {
+    /// The elements of a mesh that are watched.
+    pub fn elements(&self, mesh: &Mesh) -> Vec<bool> {
+        let Self::Within(outline) = self else { return vec![true; mesh.elements.len()] };
+        let centre = mesh.zone.centre();
+        let mut nodes: Vec<bool> = mesh.nodes.iter().map(|[x, y]| outline.contains(x - centre, *y)).collect();
+        let mut inside = touched(mesh, &nodes);
+        for _ in 0..SPARE_LAYERS {
+            nodes = nodes_of(mesh, &inside);
+            inside = touched(mesh, &nodes);
+        }
+        inside
+    }
+}
+
+/// The elements with at least one of these nodes.
+fn touched(mesh: &Mesh, nodes: &[bool]) -> Vec<bool> {
+    mesh.elements.iter().map(|corners| corners.iter().any(|&node| nodes[node as usize])).collect()
+}
+
+/// The nodes of elements.
+pub(super) fn nodes_of(mesh: &Mesh, elements: &[bool]) -> Vec<bool> {
+    let mut nodes = vec![false; mesh.nodes.len()];
+    for (corners, _) in mesh.elements.iter().zip(elements).filter(|(_, inside)| **inside) {
+        for &node in corners {
+            nodes[node as usize] = true;
+        }
+    }
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_contains_its_points_and_nothing_beyond_their_distance() {
+        let points = [[1.3, -0.2], [0.9, -1.1], [-0.4, -0.7]];
+        let outline = PlasticOutline::around(0.5, points);
+        let grown = outline.scaled(1.01);
+        for [x, y] in points {
+            assert!(grown.contains(x - 0.5, y));
+            assert!(!grown.contains(1.1 * (x - 0.5), 1.1 * y));
+        }
+        assert!(!grown.contains(0.0, -2.0) && !grown.contains(-1.0, -1e-3));
+        assert!(!PlasticOutline::NONE.contains(1e-6, -1e-6));
+    }
+}

@@ -1,0 +1,109 @@
+//! What the outer loop tells the world while it runs, and how the world may stop it.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use sparse_cholesky::Cores;
+
+/// How a solve ended. Not converging is a status, not an error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SolveStatus {
+    /// Displacement change and equilibrium residual are below the tolerance, and the final state passes the
+    /// independent contact check.
+    Converged,
+    /// The iteration limit was reached or the final state fails a check; the last state is reported.
+    NotConverged,
+    /// The observer asked to stop.
+    Cancelled,
+    /// The observer's deadline passed.
+    TimedOut,
+}
+
+/// Why an observer stops a solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interrupt {
+    /// Somebody asked for it.
+    Cancelled,
+    /// The deadline passed.
+    TimedOut,
+}
+
+impl SolveStatus {
+    /// Whether the observer ended it.
+    pub fn is_stopped(self) -> bool {
+        matches!(self, Self::Cancelled | Self::TimedOut)
+    }
+}
+
+impl From<Interrupt> for SolveStatus {
+    fn from(interrupt: Interrupt) -> Self {
+        match interrupt {
+            Interrupt::Cancelled => Self::Cancelled,
+            Interrupt::TimedOut => Self::TimedOut,
+        }
+    }
+}
+
+/// One outer iteration. Counts are of this iteration alone.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IterationRecord {
+    /// One-based.
+    pub iteration: usize,
+    /// Simplex pivots, or active-set changes, of the contact solve.
+    pub contact_pivots: usize,
+    /// Initial-stress loads, or sets of secant moduli, put into effect.
+    pub initial_stress_updates: usize,
+    /// Stiffness factorizations.
+    pub factorizations: usize,
+    /// `‖u - u_previous‖ / ‖u‖`, the paper's criterion.
+    pub displacement_change: f64,
+    /// `‖R - R_previous‖ / ‖R‖`.
+    pub force_change: f64,
+    /// `‖∫Bᵀσ dV - R‖ / ‖R‖` over the free degrees of freedom.
+    pub equilibrium_residual: f64,
+    /// Gauss points beyond yield, both bodies.
+    pub plastic_points: usize,
+    /// Pairs in contact.
+    pub contact_pairs: usize,
+    /// Approach α.
+    pub approach: f64,
+    /// Largest contact pressure.
+    pub peak_pressure: f64,
+    /// Since the start of the job \[ms\].
+    pub elapsed_ms: f64,
+}
+
+/// Sees a solve from outside: follows it, times it, may stop it and may lend it cores. The core has no clock and no
+/// threads of its own.
+pub trait Observer {
+    /// Called after every outer iteration.
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        let _ = record;
+        self.on_checkpoint()
+    }
+
+    /// Called between phases and within the long ones, so that a stop does not wait for the next iteration.
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        ControlFlow::Continue(())
+    }
+
+    /// Cores that a large factorization may borrow while they are idle; none unless the observer has some to lend.
+    fn cores(&self) -> Option<Arc<Cores>> {
+        None
+    }
+
+    /// Time since the job started; zero where nobody measures.
+    fn elapsed(&self) -> Duration {
+        Duration::ZERO
+    }
+}
+
+/// Watches nothing, stops nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unobserved;
+
+impl Observer for Unobserved {}

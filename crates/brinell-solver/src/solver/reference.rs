@@ -1,0 +1,86 @@
+//! The elastic contact of the same bodies in closed form.
+
+use super::problem::{Problem, ProblemBody};
+use crate::analytical::{HertzLine, HertzPoint, YieldOnset};
+use crate::fem::element::Kinematics;
+use crate::job::Job;
+use crate::material::{HardeningLaw, UniaxialCurve};
+
+/// Hertz's contact and the onset of yield.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticReference {
+    /// Half-width, or contact radius \[mm\].
+    pub half_width: f64,
+    /// Peak pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Effective radius \[mm\].
+    pub effective_radius: f64,
+    /// Force at which the first body begins to yield \[N/mm, or N in axisymmetry\]; `None` if none has a yield
+    /// stress.
+    pub yield_onset_force: Option<f64>,
+    /// Depth at which it does \[mm\].
+    pub yield_onset_depth: Option<f64>,
+}
+
+impl ElasticReference {
+    /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's theory does not
+    /// apply: surfaces that are no arcs or do not open away from the origin.
+    pub fn of(job: &Job, force: f64) -> Option<Self> {
+        let problem = Problem::of(job);
+        let (curvature, modulus) = (problem.curvature()?, problem.effective_modulus());
+        if curvature <= 0.0 || !modulus.is_finite() {
+            return None;
+        }
+        let radius = curvature.recip();
+        let onset = |body: &ProblemBody| onset(problem.kinematics, body, radius, modulus);
+        let first = problem.bodies.iter().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (half_width, peak_pressure) = contact(problem.kinematics, force, radius, modulus);
+        Some(Self {
+            half_width,
+            peak_pressure,
+            effective_radius: radius,
+            yield_onset_force: first.map(|(force, _)| force),
+            yield_onset_depth: first.map(|(_, depth)| depth),
+        })
+    }
+}
+
+/// Half-width and peak pressure.
+fn contact(kinematics: Kinematics, force: f64, radius: f64, modulus: f64) -> (f64, f64) {
+    match kinematics {
+        Kinematics::PlaneStrain | Kinematics::PlaneStress => {
+            let hertz = HertzLine::new(force, radius, modulus);
+            (hertz.half_width(), hertz.peak_pressure())
+        }
+        Kinematics::Axisymmetric => {
+            let hertz = HertzPoint::new(force, radius, modulus);
+            (hertz.contact_radius(), hertz.peak_pressure())
+        }
+    }
+}
+
+/// Force and depth at which a body begins to yield.
+fn onset(kinematics: Kinematics, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
+    let material = body.material.as_ref()?;
+    let yield_stress = UniaxialCurve::of(material)?.yield_stress();
+    if yield_stress <= 0.0 {
+        return None;
+    }
+    let poisson_ratio = material.elastic().poisson_ratio.get();
+    let (onset, force) = match kinematics {
+        Kinematics::PlaneStrain => {
+            let onset = YieldOnset::line_von_mises(poisson_ratio);
+            (onset, onset.line_force(yield_stress, radius, modulus))
+        }
+        // Without out-of-plane stress the field is that of plane strain with ν = 0.
+        Kinematics::PlaneStress => {
+            let onset = YieldOnset::line_von_mises(0.0);
+            (onset, onset.line_force(yield_stress, radius, modulus))
+        }
+        Kinematics::Axisymmetric => {
+            let onset = YieldOnset::point(poisson_ratio);
+            (onset, onset.point_force(yield_stress, radius, modulus))
+        }
+    };
+    Some((force, onset.depth_ratio * contact(kinematics, force, radius, modulus).0))
+}

@@ -1,0 +1,322 @@
+//! From a job to its solution: each load on three meshes, each sized by the one before.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::extent::{Extent, refinement};
+use super::factor_cache::FactorCache;
+use super::onset;
+use super::pass::{self, Pass, PassRequest, Prepared};
+use super::phases::{Phase, PhaseTimes};
+use super::plastic_reach::PlasticReach;
+use super::problem::Problem;
+use super::solution::{self, Solution, StepSolution};
+use super::{Interrupt, Observer, SolveError, SolveStatus};
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
+use crate::fem::element::Kinematics;
+use crate::job::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
+use sparse_cholesky::Cores;
+
+/// Elements over a half-width in the first mesh.
+const SIZING_ELEMENTS: usize = 6;
+/// Tolerance of the auxiliary passes. It leaves their figures wrong by a few hundredths of the mesh's own error.
+const AUXILIARY_TOLERANCE: f64 = 1e-4;
+/// Sizing passes at most; each is made on the answer of the one before.
+const SIZING_PASSES: usize = 5;
+/// Part of the expected half-width that a sizing pass must find in contact to be trusted.
+const SIZING_TRUST: f64 = 0.4;
+/// How far the plastic region is prepared, over how far plastic flow reached on the coarser mesh.
+const PLASTIC_MARGIN: f64 = 1.1;
+/// How much finer than asked a mesh is made where the loads that follow are smaller.
+const FALLING_RESERVE: f64 = 1.2;
+/// Least width of the zone over that of the contact for which a mesh is used again.
+const ZONE_MARGIN: f64 = 1.12;
+/// Elements that a mesh used again may be short of those asked for.
+const RESOLUTION_SLACK: f64 = 1.05;
+
+/// What the wire format does not offer: for the service, for verification, and for trying out methods.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// Whether a symmetric problem is solved on one half. Default true.
+    pub use_symmetry: bool,
+    /// Contact method of the final mesh in place of the one that the job names.
+    pub contact_solver: Option<&'a dyn ContactSolver>,
+    /// Bodies and factors that other jobs have left and this one leaves. Default none.
+    pub cache: Option<&'a Arc<FactorCache>>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { use_symmetry: true, contact_solver: None, cache: None }
+    }
+}
+
+/// Solves a job.
+///
+/// Three meshes: a small one that finds out how wide the contact is, one of half the requested density for error
+/// estimates, and the one that was asked for. Only the last is shown to the observer iteration by iteration; the
+/// others can be stopped. The loads of a sweep share meshes and factors while the contact fits on them, and each
+/// starts from the state of the one before.
+///
+/// # Errors
+/// [`SolveError`]. An iteration that does not converge is no error: see [`super::SolveStatus`].
+pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    run_with(job, Options::default(), observer)
+}
+
+/// [`run`] with options.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_with(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+) -> Result<Solution, SolveError> {
+    let mut problem = Problem::of(job);
+    problem.use_symmetry = options.use_symmetry;
+    let contact = options.contact_solver.unwrap_or(match job.solver.contact {
+        ContactMethod::ActiveSet => &ActiveSetSolver,
+        ContactMethod::Simplex => &SimplexSolver,
+    });
+    let mut solution =
+        Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0, interrupted: None };
+    let Some(loads) = loads(&job.load) else {
+        let step = onset::run(&problem, job, contact, options.cache, &mut solution, observer)?;
+        solution.steps.push(step);
+        return Ok(solution);
+    };
+    let mut runner = Runner::new(&problem, job, contact, options.cache);
+    for (k, &load) in loads.iter().enumerate() {
+        match runner.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
+            Ok(step) => solution.steps.push(step),
+            // The steps that are done are worth keeping.
+            Err(SolveError::Interrupted(interrupt)) if k > 0 => solution.interrupted = Some(interrupt),
+            Err(error) => return Err(error),
+        }
+        let last = solution.steps.last().map(|step| step.status);
+        if solution.interrupted.is_some() || last.is_some_and(SolveStatus::is_stopped) {
+            break;
+        }
+    }
+    Ok(solution)
+}
+
+/// The loads of a job in order; `None` where the load itself is sought.
+pub(super) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
+    match load {
+        Load::Forces(forces) => Some(forces.iter().map(|force| ContactLoad::Force(force.get())).collect()),
+        Load::Approaches(approaches) => {
+            Some(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
+        }
+        Load::Onset => None,
+    }
+}
+
+/// Solves load after load.
+pub(super) struct Runner<'a> {
+    problem: &'a Problem,
+    job: &'a Job,
+    contact: &'a dyn ContactSolver,
+    cache: Option<&'a Arc<FactorCache>>,
+    last: Option<LastStep>,
+}
+
+/// What the next load of a sweep can build on.
+struct LastStep {
+    load: ContactLoad,
+    extent: Extent,
+    coarse: Prepared,
+    fine: Prepared,
+}
+
+impl<'a> Runner<'a> {
+    pub fn new(
+        problem: &'a Problem,
+        job: &'a Job,
+        contact: &'a dyn ContactSolver,
+        cache: Option<&'a Arc<FactorCache>>,
+    ) -> Self {
+        Self { problem, job, contact, cache, last: None }
+    }
+
+    /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
+    pub fn step(
+        &mut self,
+        load: ContactLoad,
+        next: Option<ContactLoad>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<StepSolution, SolveError> {
+        let reserve = resolution_reserve(load, next);
+        let last = self.last.take();
+        let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
+        let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, extent));
+        let (extent, sizing) = match predicted {
+            Some(extent) => (extent, None),
+            None => self.size(load, solution, observer)?,
+        };
+        let (coarse, fine, outgrown) = match last {
+            Some(last) if serves => (Some(last.coarse), Some(last.fine), None),
+            // Moduli of a larger load would be too soft.
+            Some(last) if load.magnitude() > last.load.magnitude() => (None, None, Some(last.coarse)),
+            _ => (None, None, None),
+        };
+        let former = match (&sizing, &outgrown) {
+            (Some(pass), _) => pass.former(),
+            (None, Some(prepared)) => prepared.fields(),
+            (None, None) => Vec::new(),
+        };
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
+        request.former = (!former.is_empty()).then_some(&former);
+        let coarse = self.quietly(&request, coarse, solution, observer)?;
+        let extent = solution.phases.time(Phase::Output, observer, || extent.found_by(&coarse));
+        let figures = coarse.figures();
+
+        let former = coarse.former();
+        let mut request = self.request(load, extent, elements, reserve, self.job.solver);
+        request.contact = self.contact;
+        request.former = (self.job.solver.coupling == Coupling::Accelerated).then_some(&former);
+        let mut pass = pass::run(self.problem, &request, fine, &mut solution.phases, observer)?;
+        solution.passes += pass.meshes;
+        // Before the stresses are handed over.
+        let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
+        let tolerance = request.solver.tolerance.get();
+        let mut step = solution::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
+        step.coarse = figures;
+        // What nobody needs any more goes here, because giving memory back takes its time.
+        self.last = solution.phases.time(Phase::Output, observer, move || {
+            drop((sizing, outgrown));
+            let (extent, coarse, fine) = (found?, coarse.into_prepared(load), pass.into_prepared(load));
+            Some(LastStep { load, extent, coarse, fine })
+        });
+        Ok(step)
+    }
+
+    /// By how much the contact of an elastic body grows from one load to another.
+    fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
+        let exponent = match (self.problem.kinematics, to) {
+            (Kinematics::Axisymmetric, ContactLoad::Force(_)) => 0.4,
+            (_, ContactLoad::Force(_)) => 0.6,
+            (_, ContactLoad::Approach(_)) => 0.5,
+        };
+        (to.magnitude() / from.magnitude()).powf(exponent)
+    }
+
+    /// Whether the meshes of the last load serve for a contact of this extent.
+    fn serves(&self, last: &LastStep, extent: Extent) -> bool {
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let zone = &last.fine.system.zone;
+        zone.half_width() >= ZONE_MARGIN * extent.half_width
+            && zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements)
+    }
+
+    /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
+    fn size(
+        &self,
+        load: ContactLoad,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(Extent, Option<Pass>), SolveError> {
+        let expect = || Extent::expected(self.problem, load);
+        let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
+        let mut last = None;
+        for _ in 0..SIZING_PASSES {
+            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
+            request.plastic_reach = PlasticReach::WholeBody;
+            let pass = self.quietly(&request, None, solution, observer)?;
+            let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
+            let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
+            extent = found;
+            last = Some(pass);
+            if is_confirmed {
+                break;
+            }
+            // A contact of one or two elements is not yet known to be that small.
+            extent =
+                Extent { half_width: 1.5 * extent.half_width, smallest_part: extent.half_width, ..extent };
+        }
+        Ok((extent, last))
+    }
+
+    fn quietly(
+        &self,
+        request: &PassRequest<'_>,
+        prepared: Option<Prepared>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Pass, SolveError> {
+        let mut quiet = Quiet { inner: observer };
+        let pass = pass::run(self.problem, request, prepared, &mut solution.phases, &mut quiet)?;
+        solution.passes += pass.meshes;
+        Ok(pass)
+    }
+
+    fn request(
+        &self,
+        load: ContactLoad,
+        extent: Extent,
+        elements: usize,
+        reserve: f64,
+        solver: SolverSettings,
+    ) -> PassRequest<'a> {
+        let spacing = extent.spacing(elements) / reserve;
+        let plastic_reach = match solver.coupling {
+            // It asks the law everywhere anyway, and could not go on from where flow was missed.
+            Coupling::SecantStiffness => PlasticReach::WholeBody,
+            _ => PlasticReach::Within(extent.plastic.scaled(PLASTIC_MARGIN)),
+        };
+        let zone = extent.zone(self.problem.is_symmetric(), spacing);
+        PassRequest {
+            contact: &ActiveSetSolver,
+            zone,
+            refinement: refinement(&zone),
+            plastic_reach,
+            load,
+            solver,
+            former: None,
+            cache: self.cache,
+        }
+    }
+}
+
+/// How much finer than asked a mesh is made, so that it serves for the next load too. A larger contact finds room
+/// enough as it is, in the zone that is made wider than the contact anyway.
+pub(super) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
+    match next {
+        Some(next) if next.magnitude() < load.magnitude() => FALLING_RESERVE,
+        _ => 1.0,
+    }
+}
+
+/// How the auxiliary passes are iterated, whatever the job asks for.
+fn auxiliary() -> SolverSettings {
+    let default = SolverSettings::default();
+    SolverSettings {
+        coupling: Coupling::Accelerated,
+        contact: ContactMethod::ActiveSet,
+        tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
+        max_iterations: 200,
+    }
+}
+
+/// Lets the auxiliary passes be stopped but not seen.
+struct Quiet<'a> {
+    inner: &'a mut dyn Observer,
+}
+
+impl Observer for Quiet<'_> {
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.inner.on_checkpoint()
+    }
+
+    fn cores(&self) -> Option<Arc<Cores>> {
+        self.inner.cores()
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.inner.elapsed()
+    }
+}

@@ -1,0 +1,296 @@
+//! What a solve hands over, and the checks that its final state has to pass.
+
+use std::sync::Arc;
+
+use super::contact_stiffness::contact_stiffness;
+use super::elastic_body::ElasticBody;
+use super::iteration::{norm, relative};
+use super::pass::Pass;
+use super::patch::ContactPatch;
+use super::phases::{Phase, PhaseTimes};
+use super::{Interrupt, IterationRecord, Observer, SolveStatus};
+use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
+use crate::fem::assembly::StressField;
+use crate::fem::element::Kinematics;
+use crate::fem::mesh::{Mesh, Quality};
+
+/// The answer to a job.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// One for each load.
+    pub steps: Vec<StepSolution>,
+    /// Time by phase.
+    pub phases: PhaseTimes,
+    /// Mesh passes made.
+    pub passes: usize,
+    /// Why loads at the end are missing.
+    pub interrupted: Option<Interrupt>,
+}
+
+/// The answer to one load. Half models are not mirrored here.
+#[derive(Debug, Clone)]
+pub struct StepSolution {
+    /// How the iteration ended, the final checks included.
+    pub status: SolveStatus,
+    /// What was prescribed, for both sides of the axis.
+    pub load: ContactLoad,
+    /// Approach α \[mm\].
+    pub approach: f64,
+    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is here.
+    pub symmetric: bool,
+    /// Third direction.
+    pub kinematics: Kinematics,
+    /// The smallest gap of the outlines as they are given, in whose place the gaps and the approach begin \[mm\].
+    pub smallest_gap: f64,
+    /// Tangential spacing of the candidate pairs \[mm\].
+    pub spacing: f64,
+    /// The candidate pairs in order of x.
+    pub pairs: Vec<PairState>,
+    /// Ends of the contact; `None` where nothing touches.
+    pub patch: Option<ContactPatch>,
+    /// Its connected parts, from outermost node to outermost node.
+    pub parts: Vec<ContactPatch>,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; 0 for a step that was
+    /// stopped \[N/mm per mm\].
+    pub contact_stiffness: f64,
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Upper and lower body; `None` for a rigid one.
+    pub bodies: [Option<Arc<BodySolution>>; 2],
+    /// Every iteration.
+    pub history: Vec<IterationRecord>,
+    /// The contact conditions, judged on the displacement field of both whole bodies.
+    pub contact_check: KktReport,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
+    pub equilibrium_residual: f64,
+    /// Whether those conditions hold.
+    pub contact_is_sound: bool,
+    /// Whether the contact still reaches the edge of the candidate zone.
+    pub reaches_edge: bool,
+    /// Times the candidate zone was widened.
+    pub enlargements: usize,
+    /// The same figures on a mesh of half the density, for error estimates.
+    pub coarse: Option<CoarseFigures>,
+}
+
+/// One candidate pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairState {
+    /// Abscissa \[mm\].
+    pub x: f64,
+    /// Contact pressure \[MPa\].
+    pub pressure: f64,
+    /// Contact force, both sides of the axis for a pair on it \[N/mm\].
+    pub force: f64,
+    /// Gap after loading \[mm\].
+    pub gap: f64,
+}
+
+/// Fields of one body, in its own frame (contact at the origin, y outward).
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySolution {
+    /// Mesh.
+    pub mesh: Arc<Mesh>,
+    /// Mesh quality.
+    pub quality: Quality,
+    /// Displacements of the nodes \[mm\]; none in a step that was stopped.
+    pub displacement: Vec<[f64; 2]>,
+    /// Stresses; none in a step that was stopped.
+    pub stress: StressField,
+    /// Equations solved.
+    pub equations: usize,
+}
+
+impl StepSolution {
+    /// Whether the meshed half stands for two: a plane half model, not a body of revolution.
+    pub fn is_mirrored(&self) -> bool {
+        self.symmetric && self.kinematics != Kinematics::Axisymmetric
+    }
+}
+
+impl BodySolution {
+    fn of(elastic: &ElasticBody, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+        Self {
+            mesh: Arc::clone(&elastic.mesh),
+            quality: elastic.quality(),
+            displacement,
+            stress,
+            equations: elastic.equations.len(),
+        }
+    }
+
+    /// Largest equivalent plastic strain at a Gauss point.
+    pub fn max_plastic_strain(&self) -> f64 {
+        let strains = self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
+        strains.fold(0.0, f64::max)
+    }
+
+    /// Depth of the lowest node below the contact \[mm\].
+    pub fn depth(&self) -> f64 {
+        -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)
+    }
+}
+
+/// Headline figures of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoarseFigures {
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Half-width \[mm\].
+    pub half_width: f64,
+    /// Approach \[mm\].
+    pub approach: f64,
+}
+
+/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
+/// a converged state may have. Rounding leaves about 1e-12.
+const CONTACT_TOLERANCE: f64 = 1e-8;
+/// The residual over whole bodies may exceed that of the iteration's window by rounding only.
+const RESIDUAL_SLACK: f64 = 1.5;
+/// Rounding floor of the residual.
+const RESIDUAL_FLOOR: f64 = 1e-9;
+
+/// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
+/// believed is taken over. Takes stresses and nodal displacements out of the pass.
+pub(super) fn finish(
+    pass: &mut Pass,
+    load: ContactLoad,
+    tolerance: f64,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> StepSolution {
+    let contact_stiffness = if pass.outcome.status.is_stopped() {
+        0.0
+    } else {
+        let Pass { system, outcome, patch, .. } = &*pass;
+        match phases.time_observed(Phase::Solves, observer, |observer| {
+            contact_stiffness(system, &outcome.state, *patch, observer)
+        }) {
+            Ok(stiffness) => stiffness,
+            Err(interrupt) => {
+                pass.outcome.status = interrupt.into();
+                pass.fields.clear();
+                0.0
+            }
+        }
+    };
+    phases.time(Phase::Output, observer, || judge(pass, contact_stiffness, load, tolerance))
+}
+
+/// The final state, as far as it is judged.
+struct Final {
+    /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
+    opened: Vec<f64>,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖`.
+    equilibrium_residual: f64,
+    /// One for each model.
+    bodies: Vec<Arc<BodySolution>>,
+}
+
+/// By the fields.
+fn found(pass: &mut Pass) -> Final {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let mut squares = 0.0;
+    let mut opened = system.initial_gap.clone();
+    let mut bodies = Vec::with_capacity(system.bodies.len());
+    for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.multiplicity) {
+        let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
+        let copies = copies as f64;
+        squares += copies * body.imbalance(&stress, &contact.force).powi(2);
+        for (g, w) in opened.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
+            *g += copies * w;
+        }
+        bodies.push(Arc::new(BodySolution::of(&body.elastic, nodal, stress)));
+    }
+    let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force));
+    Final { opened, equilibrium_residual, bodies }
+}
+
+/// By what the iteration believes, for there are no fields of one that was stopped.
+fn believed(pass: &Pass) -> Final {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let bodies = system.bodies.iter();
+    Final {
+        opened: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
+        equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
+        bodies: bodies
+            .map(|body| Arc::new(BodySolution::of(&body.elastic, Vec::new(), StressField::default())))
+            .collect(),
+    }
+}
+
+fn judge(pass: &mut Pass, contact_stiffness: f64, load: ContactLoad, tolerance: f64) -> StepSolution {
+    let Final { opened, equilibrium_residual, bodies } =
+        if pass.outcome.status.is_stopped() { believed(pass) } else { found(pass) };
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let contact_check =
+        check_contact(system, &opened, &contact.force, contact.approach, system.part_of(load));
+    let sound = contact_check.passes(CONTACT_TOLERANCE)
+        && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let status = match outcome.status {
+        SolveStatus::Converged if !sound => SolveStatus::NotConverged,
+        status => status,
+    };
+    let pairs = pair_states(system, &contact.force, &opened, contact.approach);
+    StepSolution {
+        status,
+        load,
+        approach: contact.approach,
+        symmetric: system.zone.symmetric,
+        kinematics: system.kinematics,
+        smallest_gap: system.smallest_gap,
+        spacing: system.zone.spacing(),
+        peak_pressure: system.peak_pressure(&contact.force),
+        pairs,
+        patch: pass.patch,
+        parts: pass.parts(),
+        contact_stiffness,
+        bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
+        history: outcome.history.clone(),
+        contact_check,
+        equilibrium_residual,
+        contact_is_sound: contact_check.passes(CONTACT_TOLERANCE),
+        reaches_edge: pass.reaches_edge,
+        enlargements: pass.enlargements,
+        coarse: None,
+    }
+}
+
+/// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.
+fn check_contact(
+    system: &super::system::System,
+    opened: &[f64],
+    force: &[f64],
+    approach: f64,
+    load: ContactLoad,
+) -> KktReport {
+    let elastic = (0..force.len())
+        .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
+    let equivalent: Vec<f64> = opened.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
+    let problem = ContactProblem { flexibility: &system.flexibility, initial_gap: &equivalent, load };
+    kkt::check(&problem, force, approach)
+}
+
+fn pair_states(
+    system: &super::system::System,
+    force: &[f64],
+    opened: &[f64],
+    approach: f64,
+) -> Vec<PairState> {
+    let pressures = system.pressures(force);
+    (0..force.len())
+        .map(|k| {
+            let on_axis = k == 0 && system.copies() == 2;
+            PairState {
+                x: system.zone.abscissa(k),
+                pressure: pressures[k],
+                force: force[k] * if on_axis { 2.0 } else { 1.0 },
+                // In contact the gap is zero by definition; what rounding leaves there is judged, not shown.
+                gap: if force[k] > 0.0 { 0.0 } else { opened[k] - approach },
+            }
+        })
+        .collect()
+}

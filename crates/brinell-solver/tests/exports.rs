@@ -1,0 +1,249 @@
+//! What the files for other programs say: `field.vtu` number by number, the tables line by line.
+#![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use brinell_solver::job::Job;
+use brinell_solver::report::export::{Export, ExportError};
+use brinell_solver::report::{self, Report};
+use brinell_solver::solver::Unobserved;
+use serde_json::{Value, json};
+
+fn solve(job: &Value) -> (Job, Report) {
+    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"));
+    let report = report::run(&job, &mut Unobserved).unwrap();
+    (job, report)
+}
+
+fn paper() -> Value {
+    let mut job: Value =
+        serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json")).unwrap();
+    job["output"] = json!({"fields": true});
+    job
+}
+
+/// A `field.vtu`, read.
+struct Grid {
+    points: Vec<[f64; 3]>,
+    cells: Vec<[usize; 4]>,
+    displacement: Vec<[f64; 3]>,
+    stress: Vec<[f64; 6]>,
+    body: Vec<u8>,
+}
+
+impl Grid {
+    fn of(job: &Value) -> (Self, Report) {
+        let (job, report) = solve(job);
+        let text = Export::FieldVtu.write(&job, &report, None).unwrap();
+        (Self::read(&text), report)
+    }
+
+    fn read(text: &str) -> Self {
+        Self {
+            points: tuples(&floats(text, "Points")),
+            cells: tuples(&integers(text, "connectivity")),
+            displacement: tuples(&floats(text, "displacement")),
+            stress: tuples(&floats(text, "stress")),
+            body: array(text, "UInt8", "body"),
+        }
+    }
+
+    fn area(&self, cell: usize) -> f64 {
+        let corners = self.cells[cell].map(|node| self.points[node]);
+        let sides = (0..4).map(|k| (corners[k], corners[(k + 1) % 4]));
+        sides.map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum()
+    }
+
+    fn nodes_of(&self, body: u8) -> Vec<usize> {
+        let cells = self.cells.iter().zip(&self.body).filter(|(_, b)| **b == body);
+        let mut nodes: Vec<usize> = cells.flat_map(|(cell, _)| *cell).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        nodes
+    }
+
+    /// The node of a body at a place.
+    fn node_at(&self, body: u8, [x, y]: [f64; 2]) -> usize {
+        let nodes = self.nodes_of(body).into_iter();
+        let distance = |node: &usize| (self.points[*node][0] - x).hypot(self.points[*node][1] - y);
+        let nearest = nodes.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
+        assert!(distance(&nearest) < 1e-9, "no node of body {body} at ({x}, {y})");
+        nearest
+    }
+}
+
+/// The bytes of a data array, after its count of them.
+fn array(text: &str, kind: &str, name: &str) -> Vec<u8> {
+    let element = text.split("<DataArray ").find(|part| part.contains(&format!("Name=\"{name}\""))).unwrap();
+    assert!(element.starts_with(&format!("type=\"{kind}\"")) && element.contains("format=\"binary\""));
+    let (_, rest) = element.split_once('>').unwrap();
+    let bytes = STANDARD.decode(rest.split_once('<').unwrap().0).unwrap();
+    let (count, values) = bytes.split_at(8);
+    assert_eq!(u64::from_le_bytes(count.try_into().unwrap()), values.len() as u64);
+    values.to_vec()
+}
+
+fn floats(text: &str, name: &str) -> Vec<f64> {
+    let bytes = array(text, "Float64", name);
+    bytes.chunks_exact(8).map(|eight| f64::from_le_bytes(eight.try_into().unwrap())).collect()
+}
+
+fn integers(text: &str, name: &str) -> Vec<usize> {
+    let bytes = array(text, "Int64", name);
+    let number = |eight: &[u8]| usize::try_from(i64::from_le_bytes(eight.try_into().unwrap())).unwrap();
+    bytes.chunks_exact(8).map(number).collect()
+}
+
+fn tuples<T: Copy, const N: usize>(values: &[T]) -> Vec<[T; N]> {
+    assert_eq!(values.len() % N, 0);
+    values.chunks_exact(N).map(|chunk| <[T; N]>::try_from(chunk).unwrap_or_else(|_| unreachable!())).collect()
+}
+
+#[test]
+fn both_bodies_are_whole_and_the_right_way_round() {
+    let (grid, _) = Grid::of(&paper());
+    let (n, m) = (grid.points.len(), grid.cells.len());
+    assert_eq!((grid.displacement.len(), grid.stress.len(), grid.body.len()), (n, n, m));
+    for body in [0, 1] {
+        let areas: Vec<f64> =
+            (0..m).filter(|cell| grid.body[*cell] == body).map(|cell| grid.area(cell)).collect();
+        assert!(areas.iter().all(|area| *area > 0.0));
+        let half_disc = 0.5 * std::f64::consts::PI * 20.0 * 20.0;
+        let ratio = areas.iter().sum::<f64>() / half_disc;
+        assert!((0.98..1.0).contains(&ratio), "{ratio}");
+        let nodes = grid.nodes_of(body);
+        assert_eq!(nodes.iter().filter(|node| grid.points[**node][0] == 0.0).count() % 2, nodes.len() % 2);
+        let sum: f64 = nodes.iter().map(|node| grid.points[*node][0]).sum();
+        assert!(sum.abs() < 1e-9);
+    }
+    // The upper body lies above: what is lowest of it is what is highest of the lower one.
+    let heights = |body| grid.nodes_of(body).into_iter().map(|node| grid.points[node][1]).collect::<Vec<_>>();
+    assert!(heights(0).iter().all(|y| *y <= 0.0) && heights(1).iter().all(|y| *y >= 0.0));
+}
+
+#[test]
+fn the_surface_carries_the_contact_pressure() {
+    let (grid, report) = Grid::of(&paper());
+    let contact = &report.steps[0].contact;
+    let pairs = contact.nodes.x.iter().zip(&contact.nodes.pressure);
+    let inner: Vec<_> = pairs.filter(|(x, _)| x.abs() < 0.7 * contact.half_width).collect();
+    assert!(inner.len() > 20);
+    for (&x, &pressure) in inner {
+        let height = 20.0 - (400.0 - x * x).sqrt();
+        for (body, sign) in [(0, -1.0), (1, 1.0)] {
+            let node = grid.node_at(body, [x, sign * height]);
+            let sigma_y = grid.stress[node][1];
+            assert!((sigma_y + pressure).abs() < 0.03 * contact.peak_pressure, "{x}: {sigma_y} {pressure}");
+        }
+    }
+}
+
+#[test]
+fn equal_bodies_move_as_mirror_images_and_the_upper_one_comes_down() {
+    let (grid, report) = Grid::of(&paper());
+    let approach = report.steps[0].approach;
+    let (lower, upper) = (grid.nodes_of(0), grid.nodes_of(1));
+    assert_eq!(lower.len(), upper.len());
+    for (&l, &u) in lower.iter().zip(&upper) {
+        let (below, above) = (grid.points[l], grid.points[u]);
+        assert_eq!((below[0], below[1]), (above[0], -above[1] + 0.0));
+        let ([x, y, _], [u_x, u_y, _]) = (grid.displacement[l], grid.displacement[u]);
+        assert!((u_x - x).abs() < 1e-9 * approach && (u_y + y + approach).abs() < 1e-9 * approach);
+        if below[1] < -20.0 + 1e-9 {
+            assert!(y == 0.0 && (u_y + approach).abs() < 1e-12, "{y} {u_y}");
+        }
+    }
+    let (l, u) = (grid.node_at(0, [0.0, 0.0]), grid.node_at(1, [0.0, 0.0]));
+    let closed = grid.displacement[u][1] - grid.displacement[l][1];
+    assert!(closed.abs() < 1e-7 * approach, "displaced, the bodies touch: {closed}");
+}
+
+/// A flat block under a face whose only summit is off the centre, in SI.
+fn bump_in_si() -> Value {
+    let material = json!({"young_modulus": 210e9, "poisson_ratio": 0.3});
+    let points: Vec<[f64; 2]> = (-20..=20)
+        .map(|k| {
+            let x = 1e-3 * f64::from(k);
+            [x, 5e-4 - 2.0 * (x - 4e-3).powi(2) - 5e-4 + 2.0 * 16e-6]
+        })
+        .collect();
+    json!({
+        "analysis": "plane_strain", "units": "SI", "load": {"force": 2e5},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 0.02}, "material": material},
+        "lower": {"shape": {"type": "block", "width": 0.04, "depth": 0.02}, "material": material},
+        "mesh": {"elements_per_half_width": 8}, "output": {"fields": true},
+    })
+}
+
+#[test]
+fn bodies_that_touch_off_the_centre_are_put_together_there() {
+    let (grid, report) = Grid::of(&bump_in_si());
+    let contact = &report.steps[0].contact;
+    assert!((contact.peak_position - 4e-3).abs() < 2e-4, "{}", contact.peak_position);
+    let pairs = contact.nodes.x.iter().zip(&contact.nodes.pressure);
+    let pressed: Vec<f64> = pairs.filter(|(_, pressure)| **pressure > 0.0).map(|(x, _)| *x).collect();
+    assert!(pressed.len() > 8, "{}", pressed.len());
+    let upper = grid.nodes_of(1);
+    let height = |node: &usize| grid.points[*node][1];
+    let lowest = upper.iter().map(height).fold(f64::INFINITY, f64::min);
+    assert!(lowest.abs() < 1e-9, "the surfaces just touch before loading: {lowest}");
+    for x in pressed {
+        let column = upper.iter().copied().filter(|node| (grid.points[*node][0] - x).abs() < 1e-12);
+        let above = column.min_by(|a, b| height(a).total_cmp(&height(b))).unwrap();
+        let below = grid.node_at(0, [x, 0.0]);
+        let gap = height(&above) + grid.displacement[above][1] - grid.displacement[below][1];
+        assert!(gap.abs() < 1e-6 * report.steps[0].approach, "{x}: {gap}");
+    }
+}
+
+#[test]
+fn a_body_of_revolution_is_its_half_section() {
+    let mut job = paper();
+    job["analysis"] = json!("axisymmetric");
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    job["upper"]["material"] = json!({"rigid": true});
+    let (grid, _) = Grid::of(&job);
+    assert!(grid.points.iter().all(|point| point[0] >= 0.0));
+    assert!(grid.body.iter().all(|body| *body == 0), "a rigid body has no fields");
+}
+
+#[test]
+fn what_the_result_lacks_is_named() {
+    let mut job = paper();
+    job["output"] = json!({"fields": false, "subsurface": false});
+    let (job, report) = solve(&job);
+    let write = |form: Export, step| form.write(&job, &report, step);
+    assert_eq!(write(Export::FieldVtu, None), Err(ExportError::NoFields));
+    assert_eq!(write(Export::SubsurfaceCsv, None), Err(ExportError::NoSubsurface));
+    assert_eq!(write(Export::DepthSvg, None), Err(ExportError::NoSubsurface));
+    assert_eq!(write(Export::PressureSvg, Some(1)), Err(ExportError::NoStep(1)));
+    let needed = |form: Export| {
+        let mut job = job.clone();
+        form.require(&mut job);
+        (job.output.fields, job.output.subsurface)
+    };
+    assert_eq!(
+        Export::ALL.map(needed),
+        [(false, false), (false, true), (true, false), (false, false), (false, true)]
+    );
+}
+
+#[test]
+fn tables_hold_every_step() {
+    let mut job = paper();
+    job["load"] = json!({"forces": [300.0, 400.0]});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    let (job, report) = solve(&job);
+    let text = Export::PressureCsv.write(&job, &report, None).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("step,x [mm],pressure [MPa],force [N/mm],gap [mm]"));
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    for (step, force) in [("1", 300.0), ("2", 400.0)] {
+        let of_step = rows.iter().filter(|row| row[0] == step);
+        let total: f64 = of_step.map(|row| row[3].parse::<f64>().unwrap()).sum();
+        assert!((total / force - 1.0).abs() < 1e-9, "{step}: {total}");
+    }
+    let last = Export::PressureSvg.write(&job, &report, None).unwrap();
+    assert_eq!(last, Export::PressureSvg.write(&job, &report, Some(1)).unwrap());
+    assert_ne!(last, Export::PressureSvg.write(&job, &report, Some(0)).unwrap());
+}

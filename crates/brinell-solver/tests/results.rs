@@ -1,0 +1,317 @@
+//! What a report says beyond the contact itself: fields, plastic zone, load–approach curve, onset, validity.
+#![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
+
+use std::ops::ControlFlow;
+
+use brinell_solver::job::Job;
+use brinell_solver::report::{self, FieldsReport, LoadReport, Report, Side, StepReport};
+use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+use serde_json::{Value, json};
+
+const FORCE: f64 = 612.6106;
+
+fn run(job: &Value) -> Report {
+    let job = Job::from_value(job).unwrap_or_else(|error| panic!("{error:?}"));
+    report::run(&job, &mut Unobserved).unwrap()
+}
+
+fn step(job: &Value) -> StepReport {
+    run(job).steps.remove(0)
+}
+
+fn cylinders(plasticity: &Value, force: f64) -> Value {
+    let mut material = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
+    if !plasticity.is_null() {
+        material["plasticity"] = plasticity.clone();
+    }
+    let body =
+        json!({"shape": {"type": "cylinder", "radius": 20.0}, "support": "clamped", "material": material});
+    json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"force": force}})
+}
+
+fn bilinear() -> Value {
+    json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 10_500.0})
+}
+
+fn paper() -> Value {
+    cylinders(&bilinear(), FORCE)
+}
+
+#[track_caller]
+fn assert_within(value: f64, expected: f64, tolerance: f64) {
+    assert!((value / expected - 1.0).abs() <= tolerance, "{value} instead of {expected}");
+}
+
+fn signed_area(polygon: &[[f64; 2]]) -> f64 {
+    let pairs = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    0.5 * pairs.map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>()
+}
+
+/// A report without its times.
+fn timeless(report: &Report) -> Value {
+    let mut value = serde_json::to_value(report).unwrap();
+    value["timings_ms"] = Value::Null;
+    for step in value["steps"].as_array_mut().unwrap() {
+        for record in step["history"].as_array_mut().unwrap() {
+            record["elapsed_ms"] = Value::Null;
+        }
+    }
+    value
+}
+
+#[test]
+fn fields_add_themselves_and_change_nothing_else() {
+    let plain = run(&paper());
+    assert!(plain.steps[0].fields.is_none());
+    let mut job = paper();
+    job["output"] = json!({"fields": true});
+    let mut full = run(&job);
+    assert!(full.steps[0].fields.take().is_some());
+    assert_eq!(timeless(&full), timeless(&plain));
+}
+
+#[test]
+fn the_default_report_stays_below_100_kilobytes() {
+    let size = serde_json::to_vec(&run(&paper())).unwrap().len();
+    assert!(size < 100_000, "{size} bytes");
+}
+
+#[test]
+fn fields_are_in_one_frame_for_both_bodies() {
+    let mut job = paper();
+    job["output"] = json!({"fields": true});
+    let step = step(&job);
+    let fields = step.fields.as_ref().unwrap();
+    let (upper, lower) = (fields.upper.as_ref().unwrap(), fields.lower.as_ref().unwrap());
+    assert!(upper.nodes.iter().all(|[_, y]| *y >= 0.0) && lower.nodes.iter().all(|[_, y]| *y <= 0.0));
+    for body in [upper, lower] {
+        assert_sound(body);
+        let areas = body.elements.iter().map(|e| signed_area(&e.map(|node| body.nodes[node as usize])));
+        assert!(areas.fold(f64::INFINITY, f64::min) > 0.0);
+        let (_, at_origin) = nearest(body, [0.0, 0.0]);
+        assert_within(-body.sigma_y[at_origin], step.contact.peak_pressure, 0.03);
+    }
+    // The bodies approach each other by α on the axis, where they touch.
+    let (_, u) = nearest(upper, [0.0, 0.0]);
+    let (_, l) = nearest(lower, [0.0, 0.0]);
+    assert_within(upper.displacement[u][1] - lower.displacement[l][1], step.approach, 1e-9);
+    for (a, b) in upper.tau_xy.iter().zip(&lower.tau_xy) {
+        assert!((a + b).abs() <= 1e-9 * step.contact.peak_pressure);
+    }
+}
+
+fn assert_sound(body: &FieldsReport) {
+    let n = body.nodes.len();
+    for list in [
+        &body.sigma_x,
+        &body.sigma_y,
+        &body.sigma_z,
+        &body.tau_xy,
+        &body.von_mises,
+        &body.equivalent_plastic_strain,
+    ] {
+        assert_eq!(list.len(), n);
+        assert!(list.iter().all(|value| value.is_finite()));
+    }
+    assert_eq!(body.displacement.len(), n);
+    assert!(body.elements.iter().flatten().all(|&node| (node as usize) < n));
+    assert!(body.equivalent_plastic_strain.iter().all(|strain| *strain >= 0.0));
+}
+
+fn nearest(body: &FieldsReport, [x, y]: [f64; 2]) -> (f64, usize) {
+    let distances = body.nodes.iter().enumerate().map(|(k, node)| ((node[0] - x).hypot(node[1] - y), k));
+    distances.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
+}
+
+#[test]
+fn a_rigid_body_has_no_fields() {
+    let mut job = cylinders(&Value::Null, 300.0);
+    job["upper"]["material"] = json!({"rigid": true});
+    job["output"] = json!({"fields": true});
+    let fields = step(&job).fields.unwrap();
+    assert!(fields.upper.is_none() && fields.lower.is_some());
+}
+
+#[test]
+fn fields_in_si_are_the_same_numbers_in_other_units() {
+    let mut job = cylinders(&Value::Null, 300.0);
+    job["mesh"] = json!({"elements_per_half_width": 10});
+    job["output"] = json!({"fields": true});
+    let mm = step(&job).fields.unwrap().lower.unwrap();
+    job["units"] = json!("SI");
+    for body in ["upper", "lower"] {
+        job[body]["shape"]["radius"] = json!(0.02);
+        job[body]["material"]["young_modulus"] = json!(210e9);
+    }
+    job["load"]["force"] = json!(300e3);
+    let si = step(&job).fields.unwrap().lower.unwrap();
+    for k in [0, mm.nodes.len() / 2] {
+        assert!((si.nodes[k][1] - 1e-3 * mm.nodes[k][1]).abs() < 1e-12);
+        assert!((si.von_mises[k] - 1e6 * mm.von_mises[k]).abs() < 1.0);
+        assert!((si.displacement[k][1] - 1e-3 * mm.displacement[k][1]).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_outline_of_the_plastic_zone_encloses_its_area() {
+    for force in [FORCE, 1089.0855] {
+        let step = step(&cylinders(&bilinear(), force));
+        for zone in [step.plasticity.upper.as_ref().unwrap(), step.plasticity.lower.as_ref().unwrap()] {
+            let points: usize = zone.outline.iter().map(Vec::len).sum();
+            assert!((3..=400).contains(&points), "{points} points");
+            let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
+            assert_within(enclosed, zone.area, 0.03);
+            let xs = || zone.outline.iter().flatten().map(|point| point[0]);
+            let (left, right) = (xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max));
+            assert!((left + right).abs() < 1e-9, "{left} to {right}");
+        }
+    }
+}
+
+#[test]
+fn the_plastic_zone_reaches_the_surface_only_under_high_loads() {
+    let zone = |force: f64| step(&cylinders(&bilinear(), force)).plasticity.lower.unwrap();
+    let buried = zone(270.0);
+    assert!(buried.yielded && !buried.reached_surface);
+    assert!(buried.outline.iter().flatten().all(|point| point[1] > 0.0));
+    assert!(zone(1701.696).reached_surface);
+    let elastic = zone(100.0);
+    assert!(elastic.outline.is_empty() && !elastic.reached_surface);
+}
+
+#[test]
+fn a_law_without_a_yield_point_is_outlined_at_its_reference_stress() {
+    let law = json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0});
+    let zone = step(&cylinders(&law, FORCE)).plasticity.lower.unwrap();
+    let enclosed: f64 = zone.outline.iter().map(|polygon| signed_area(polygon)).sum();
+    assert_within(enclosed, zone.area, 0.05);
+}
+
+#[test]
+fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve() {
+    let mut job = cylinders(&Value::Null, 1.0);
+    let forces: Vec<f64> = (0..7).map(|k| 300.0 + 25.0 * f64::from(k)).collect();
+    job["load"] = json!({"forces": forces});
+    let report = run(&job);
+    let curve = report.load_approach.as_ref().unwrap();
+    assert_eq!(curve.force.len(), 7);
+    assert!(curve.approach.windows(2).all(|pair| pair[1] > pair[0]));
+    // An elastic contact's tangent, computed in a different way.
+    for (slope, step) in curve.stiffness.iter().zip(&report.steps) {
+        assert_within(*slope, step.contact_stiffness, 0.02);
+    }
+    assert!(run(&paper()).load_approach.is_none());
+}
+
+#[test]
+fn the_onset_of_yield_is_reported_with_its_place() {
+    let mut job = paper();
+    job["load"] = json!({"onset": true});
+    let step = step(&job);
+    let onset = step.yield_onset.as_ref().unwrap();
+    let hertz = step.hertz.as_ref().unwrap();
+    assert_eq!(step.load, LoadReport::Force(onset.force));
+    assert_within(onset.force, hertz.yield_onset_force.unwrap(), 0.01);
+    assert_within(onset.depth, hertz.yield_onset_depth.unwrap(), 0.1);
+    assert_within(onset.peak_pressure, 1.794 * 500.0, 5e-3);
+    assert!(onset.position.abs() < 0.1 * step.contact.half_width);
+    job["upper"]["material"]["plasticity"]["yield_stress"] = json!(300.0);
+    let softer = run(&job).steps.remove(0).yield_onset.unwrap();
+    assert_eq!(softer.body, Side::Upper);
+    assert!(run(&paper()).steps[0].yield_onset.is_none());
+}
+
+#[test]
+fn several_contacts_are_several_patches() {
+    let single = step(&paper()).contact;
+    assert_eq!(single.patches.len(), 1);
+    assert_within(single.patches[0].right - single.patches[0].left, 2.0 * single.half_width, 1e-12);
+
+    let bumps: Vec<[f64; 2]> =
+        (-60..=60).map(|k| f64::from(k) * 0.1).map(|x| [x, -0.5 * (x.abs() - 2.0).powi(2) / 20.0]).collect();
+    let mut job = cylinders(&Value::Null, 100.0);
+    job["upper"]["shape"] = json!({"type": "profile", "points": bumps, "depth": 10.0});
+    job["lower"]["shape"] = json!({"type": "block", "width": 40.0, "depth": 20.0});
+    let contact = step(&job).contact;
+    assert_eq!(contact.patches.len(), 2, "{:?}", contact.patches);
+    let [left, right] = [contact.patches[0], contact.patches[1]];
+    assert!((left.left + right.right).abs() < 1e-9 && (left.right + right.left).abs() < 1e-9);
+    assert!(left.left < left.right && left.right < 0.0 && right.left < 2.0 && right.right > 2.0);
+}
+
+fn codes(step: &StepReport) -> Vec<&str> {
+    step.validity.iter().map(|note| note.code.as_str()).collect()
+}
+
+#[track_caller]
+fn assert_says(job: &Value, code: &str) {
+    let step = step(job);
+    assert!(codes(&step).contains(&code), "{:?}", codes(&step));
+}
+
+#[test]
+fn a_small_elastic_contact_calls_for_no_remark() {
+    assert_eq!(codes(&step(&cylinders(&Value::Null, 100.0))), [""; 0]);
+    let mut job = cylinders(&Value::Null, 100.0);
+    job["mesh"] = json!({"elements_per_half_width": 10});
+    assert_eq!(codes(&step(&job)), [""; 0], "ten elements are what coarse_mesh asks for");
+}
+
+#[test]
+fn wide_contact() {
+    assert_says(&cylinders(&Value::Null, 12_000.0), "wide_contact");
+}
+
+#[test]
+fn large_strain() {
+    let soft = json!({"law": "bilinear", "yield_stress": 100.0, "tangent_modulus": 200.0});
+    assert_says(&cylinders(&soft, 1200.0), "large_strain");
+}
+
+#[test]
+fn deformation_theory() {
+    assert_says(&paper(), "deformation_theory");
+}
+
+#[test]
+fn coarse_mesh() {
+    let mut job = cylinders(&Value::Null, 100.0);
+    job["mesh"] = json!({"elements_per_half_width": 5});
+    assert_says(&job, "coarse_mesh");
+}
+
+#[test]
+fn near_support() {
+    let mut job = cylinders(&Value::Null, 600.0);
+    job["lower"]["shape"] = json!({"type": "block", "width": 6.0, "depth": 1.7});
+    assert_says(&job, "near_support");
+}
+
+#[test]
+fn not_converged() {
+    let mut job = paper();
+    job["solver"] = json!({"max_iterations": 2});
+    assert_says(&job, "not_converged");
+}
+
+/// Stops after the first iteration.
+struct Impatient(Interrupt);
+
+impl Observer for Impatient {
+    fn on_iteration(&mut self, _: &IterationRecord) -> ControlFlow<Interrupt> {
+        ControlFlow::Break(self.0)
+    }
+}
+
+#[test]
+fn cancelled_and_timed_out() {
+    let job = Job::from_value(&paper()).unwrap();
+    for (interrupt, status, code) in [
+        (Interrupt::Cancelled, SolveStatus::Cancelled, "cancelled"),
+        (Interrupt::TimedOut, SolveStatus::TimedOut, "timed_out"),
+    ] {
+        let report = report::run(&job, &mut Impatient(interrupt)).unwrap();
+        assert_eq!(report.status, status);
+        assert!(codes(&report.steps[0]).contains(&code));
+    }
+}

@@ -1,0 +1,96 @@
+//! Single bodies under nodal forces: the core without contact, put together by hand.
+
+use brinell_solver::fem::assembly::{
+    Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField,
+};
+use brinell_solver::fem::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use brinell_solver::fem::mesh::{ContactZone, Mesh};
+use brinell_solver::job::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
+use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
+
+pub fn positive(value: f64) -> PositiveF64 {
+    PositiveF64::new(value).unwrap()
+}
+
+pub fn material(young: f64, poisson: f64, plasticity: Option<Hardening>) -> Deformable {
+    let elastic =
+        Elastic { young_modulus: positive(young), poisson_ratio: PoissonRatio::new(poisson).unwrap() };
+    Deformable::new(elastic, plasticity).unwrap()
+}
+
+/// A mesh of `columns × rows` quadrilaterals with nodes at `place(i, j)`.
+pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Mesh {
+    let node = |i: i32, j: i32| u32::try_from(i * (rows + 1) + j).unwrap();
+    let points = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
+    let cells = (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j)));
+    let elements: Vec<[u32; 4]> =
+        cells.map(|(i, j)| [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]).collect();
+    Mesh {
+        nodes: points().map(|(i, j)| place(i, j)).collect(),
+        elements,
+        contact_nodes: Vec::new(),
+        support_nodes: Vec::new(),
+        axis_nodes: Vec::new(),
+        lattice: points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect(),
+        zone: ContactZone { x_min: 0.0, x_max: 1.0, columns: 1, symmetric: false },
+    }
+}
+
+/// State of a body after the initial-stress iteration.
+pub struct Loaded {
+    pub displacement: Vec<[f64; 2]>,
+    pub field: StressField,
+    pub iterations: usize,
+}
+
+/// Solves `∫Bᵀσ dV = force` by the plain initial-stress iteration, until displacements change by less than 1e-11.
+pub fn load(
+    mesh: &Mesh,
+    kinematics: Kinematics,
+    material: &Deformable,
+    held: Vec<[bool; 2]>,
+    force: &[[f64; 2]],
+    max_iterations: usize,
+) -> Loaded {
+    let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+    let order = EliminationOrder::new(&graph, &mesh.lattice, &[]);
+    let equations = Equations::new(&order, &Restraint::from(held), 0);
+    let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
+    let assembler =
+        StiffnessAssembler { mesh, kinematics, equations: &equations, pattern: symbolic.pattern() };
+    let shear = material.elastic().shear_modulus();
+    let values = assembler.assemble(|_, quad| {
+        element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
+    });
+    let factor = Cholesky::factor(&symbolic, &values).unwrap();
+    let region =
+        InitialStressRegion::new(mesh, kinematics, &equations, &vec![true; mesh.elements.len()], material);
+
+    let mut external = vec![0.0; equations.len() + 1];
+    for (node, f) in (0u32..).zip(force) {
+        for (&k, f) in equations.of_node(node).iter().zip(f) {
+            external[k as usize] += f;
+        }
+    }
+    external[equations.len()] = 0.0;
+    let mut u = external.clone();
+    factor.solve(&mut u);
+    let mut iterations = 1;
+    let mut plastic = vec![0.0; u.len()];
+    while let Some(region) = region.as_ref().filter(|_| iterations < max_iterations) {
+        region.evaluate(&u, &mut plastic);
+        let mut next: Vec<f64> = external.iter().zip(&plastic).map(|(r, p)| r + p).collect();
+        factor.solve(&mut next);
+        let change: f64 = next.iter().zip(&u).map(|(a, b)| (a - b).powi(2)).sum();
+        let size: f64 = next.iter().map(|v| v * v).sum();
+        u = next;
+        iterations += 1;
+        if change <= 1e-22 * size {
+            break;
+        }
+    }
+    let displacement: Vec<[f64; 2]> =
+        (0u32..).take(mesh.nodes.len()).map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
+    let field = StressField::evaluate(mesh, kinematics, material, &displacement);
+    Loaded { displacement, field, iterations }
+}

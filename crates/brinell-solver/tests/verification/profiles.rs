@@ -1,0 +1,169 @@
+//! Faces given by points, and grooves: against the shapes they imitate, their mirror images and each other.
+
+use brinell_solver::analytical::HertzLine;
+use brinell_solver::solver::{Options, SolveStatus, StepSolution};
+use serde_json::{Value, json};
+
+use crate::problems::{assert_within, bilinear, cylinder, solve, solve_with};
+
+const RADIUS: f64 = 20.0;
+const MODULUS: f64 = 210_000.0 / 1.82;
+
+fn profile(points: &[[f64; 2]], plasticity: Value) -> Value {
+    let mut body = cylinder("clamped", plasticity);
+    body["shape"] = json!({"type": "profile", "points": points, "depth": 20.0});
+    body
+}
+
+fn block(plasticity: Value) -> Value {
+    let mut body = cylinder("clamped", plasticity);
+    body["shape"] = json!({"type": "block", "width": 60.0, "depth": 30.0});
+    body
+}
+
+fn press(upper: &Value, lower: &Value, force: f64) -> Value {
+    json!({"analysis": "plane_strain", "upper": upper, "lower": lower, "load": {"force": force},
+        "mesh": {"elements_per_half_width": 10}, "solver": {"tolerance": 1e-8}})
+}
+
+fn step(upper: &Value, lower: &Value, force: f64) -> StepSolution {
+    let step = solve(&press(upper, lower, force)).steps.remove(0);
+    assert_sound(&step);
+    step
+}
+
+fn assert_sound(step: &StepSolution) {
+    assert_eq!(step.status, SolveStatus::Converged);
+    assert!(step.contact_is_sound && !step.reaches_edge);
+    assert!(step.pairs.iter().all(|pair| pair.gap >= 0.0 && pair.force >= 0.0));
+    assert!(step.pairs.iter().all(|pair| pair.force == 0.0 || pair.gap == 0.0));
+}
+
+fn assert_same(a: &StepSolution, b: &StepSolution, tolerance: f64) {
+    assert_within(a.peak_pressure, b.peak_pressure, tolerance);
+    assert_within(a.approach, b.approach, tolerance);
+    assert_within(a.patch.unwrap().half_width(), b.patch.unwrap().half_width(), tolerance);
+}
+
+/// Points of f from -half to half, mirror images of each other in x.
+fn face(half: f64, n: i32, f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+    let point = |k: i32| half * f64::from(k) / f64::from(n);
+    (-n..=n).map(|k| [point(k), f(point(k))]).collect()
+}
+
+/// Two crests at x = ±1, 0.01 above the valley between them and falling off outside; tilted.
+fn bumps(tilt: f64) -> Vec<[f64; 2]> {
+    let crest = 0.01;
+    face(20.0, 1000, |x| {
+        let beyond = x.abs() - 1.0;
+        let height = if beyond < 0.0 {
+            -0.5 * crest * (1.0 + (std::f64::consts::PI * x).cos())
+        } else {
+            -crest * (0.5 * std::f64::consts::PI * beyond).powi(2)
+        };
+        height + tilt * x
+    })
+}
+
+fn mirrored(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    points.iter().rev().map(|[x, y]| [-x, *y]).collect()
+}
+
+/// The interpolation gives up accuracy beside a crest for not overshooting; with 15 points on a half-width the
+/// peak is 0.1 % high, with 37 it is the cylinder's own.
+#[test]
+fn a_profile_of_a_circle_is_a_cylinder() {
+    let force = 612.6106;
+    let hertz = HertzLine::new(force, RADIUS, MODULUS);
+    for (n, tolerance) in [(400, 3e-3), (1000, 1e-3)] {
+        let points = face(10.0, n, |x| -x * x / (RADIUS + (RADIUS * RADIUS - x * x).sqrt()));
+        let crowned = step(&profile(&points, Value::Null), &block(Value::Null), force);
+        assert_within(crowned.peak_pressure, hertz.peak_pressure(), tolerance);
+        assert!((crowned.patch.unwrap().half_width() - hertz.half_width()).abs() < crowned.spacing);
+    }
+}
+
+#[test]
+fn two_equal_bumps_share_the_load() {
+    for plasticity in [Value::Null, bilinear()] {
+        let job = press(&profile(&bumps(0.0), plasticity.clone()), &block(plasticity), 1000.0);
+        let half = &solve(&job).steps[0];
+        let full = &solve_with(&job, Options { use_symmetry: false, ..Options::default() }).steps[0];
+        assert_sound(half);
+        assert_sound(full);
+        assert!(half.symmetric && !full.symmetric);
+        assert_eq!((half.parts.len(), full.parts.len()), (1, 2));
+        assert_same(half, full, 1e-6);
+        let (left, right) = (full.parts[0], full.parts[1]);
+        assert!((left.left + right.right).abs() < 1e-9 && (left.right + right.left).abs() < 1e-9);
+        let force = |side: f64| full.pairs.iter().filter(|p| p.x * side > 0.0).map(|p| p.force).sum::<f64>();
+        assert_within(force(-1.0), force(1.0), 1e-6);
+        assert_within(force(1.0), 500.0, 1e-6);
+        // The valley is open.
+        assert!(full.pairs.iter().any(|pair| pair.x.abs() < 0.3 && pair.gap > 0.0));
+    }
+}
+
+#[test]
+fn unequal_bumps_mirrored_and_swapped() {
+    for (plasticity, force) in [(Value::Null, 300.0), (bilinear(), 1500.0)] {
+        let (points, below) = (bumps(5e-4), block(plasticity.clone()));
+        let (tilted, mirror) =
+            (profile(&points, plasticity.clone()), profile(&mirrored(&points), plasticity));
+        let one = step(&tilted, &below, force);
+        assert!(!one.symmetric);
+        assert_eq!(one.parts.len(), 2, "both bumps carry: {:?}", one.parts);
+        let carried = |side: f64| -> f64 {
+            one.pairs.iter().filter(|pair| pair.x * side > 0.0).map(|pair| pair.force).sum()
+        };
+        assert!(carried(1.0) > 1.02 * carried(-1.0));
+        assert_within(carried(1.0) + carried(-1.0), force, 1e-9);
+
+        let other = step(&mirror, &below, force);
+        assert_same(&one, &other, 1e-6);
+        for (a, b) in one.pairs.iter().zip(other.pairs.iter().rev()) {
+            assert!((a.x + b.x).abs() < 1e-6 * one.spacing.max(1.0));
+            assert!((a.pressure - b.pressure).abs() < 1e-5 * one.peak_pressure, "at {}", a.x);
+        }
+        assert_same(&one, &step(&below, &tilted, force), 1e-6);
+    }
+}
+
+/// Under a small load the higher bump carries alone, and the other stays clear of the block.
+#[test]
+fn the_higher_bump_touches_first() {
+    let one = step(&profile(&bumps(2e-3), Value::Null), &block(Value::Null), 50.0);
+    assert_eq!(one.parts.len(), 1);
+    assert!(one.parts[0].left > 0.0);
+}
+
+#[test]
+fn a_cylinder_in_a_groove_has_hertz_pressure() {
+    for (groove, force) in [(25.0, 20.0), (25.0, 100.0), (40.0, 100.0), (40.0, 400.0)] {
+        let mut below = cylinder("clamped", Value::Null);
+        below["shape"] = json!({"type": "groove", "radius": groove, "width": 40.0, "depth": 40.0});
+        let found = step(&cylinder("clamped", Value::Null), &below, force);
+        let hertz = HertzLine::new(force, 1.0 / (1.0 / RADIUS - 1.0 / groove), MODULUS);
+        assert_within(found.peak_pressure, hertz.peak_pressure(), 5e-3);
+        assert!((found.patch.unwrap().half_width() - hertz.half_width()).abs() < found.spacing);
+    }
+}
+
+/// A flat with rounded flanks: the pressure is highest near the ends of the flat, not in its middle.
+#[test]
+fn a_flat_with_rounded_flanks() {
+    let points = face(10.0, 400, |x| -0.05 * (x.abs() - 0.5).max(0.0).powi(2));
+    let mut last: Option<StepSolution> = None;
+    for (force, plasticity) in [(300.0, Value::Null), (1200.0, bilinear())] {
+        let one = step(&profile(&points, plasticity.clone()), &block(plasticity), force);
+        assert_eq!(one.parts.len(), 1, "the flat is in contact from end to end");
+        let half_width = one.patch.unwrap().half_width();
+        assert!(half_width > 0.5 && half_width < 1.0);
+        let highest = one.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap();
+        assert!(highest.x.abs() > 0.4 && one.pairs[0].pressure < 0.9 * highest.pressure);
+        if let Some(last) = last {
+            assert!(half_width > last.patch.unwrap().half_width());
+        }
+        last = Some(one);
+    }
+}

@@ -1,0 +1,74 @@
+//! Wherever a job is stopped, it keeps what it has iterated.
+
+use std::ops::ControlFlow;
+
+use brinell_solver::job::Job;
+use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus, run};
+use serde_json::{Value, json};
+
+/// Says stop at the n-th question, and counts the iterations that it has seen.
+struct StopAt {
+    questions: usize,
+    iterations: usize,
+}
+
+impl Observer for StopAt {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.iterations += 1;
+        assert_eq!(record.iteration, self.iterations, "iterations are counted through");
+        self.on_checkpoint()
+    }
+
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        match self.questions.checked_sub(1) {
+            Some(left) => {
+                self.questions = left;
+                ControlFlow::Continue(())
+            }
+            None => ControlFlow::Break(Interrupt::Cancelled),
+        }
+    }
+}
+
+/// A punch on a block that does not harden, which takes several linearizations.
+fn job(coupling: &str) -> Job {
+    let cylinder = json!({"type": "cylinder", "radius": 20.0});
+    let law = json!({"law": "bilinear", "yield_stress": 200.0, "tangent_modulus": 0.0});
+    let job: Value = json!({
+        "analysis": "plane_strain",
+        "upper": {"shape": cylinder, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 120.0, "depth": 60.0}, "support": "clamped",
+                  "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": law}},
+        "load": {"force": 1200.0}, "mesh": {"elements_per_half_width": 8}, "solver": {"coupling": coupling},
+    });
+    Job::from_json(job.to_string().as_bytes()).unwrap()
+}
+
+#[test]
+fn a_job_that_is_stopped_keeps_its_iterations() {
+    for (coupling, every) in [("accelerated", 1), ("secant_stiffness", 7)] {
+        let job = job(coupling);
+        let mut renewals = 0;
+        for questions in (0..).step_by(every) {
+            let mut observer = StopAt { questions, iterations: 0 };
+            match run(&job, &mut observer) {
+                Err(SolveError::Interrupted(Interrupt::Cancelled)) => {
+                    assert_eq!(observer.iterations, 0, "{coupling}, stopped at question {questions}");
+                }
+                Err(error) => panic!("{coupling}, stopped at question {questions}: {error}"),
+                Ok(solution) => {
+                    let step = &solution.steps[0];
+                    assert_eq!(step.history.len(), observer.iterations, "{coupling} {questions}");
+                    assert!(step.pairs.iter().any(|pair| pair.pressure > 0.0));
+                    renewals = step.history[1..].iter().filter(|record| record.factorizations > 0).count();
+                    if step.status == SolveStatus::Converged {
+                        break;
+                    }
+                    assert_eq!(step.status, SolveStatus::Cancelled);
+                    assert!(step.contact_stiffness == 0.0);
+                }
+            }
+        }
+        assert!(renewals > 0, "{coupling} factorizes while it iterates");
+    }
+}
