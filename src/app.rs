@@ -14,7 +14,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::config::{DatabaseUrl, MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
 use crate::http::{HttpSettings, HttpState, Metrics, metrics_router, router, serve};
-use crate::jobs::{Desk, Hub, JobSolver, JobStore, Retention, SWEEP, SystemClock};
+use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
 use crate::store::{
     MemoryStore, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_keys,
 };
@@ -22,13 +22,13 @@ use crate::telemetry::collect;
 use crate::worker::Worker;
 
 /// Time for clients to take their last answers, once all jobs are done.
-const LAST_ANSWERS: Duration = Duration::from_secs(3);
+const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
 
 /// Time between two sweeps.
-const SWEEP_AGAIN: Duration = Duration::from_secs(30);
+const SWEEP_INTERVAL: Duration = Duration::from_secs(30);
 
 /// Time between two tidyings of what has been measured.
-const TIDY_AGAIN: Duration = Duration::from_secs(5);
+const UPKEEP_INTERVAL: Duration = Duration::from_secs(5);
 
 /// Why the service does not run.
 #[derive(Debug, Error)]
@@ -82,21 +82,32 @@ impl Service {
         let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
         tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
-        let hub = Hub::new();
-        let store = open_store(&config.storage, &hub).await?;
+        let notifier = JobNotifier::new();
+        let store = open_store(&config.storage, &notifier).await?;
         let mut background = JoinSet::new();
         background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
-        let metrics = measure(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+        let metrics = start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
         let worker = if config.no_workers {
             None
         } else {
             let settings = config.work.worker(config.storage.is_durable());
-            Some(Worker::start(Arc::clone(&store) as _, Arc::clone(&hub), Arc::clone(&solver), settings)?)
+            Some(Worker::start(
+                Arc::clone(&store) as _,
+                Arc::clone(&notifier),
+                Arc::clone(&solver),
+                settings,
+            )?)
         };
-        let desk = Arc::new(Desk::new(Arc::clone(&store) as _, hub, solver, store, config.desk()));
+        let jobs = Arc::new(JobService::new(
+            Arc::clone(&store) as _,
+            notifier,
+            solver,
+            store,
+            config.submission_limits(),
+        ));
         let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
         let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
-        let state = HttpState::new(desk, settings, metrics);
+        let state = HttpState::new(jobs, settings, metrics);
         Ok(Self { listener, address, state, worker, background, grace: config.work.grace })
     }
 
@@ -109,18 +120,18 @@ impl Service {
     /// answering questions, and closes its connections.
     ///
     /// # Errors
-    /// None so far.
+    /// Currently none; the signature leaves room for errors of the listener.
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
         let close = self.state.closing.clone();
-        let (router, patience) = (router(self.state.clone()), self.state.settings.patience);
-        let mut server = tokio::spawn(serve(self.listener, router, patience, close.clone()));
+        let (router, timeouts) = (router(self.state.clone()), self.state.settings.timeouts);
+        let mut server = tokio::spawn(serve(self.listener, router, timeouts, close.clone()));
         stop.cancelled().await;
-        self.state.desk.close();
+        self.state.jobs.close();
         if let Some(worker) = self.worker {
             drain(worker, self.grace).await;
         }
         close.cancel();
-        if timeout(LAST_ANSWERS, &mut server).await.is_err() {
+        if timeout(CLOSE_TIMEOUT, &mut server).await.is_err() {
             tracing::warn!("clients were still connected");
             server.abort();
         }
@@ -141,14 +152,14 @@ pub async fn run_worker(
     if !config.storage.is_shared() {
         return Err(AppError::NotShared);
     }
-    let hub = Hub::new();
+    let notifier = JobNotifier::new();
     let settings = config.work.worker(true);
     tracing::info!(version = env!("CARGO_PKG_VERSION"), ?config, ?settings, "starting");
-    let store = open_store(&config.storage, &hub).await?;
+    let store = open_store(&config.storage, &notifier).await?;
     let mut background = JoinSet::new();
     background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
-    measure(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
-    let worker = Worker::start(store, hub, solver, settings)?;
+    start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+    let worker = Worker::start(store, notifier, solver, settings)?;
     stop.cancelled().await;
     drain(worker, config.work.grace).await;
     Ok(())
@@ -160,27 +171,27 @@ async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, App
 }
 
 /// Begins to measure, and shows the figures on a port of their own if they have one.
-async fn measure(
+async fn start_metrics(
     config: &MetricsConfig,
     store: Arc<dyn JobStore>,
     background: &mut JoinSet<()>,
 ) -> Result<Metrics, AppError> {
     let collected = collect();
-    background.spawn(tidy(collected.clone()));
+    background.spawn(upkeep(collected.clone()));
     let metrics = Metrics::new(collected, store);
     if let Some(address) = &config.metrics_listen {
         let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
         tracing::info!(address = %listener.local_addr()?, "metrics");
-        let (router, patience) = (metrics_router(metrics.clone()), HttpSettings::default().patience);
-        background.spawn(serve(listener, router, patience, CancellationToken::new()));
+        let (router, timeouts) = (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
+        background.spawn(serve(listener, router, timeouts, CancellationToken::new()));
     }
     Ok(metrics)
 }
 
 /// Sorts samples into their buckets, whether somebody asks for them or not.
-async fn tidy(collected: PrometheusHandle) {
+async fn upkeep(collected: PrometheusHandle) {
     loop {
-        sleep(TIDY_AGAIN).await;
+        sleep(UPKEEP_INTERVAL).await;
         collected.run_upkeep();
     }
 }
@@ -191,12 +202,12 @@ async fn drain(worker: Worker, grace: Duration) {
     tracing::info!(finished, "drained");
 }
 
-async fn open_store(config: &StorageConfig, hub: &Arc<Hub>) -> Result<Arc<dyn Store>, AppError> {
-    let (capacity, hub, clock) = (config.queue_capacity, Arc::clone(hub), Arc::new(SystemClock));
+async fn open_store(config: &StorageConfig, notifier: &Arc<JobNotifier>) -> Result<Arc<dyn Store>, AppError> {
+    let (capacity, notifier, clock) = (config.queue_capacity, Arc::clone(notifier), Arc::new(SystemClock));
     Ok(match &config.database_url {
-        Some(DatabaseUrl::Memory) => Arc::new(MemoryStore::new(config.memory(), hub, clock)),
-        Some(DatabaseUrl::Postgres(url)) => open_postgres(url, capacity, hub, None).await?,
-        None => open_sqlite(&config.data_dir, capacity, hub, clock).await?,
+        Some(DatabaseUrl::Memory) => Arc::new(MemoryStore::new(config.memory(), notifier, clock)),
+        Some(DatabaseUrl::Postgres(url)) => open_postgres(url, capacity, notifier, None).await?,
+        None => open_sqlite(&config.data_dir, capacity, notifier, clock).await?,
     })
 }
 
@@ -207,7 +218,7 @@ async fn open_store(config: &StorageConfig, hub: &Arc<Hub>) -> Result<Arc<dyn St
 pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppError> {
     Ok(match &config.database_url {
         None => open_sqlite_keys(&config.data_dir, Arc::new(SystemClock)).await?,
-        Some(_) => open_store(config, &Hub::new()).await?,
+        Some(_) => open_store(config, &JobNotifier::new()).await?,
     })
 }
 
@@ -222,6 +233,6 @@ async fn sweep(store: Arc<dyn JobStore>, retention: Retention) {
                 tracing::warn!(error = &error as &dyn std::error::Error, "cannot remove old jobs");
             }
         }
-        sleep(SWEEP_AGAIN).await;
+        sleep(SWEEP_INTERVAL).await;
     }
 }

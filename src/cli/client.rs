@@ -39,7 +39,7 @@ impl Client {
         path: &str,
         json: Bytes,
     ) -> Result<T, RequestError> {
-        let (status, text) = self.exchange(method, path, json).await.map_err(failed)?;
+        let (status, text) = self.log(method, path, json).await.map_err(failed)?;
         if !status.is_success() {
             let answer = String::from_utf8_lossy(&text);
             return Err(RequestError(format!("{method} {path}: {status}: {answer}")));
@@ -47,7 +47,7 @@ impl Client {
         serde_json::from_slice(&text).map_err(failed)
     }
 
-    async fn exchange(
+    async fn log(
         &self,
         method: &str,
         path: &str,

@@ -25,7 +25,7 @@ pub(super) struct HealthcheckArgs {
 }
 
 /// Longest time the service may take to answer.
-const PATIENCE: Duration = Duration::from_secs(2);
+const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(2);
 
 pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
     let path = if args.live { "/livez" } else { "/readyz" };
@@ -33,11 +33,11 @@ pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let found = lookup_host(&args.listen).await.map_err(|error| unwell(error.to_string()))?.next();
         let address = found.map(reachable).ok_or_else(|| unwell("no such address".to_owned()))?;
-        let asked = timeout(PATIENCE, Client { address }.get::<serde_json::Value>(path)).await;
+        let asked = timeout(ACQUIRE_TIMEOUT, Client { address }.get::<serde_json::Value>(path)).await;
         match asked {
             Ok(Ok(_)) => Ok(ExitCode::SUCCESS),
             Ok(Err(error)) => Err(unwell(error.to_string())),
-            Err(_) => Err(unwell(format!("no answer within {} s", PATIENCE.as_secs()))),
+            Err(_) => Err(unwell(format!("no answer within {} s", ACQUIRE_TIMEOUT.as_secs()))),
         }
     })
 }

@@ -13,7 +13,7 @@ use brinell_solver::solver::{Interrupt, Observer};
 use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Work shorter than this shows no progress.
-const PATIENCE: Duration = Duration::from_secs(1);
+const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const INTERVAL: Duration = Duration::from_millis(100);
 
@@ -34,7 +34,7 @@ impl ProgressLine {
             shown: None,
             text: "preparing".to_owned(),
             is_terminal: io::stderr().is_terminal(),
-            patience: PATIENCE,
+            patience: ACQUIRE_TIMEOUT,
             core: Cores::new(available_parallelism().map_or(1, NonZeroUsize::get)).occupy(),
         }
     }

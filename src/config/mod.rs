@@ -10,8 +10,8 @@ use std::time::Duration;
 
 use clap::Args;
 
-use crate::http::{Capacity, HttpSettings, Patience};
-use crate::jobs::DeskLimits;
+use crate::http::{Capacity, ConnectionTimeouts, HttpSettings};
+use crate::jobs::SubmissionLimits;
 use parse::{rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
@@ -104,10 +104,10 @@ impl Default for ServeConfig {
 
 impl ServeConfig {
     /// Bounds on what is taken in. What no solver here could take is refused, unless others solve.
-    pub fn desk(&self) -> DeskLimits {
+    pub fn submission_limits(&self) -> SubmissionLimits {
         let job_bytes = u64::from(self.max_job_memory) << 20;
         let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.memory() };
-        DeskLimits { job_bytes: job_bytes.min(solvable) }
+        SubmissionLimits { job_bytes: job_bytes.min(solvable) }
     }
 
     /// Whether requests need an API key: if so set, and wherever others than this machine can ask.
@@ -120,7 +120,7 @@ impl ServeConfig {
         HttpSettings {
             max_body_bytes: self.max_body,
             body_timeout: self.body_timeout,
-            patience: Patience { head: self.header_timeout, write: self.write_timeout },
+            timeouts: ConnectionTimeouts { head: self.header_timeout, write: self.write_timeout },
             event_streams: self.max_event_streams,
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,

@@ -81,7 +81,7 @@ async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Prob
     if !scheme.eq_ignore_ascii_case("bearer") {
         return Err(refused("send the header Authorization: Bearer TOKEN"));
     }
-    let key = state.desk.authenticate(token.trim()).await?;
+    let key = state.jobs.authenticate(token.trim()).await?;
     let key = key.ok_or_else(|| refused("the API key is not known, or no longer good"))?;
     Ok(Caller { key: Some(key.id), scope: key.scope })
 }

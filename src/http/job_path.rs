@@ -24,7 +24,7 @@ impl FromRequestParts<HttpState> for JobPath {
         let text = Path::<String>::from_request_parts(parts, state).await.ok();
         let id = text.and_then(|Path(text)| text.parse().ok()).ok_or(StoreError::NotFound)?;
         let caller = Caller::from_request_parts(parts, state).await?;
-        if caller.confined_to().is_some() && !caller.sees(&state.desk.get(id).await?) {
+        if caller.confined_to().is_some() && !caller.sees(&state.jobs.get(id).await?) {
             return Err(StoreError::NotFound.into());
         }
         Ok(Self(id))

@@ -23,7 +23,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 
 /// How long slow clients are waited for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Patience {
+pub struct ConnectionTimeouts {
     /// Longest time a request's head may take to arrive, and a connection may idle between two requests.
     pub head: Duration,
     /// Longest time a client may take nothing of what is being sent.
@@ -31,7 +31,12 @@ pub struct Patience {
 }
 
 /// Serves until `close`, then lets every connection finish the request it is in.
-pub async fn serve(listener: TcpListener, router: Router, patience: Patience, close: CancellationToken) {
+pub async fn serve(
+    listener: TcpListener,
+    router: Router,
+    timeouts: ConnectionTimeouts,
+    close: CancellationToken,
+) {
     let connections = GracefulShutdown::new();
     loop {
         let accepted = tokio::select! {
@@ -39,7 +44,7 @@ pub async fn serve(listener: TcpListener, router: Router, patience: Patience, cl
             () = close.cancelled() => break,
         };
         match accepted {
-            Ok((stream, _)) => attend(stream, router.clone(), patience, &connections),
+            Ok((stream, _)) => attend(stream, router.clone(), timeouts, &connections),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be taken");
                 sleep(PAUSE).await;
@@ -50,14 +55,14 @@ pub async fn serve(listener: TcpListener, router: Router, patience: Patience, cl
     connections.shutdown().await;
 }
 
-fn attend(stream: TcpStream, router: Router, patience: Patience, connections: &GracefulShutdown) {
+fn attend(stream: TcpStream, router: Router, timeouts: ConnectionTimeouts, connections: &GracefulShutdown) {
     // Answers are single writes; waiting to fill a packet would only delay them.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
-    stream.set_write_timeout(Some(patience.write));
+    stream.set_write_timeout(Some(timeouts.write));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
-        .header_read_timeout(patience.head)
+        .header_read_timeout(timeouts.head)
         .max_buf_size(HEAD_BYTES)
         .max_headers(HEADERS)
         .serve_connection(TokioIo::new(Box::pin(stream)), TowerToHyperService::new(router));

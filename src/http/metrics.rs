@@ -9,7 +9,7 @@ use axum::http::header::CONTENT_TYPE;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
 
-use crate::jobs::{JobStore, measure};
+use crate::jobs::{self, JobStore};
 
 /// The text of `GET /metrics`, and its media type.
 pub(super) type Exposition = ([(HeaderName, &'static str); 1], String);
@@ -33,7 +33,7 @@ impl Metrics {
         if let Err(error) = &counts {
             tracing::warn!(error = error as &dyn std::error::Error, "the queue cannot be measured");
         }
-        measure::queue(counts.ok().as_ref());
+        jobs::metrics::queue(counts.ok().as_ref());
         ([(CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], self.collected.render())
     }
 }

@@ -6,11 +6,10 @@
 
 mod access;
 mod body;
-mod follower;
+mod event_stream;
 mod job_path;
 mod listen;
 mod metrics;
-mod observe;
 pub mod openapi;
 mod page;
 mod preference;
@@ -18,6 +17,7 @@ mod problem;
 mod problem_type;
 mod query;
 mod rates;
+mod request_log;
 mod routes;
 mod streams;
 pub mod wire;
@@ -41,23 +41,23 @@ use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 use utoipa_swagger_ui::{Config, SwaggerUi};
 
-use crate::jobs::Desk;
+use crate::jobs::JobService;
 use access::authenticate;
-use observe::observe;
 use rates::Rates;
+use request_log::log_request;
 use routes::{
     cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_job, get_metrics,
     get_openapi, get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job, post_solve,
     post_validate,
 };
 
-use streams::Streams;
+use streams::EventStreamLimit;
 
-pub use listen::{Patience, serve};
+pub use listen::{ConnectionTimeouts, serve};
 pub use metrics::{Metrics, metrics_router};
-pub use observe::REQUEST_DURATION;
 pub use problem::Problem;
 pub use problem_type::ProblemType;
+pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
 
 /// Bounds on a single request.
@@ -67,8 +67,8 @@ pub struct HttpSettings {
     pub max_body_bytes: usize,
     /// Longest time a body may take to arrive.
     pub body_timeout: Duration,
-    /// Patience with slow connections.
-    pub patience: Patience,
+    /// Timeouts of slow connections.
+    pub timeouts: ConnectionTimeouts,
     /// Most event streams open at a time.
     pub event_streams: usize,
     /// Longest time `POST /v1/solve` waits for its result.
@@ -101,7 +101,7 @@ impl Default for HttpSettings {
         Self {
             max_body_bytes: 1 << 20,
             body_timeout: Duration::from_secs(30),
-            patience: Patience { head: Duration::from_secs(30), write: Duration::from_secs(30) },
+            timeouts: ConnectionTimeouts { head: Duration::from_secs(30), write: Duration::from_secs(30) },
             event_streams: 1000,
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
@@ -115,23 +115,23 @@ impl Default for HttpSettings {
 /// What the handlers share.
 #[derive(Clone)]
 pub struct HttpState {
-    /// Where jobs are handed in.
-    pub desk: Arc<Desk>,
+    /// Operations on jobs.
+    pub jobs: Arc<JobService>,
     /// Bounds.
     pub settings: HttpSettings,
     /// Cancelled when connections are about to be closed; streams without an end of their own end then.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
-    streams: Arc<Streams>,
+    streams: Arc<EventStreamLimit>,
     metrics: Option<Metrics>,
 }
 
 impl HttpState {
-    /// What handlers of a service with this desk share. `metrics` are shown at `/metrics`.
-    pub fn new(desk: Arc<Desk>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
+    /// The shared state of the handlers. `metrics` are shown at `/metrics`.
+    pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
-        let streams = Arc::new(Streams::new(settings.event_streams));
-        Self { desk, settings, closing: CancellationToken::new(), rates, streams, metrics }
+        let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
+        Self { jobs, settings, closing: CancellationToken::new(), rates, streams, metrics }
     }
 }
 
@@ -150,7 +150,7 @@ pub fn router(state: HttpState) -> Router {
         // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six times the time.
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest))
         .layer(PropagateRequestIdLayer::x_request_id())
-        .layer(from_fn(observe))
+        .layer(from_fn(log_request))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
 }
 

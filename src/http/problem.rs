@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::problem_type::ProblemType;
-use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Refusal, StoreError, SubmitError};
+use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Rejection, StoreError, SubmitError};
 
 /// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
 const RETRY_AFTER_SECONDS: u16 = 2;
@@ -89,17 +89,17 @@ impl IntoResponse for Problem {
     }
 }
 
-impl From<Refusal> for Problem {
-    fn from(refusal: Refusal) -> Self {
-        let detail = refusal.to_string();
-        match refusal {
-            Refusal::Invalid(JobError::Syntax { line, column, .. }) => {
+impl From<Rejection> for Problem {
+    fn from(rejection: Rejection) -> Self {
+        let detail = rejection.to_string();
+        match rejection {
+            Rejection::Invalid(JobError::Syntax { line, column, .. }) => {
                 Self::new(ProblemType::InvalidJson, detail).with("line", line).with("column", column)
             }
-            Refusal::Invalid(JobError::Fields(errors)) => {
+            Rejection::Invalid(JobError::Fields(errors)) => {
                 Self::new(ProblemType::InvalidJob, detail).with_errors(errors)
             }
-            Refusal::TooLarge { estimate, limit } => Self::new(ProblemType::JobTooLarge, detail)
+            Rejection::TooLarge { estimate, limit } => Self::new(ProblemType::JobTooLarge, detail)
                 .with("estimate", json!({"equations": estimate.equations, "bytes": estimate.bytes}))
                 .with("limit_bytes", limit),
         }
@@ -109,7 +109,7 @@ impl From<Refusal> for Problem {
 impl From<SubmitError> for Problem {
     fn from(error: SubmitError) -> Self {
         match error {
-            SubmitError::Refused(refusal) => refusal.into(),
+            SubmitError::Rejected(rejection) => rejection.into(),
             SubmitError::Closed => Self::new(ProblemType::ShuttingDown, error.to_string()),
             SubmitError::Store(error) => error.into(),
         }
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
         let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30 };
-        let problem = Problem::from(Refusal::TooLarge { estimate, limit: 4 << 30 });
+        let problem = Problem::from(Rejection::TooLarge { estimate, limit: 4 << 30 });
         insta::assert_json_snapshot!(problem, @r#"
         {
           "type": "/problems/job-too-large",

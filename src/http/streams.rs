@@ -13,34 +13,34 @@ pub const EVENT_STREAMS: &str = "brinell_event_streams";
 
 /// Places for streams.
 #[derive(Debug)]
-pub(super) struct Streams {
-    places: Arc<Semaphore>,
+pub(super) struct EventStreamLimit {
+    permits: Arc<Semaphore>,
 }
 
-impl Streams {
+impl EventStreamLimit {
     /// At most so many at a time.
     pub(super) fn new(most: usize) -> Self {
-        Self { places: Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS))) }
+        Self { permits: Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS))) }
     }
 
     /// Takes a place, if there is one.
-    pub(super) fn open(&self) -> Result<Place, Problem> {
-        let permit = Arc::clone(&self.places).try_acquire_owned().map_err(|_| {
+    pub(super) fn open(&self) -> Result<StreamPermit, Problem> {
+        let permit = Arc::clone(&self.permits).try_acquire_owned().map_err(|_| {
             let detail = "as many event streams are open as may be; ask /v1/jobs/{id}?wait=30 instead";
             Problem::new(ProblemType::TooManyStreams, detail)
         })?;
         gauge!(EVENT_STREAMS).increment(1.0);
-        Ok(Place { _permit: permit })
+        Ok(StreamPermit { _permit: permit })
     }
 }
 
 /// A stream's place, free again when it is dropped.
 #[derive(Debug)]
-pub(super) struct Place {
+pub(super) struct StreamPermit {
     _permit: OwnedSemaphorePermit,
 }
 
-impl Drop for Place {
+impl Drop for StreamPermit {
     fn drop(&mut self) {
         gauge!(EVENT_STREAMS).decrement(1.0);
     }

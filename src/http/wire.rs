@@ -11,9 +11,9 @@ use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use super::observe::AboutJob;
 use super::openapi;
 use super::problem::Problem;
+use super::request_log::JobIdExtension;
 use crate::jobs::{IterationRecord, JobEstimate, JobId, JobRecord, JobState};
 
 /// Addresses that belong to a job.
@@ -207,12 +207,12 @@ pub fn accepted(record: &JobRecord) -> Response {
     let links = Links::of(record.id);
     let location = [(LOCATION, links.job.clone())];
     let receipt = Receipt { id: record.id, status: record.state, links };
-    (StatusCode::ACCEPTED, location, Extension(AboutJob(record.id)), Json(receipt)).into_response()
+    (StatusCode::ACCEPTED, location, Extension(JobIdExtension(record.id)), Json(receipt)).into_response()
 }
 
 /// 200 with a report.
 pub fn report(id: JobId, json: Bytes) -> Response {
     let headers: [(HeaderName, String); 2] =
         [(CONTENT_TYPE, "application/json".to_owned()), (CONTENT_LOCATION, Links::of(id).result)];
-    (headers, Extension(AboutJob(id)), json).into_response()
+    (headers, Extension(JobIdExtension(id)), json).into_response()
 }

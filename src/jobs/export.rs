@@ -3,7 +3,7 @@
 use bytes::Bytes;
 use thiserror::Error;
 
-use super::{Desk, JobId, StoreError};
+use super::{JobId, JobService, StoreError};
 use brinell_solver::job::Job;
 use brinell_solver::report::Report;
 use brinell_solver::report::export::{Export, ExportError};
@@ -25,7 +25,7 @@ pub enum ExportFailure {
     Unreadable(String),
 }
 
-impl Desk {
+impl JobService {
     /// The report of a job in another form; `step`, counted from 0, is the last one unless it is given.
     ///
     /// # Errors

@@ -10,34 +10,34 @@
 //! ```
 //!
 //! [`JobStore`] is the only door to storage and decides every transition; a worker owns a running job by a
-//! [`Lease`], and whatever it writes is fenced on that lease. [`Hub`] tells waiting parties in this process
-//! that a job has changed; [`Desk`] is what the HTTP layer talks to.
+//! [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies subscribers in this process
+//! that a job has changed; [`JobService`] is what the HTTP layer talks to.
 
 mod clock;
 mod closed_form;
-mod desk;
 mod encode;
 mod export;
 mod failure;
-mod hub;
 mod id;
 mod keys;
-pub mod measure;
+pub mod metrics;
+mod notifier;
 mod record;
+mod service;
 mod solver;
 mod state;
 mod store;
 
 pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
-pub use desk::{Desk, DeskLimits, Refusal, Submission, SubmitError};
 pub use encode::{EncodeError, check_finite, encode};
 pub use export::ExportFailure;
 pub use failure::{FailureKind, JobFailure, Outcome};
-pub use hub::{Hub, Signal, Watch};
 pub use id::{JobId, KeyId, WorkerId};
 pub use keys::{ApiKey, KeyStore, Scope, read_token};
+pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
+pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{

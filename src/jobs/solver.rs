@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::measure;
+use super::metrics;
 use brinell_solver::job::{FieldError, Job};
 use brinell_solver::report::{self, JobEstimate, Report, RunError};
 use brinell_solver::solver::{FactorCache, Observer, Options};
@@ -42,7 +42,7 @@ impl JobSolver for CoreSolver {
         let options = Options { cache: self.cache.as_ref(), ..Options::default() };
         let report = report::run_with(job, options, observer);
         if let Some(cache) = &self.cache {
-            measure::factor_cache(cache.figures());
+            metrics::factor_cache(cache.figures());
         }
         report
     }

@@ -12,7 +12,7 @@ use super::{IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome,
 /// Keeps jobs, hands them out and remembers how they ended.
 ///
 /// Every change is one atomic step, and every step that alters a job is announced on the store's
-/// [`Hub`](super::Hub) *after* it can be read. The store stamps all times, so that several processes sharing
+/// [`JobNotifier`](super::JobNotifier) *after* it can be read. The store stamps all times, so that several processes sharing
 /// one store share one clock. Implementations are checked by one suite, `tests/store_contract`.
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
@@ -169,7 +169,7 @@ pub struct ClaimRequest {
     /// How many solvers are free; never ask for more.
     pub slots: usize,
     /// Whether the worker does nothing else, and may be given a job that must run by itself.
-    pub alone: bool,
+    pub exclusive: bool,
     /// Memory \[bytes\] that the jobs may need in all, by their estimates.
     pub free_memory: u64,
     /// Memory \[bytes\] of the idle worker. Jobs that need more are left to others.
@@ -186,7 +186,7 @@ pub struct Claims {
     /// The jobs, in the order of the queue.
     pub jobs: Vec<Claim>,
     /// A job waits for a worker that does nothing else.
-    pub lonely_waits: bool,
+    pub exclusive_pending: bool,
 }
 
 /// The right to write to a running job. It is lost for good when another worker takes the job up.
@@ -206,7 +206,7 @@ pub struct Claim {
     /// The right to it.
     pub lease: Lease,
     /// It must run by itself.
-    pub alone: bool,
+    pub exclusive: bool,
     /// Memory \[bytes\] it is estimated to need.
     pub memory: u64,
     /// The job as it was submitted (JSON).

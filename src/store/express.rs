@@ -40,7 +40,7 @@ impl<B: Backend> ExpressStore<B> {
             finished_bytes: ANSWERED.1,
             ..MemoryLimits::default()
         };
-        let lane = MemoryStore::new(limits, Arc::clone(&kept.hub), clock);
+        let lane = MemoryStore::new(limits, Arc::clone(&kept.notifier), clock);
         Self { lane, kept, crossing: RwLock::new(()) }
     }
 
@@ -86,16 +86,16 @@ impl<B: Backend> JobStore for ExpressStore<B> {
         let mut claims = self.lane.claim(request).await?;
         let taken: u64 = claims.jobs.iter().map(|claim| claim.memory).sum();
         let slots = request.slots.saturating_sub(claims.jobs.len());
-        if slots > 0 && !claims.jobs.iter().any(|claim| claim.alone) {
+        if slots > 0 && !claims.jobs.iter().any(|claim| claim.exclusive) {
             let rest = ClaimRequest {
                 slots,
-                alone: request.alone && claims.jobs.is_empty(),
+                exclusive: request.exclusive && claims.jobs.is_empty(),
                 free_memory: request.free_memory.saturating_sub(taken),
                 ..*request
             };
             let kept = self.kept.claim(&rest).await?;
             claims.jobs.extend(kept.jobs);
-            claims.lonely_waits |= kept.lonely_waits;
+            claims.exclusive_pending |= kept.exclusive_pending;
         }
         Ok(claims)
     }

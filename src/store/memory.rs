@@ -10,8 +10,8 @@ use bytes::Bytes;
 
 use super::shelf::{Departure, Shelf};
 use crate::jobs::{
-    ApiKey, ClaimRequest, Claims, Clock, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage,
-    JobRecord, JobState, JobStore, KeyId, KeyStore, Lease, LeaseStatus, NewJob, Outcome, Retention,
+    ApiKey, ClaimRequest, Claims, Clock, Counts, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
+    JobPage, JobRecord, JobState, JobStore, KeyId, KeyStore, Lease, LeaseStatus, NewJob, Outcome, Retention,
     StoreError,
 };
 
@@ -38,14 +38,14 @@ impl Default for MemoryLimits {
 pub struct MemoryStore {
     shelf: Mutex<Shelf>,
     keys: Mutex<BTreeMap<KeyId, ApiKey>>,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
 }
 
 impl MemoryStore {
-    /// An empty store that announces on `hub`.
-    pub fn new(limits: MemoryLimits, hub: Arc<Hub>, clock: Arc<dyn Clock>) -> Self {
-        Self { shelf: Mutex::new(Shelf::new(limits)), keys: Mutex::default(), hub, clock }
+    /// An empty store that announces its changes through `notifier`.
+    pub fn new(limits: MemoryLimits, notifier: Arc<JobNotifier>, clock: Arc<dyn Clock>) -> Self {
+        Self { shelf: Mutex::new(Shelf::new(limits)), keys: Mutex::default(), notifier, clock }
     }
 
     /// Whether the job is here.
@@ -92,7 +92,7 @@ impl KeyStore for MemoryStore {
 impl JobStore for MemoryStore {
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
         let enqueued = self.shelf().enqueue(job, self.clock.now())?;
-        self.hub.announce_work();
+        self.notifier.announce_work();
         Ok(enqueued)
     }
 
@@ -116,10 +116,10 @@ impl JobStore for MemoryStore {
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (claims, ended) = self.shelf().claim(request, self.clock.now());
         for id in ended {
-            self.hub.announce_finished(id);
+            self.notifier.announce_finished(id);
         }
         for claim in &claims.jobs {
-            self.hub.announce_progress(claim.lease.job);
+            self.notifier.announce_progress(claim.lease.job);
         }
         Ok(claims)
     }
@@ -130,7 +130,7 @@ impl JobStore for MemoryStore {
 
     async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError> {
         self.shelf().leased(lease)?.history.extend_from_slice(records);
-        self.hub.announce_progress(lease.job);
+        self.notifier.announce_progress(lease.job);
         Ok(())
     }
 
@@ -141,7 +141,7 @@ impl JobStore for MemoryStore {
         outcome: Outcome,
     ) -> Result<(), StoreError> {
         self.shelf().finish(lease, records, outcome, self.clock.now())?;
-        self.hub.announce_finished(lease.job);
+        self.notifier.announce_finished(lease.job);
         Ok(())
     }
 
@@ -149,20 +149,20 @@ impl JobStore for MemoryStore {
         let ended = self.shelf().release(leases, self.clock.now());
         for lease in leases {
             if ended.contains(&lease.job) {
-                self.hub.announce_finished(lease.job);
+                self.notifier.announce_finished(lease.job);
             } else {
-                self.hub.announce_progress(lease.job);
+                self.notifier.announce_progress(lease.job);
             }
         }
-        self.hub.announce_work();
+        self.notifier.announce_work();
         Ok(())
     }
 
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
         let record = self.shelf().cancel(id, self.clock.now())?;
         match record.state {
-            JobState::Running => self.hub.announce_cancel(id),
-            JobState::Cancelled => self.hub.announce_finished(id),
+            JobState::Running => self.notifier.announce_cancel(id),
+            JobState::Cancelled => self.notifier.announce_finished(id),
             _ => {}
         }
         Ok(record)

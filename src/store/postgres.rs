@@ -18,7 +18,7 @@ use tokio::time::sleep;
 use super::Store;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore};
-use crate::jobs::{Clock, Hub, JobId, StoreError, WorkerId};
+use crate::jobs::{Clock, JobId, JobNotifier, StoreError, WorkerId};
 
 const STEPS: &[Step] =
     &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") }];
@@ -27,13 +27,13 @@ const STEPS: &[Step] =
 const CONNECTIONS: u32 = 10;
 
 /// Longest wait for one of them.
-const PATIENCE: Duration = Duration::from_secs(10);
+const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Where changes are told.
+/// Channel of the notifications.
 const CHANNEL: &str = "brinell";
 
 /// Time between two tries to listen.
-const LISTEN_AGAIN: Duration = Duration::from_secs(1);
+const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Why there is no store.
 #[derive(Debug, Error)]
@@ -62,16 +62,16 @@ struct PostgresPool {
 pub async fn open_postgres(
     url: &str,
     queue_capacity: usize,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     clock: Option<Arc<dyn Clock>>,
 ) -> Result<Arc<dyn Store>, PostgresError> {
-    let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(PATIENCE);
+    let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(ACQUIRE_TIMEOUT);
     let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
     migration::run(STEPS, &pool).await.map_err(PostgresError::Migrate)?;
     let node = WorkerId::generate();
-    let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&hub))).abort_handle();
+    let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
     let backend = PostgresPool { pool, node, clock, listener };
-    Ok(Arc::new(SqlStore { backend, hub, queue_capacity }))
+    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity }))
 }
 
 impl Drop for PostgresPool {
@@ -100,14 +100,14 @@ impl Backend for PostgresPool {
 
     async fn notify(&self, connection: &mut PgConnection, changes: &[Change]) -> Result<(), StoreError> {
         for change in changes {
-            let tell = sqlx::query("SELECT pg_notify($1, $2)").bind(CHANNEL);
-            tell.bind(message(self.node, *change)).execute(&mut *connection).await?;
+            let notify = sqlx::query("SELECT pg_notify($1, $2)").bind(CHANNEL);
+            notify.bind(message(self.node, *change)).execute(&mut *connection).await?;
         }
         Ok(())
     }
 }
 
-/// A change as it is told to others: who, what, which job.
+/// Payload of a notification: sender, kind of change, job.
 fn message(node: WorkerId, change: Change) -> String {
     match change {
         Change::Work => format!("{node} work"),
@@ -133,25 +133,25 @@ fn heard(message: &str, node: WorkerId) -> Option<Change> {
     }
 }
 
-/// Passes on what other processes tell, for ever.
-async fn listen(pool: PgPool, node: WorkerId, hub: Arc<Hub>) {
+/// Forwards the notifications of other processes for as long as the store is open.
+async fn listen(pool: PgPool, node: WorkerId, notifier: Arc<JobNotifier>) {
     loop {
-        if let Err(error) = listen_once(&pool, node, &hub).await {
+        if let Err(error) = listen_once(&pool, node, &notifier).await {
             tracing::warn!(%error, "not listening to the database; looking once a second instead");
         }
-        sleep(LISTEN_AGAIN).await;
+        sleep(RECONNECT_INTERVAL).await;
     }
 }
 
-async fn listen_once(pool: &PgPool, node: WorkerId, hub: &Hub) -> Result<(), sqlx::Error> {
+async fn listen_once(pool: &PgPool, node: WorkerId, notifier: &JobNotifier) -> Result<(), sqlx::Error> {
     let mut listener = PgListener::connect_with(pool).await?;
     listener.listen(CHANNEL).await?;
     loop {
-        // Whatever was told before this moment was told to nobody here.
-        hub.announce_gap();
+        // Notifications sent before this connection listened are lost: every waiter queries the store again.
+        notifier.announce_gap();
         while let Some(notification) = listener.try_recv().await? {
             if let Some(change) = heard(notification.payload(), node) {
-                change.announce(hub);
+                change.announce(notifier);
             }
         }
         tracing::warn!("the connection that listens to the database broke and is made anew");

@@ -201,18 +201,18 @@ impl Shelf {
 
     /// Jobs handed out, and jobs that ended because nobody may take them up again.
     pub(super) fn claim(&mut self, request: &ClaimRequest, now: Timestamp) -> (Claims, Vec<JobId>) {
-        let ended = self.give_up(request.max_attempts, now);
+        let ended = self.expire(request.max_attempts, now);
         let expired: Vec<JobId> =
             self.running.iter().copied().filter(|id| self.has_expired(*id, now)).collect();
-        let (lonely, others): (Vec<JobId>, Vec<JobId>) = expired
+        let (exclusive, others): (Vec<JobId>, Vec<JobId>) = expired
             .into_iter()
             .filter(|id| self.fits(*id, request.memory))
             .partition(|id| self.jobs.get(id).is_some_and(|job| job.losses + 2 >= request.max_attempts));
-        if let (Some(id), true) = (lonely.first(), request.alone) {
-            let jobs = self.hand_out(*id, true, request, now).into_iter().collect();
-            return (Claims { jobs, lonely_waits: false }, ended);
+        if let (Some(id), true) = (exclusive.first(), request.exclusive) {
+            let jobs = self.lease_job(*id, true, request, now).into_iter().collect();
+            return (Claims { jobs, exclusive_pending: false }, ended);
         }
-        let mut claims = Claims { jobs: Vec::new(), lonely_waits: !lonely.is_empty() };
+        let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
         let mut free = request.free_memory;
         let queued = self.queued.iter().map(|(_, id)| *id).filter(|id| self.fits(*id, request.memory));
         let candidates: Vec<JobId> = others.into_iter().chain(queued.take(request.slots)).collect();
@@ -222,7 +222,7 @@ impl Shelf {
                 break;
             }
             free -= memory;
-            claims.jobs.extend(self.hand_out(id, false, request, now));
+            claims.jobs.extend(self.lease_job(id, false, request, now));
         }
         (claims, ended)
     }
@@ -232,7 +232,7 @@ impl Shelf {
     }
 
     /// Ends the jobs whose lease ran out and that nobody takes up again.
-    fn give_up(&mut self, max_attempts: u32, now: Timestamp) -> Vec<JobId> {
+    fn expire(&mut self, max_attempts: u32, now: Timestamp) -> Vec<JobId> {
         let mut ended = Vec::new();
         for id in self.running.clone() {
             let Some(entry) = self.jobs.get(&id).filter(|entry| entry.leased_until <= now) else { continue };
@@ -254,7 +254,13 @@ impl Shelf {
         self.jobs.get(&id).is_some_and(|entry| entry.leased_until <= now)
     }
 
-    fn hand_out(&mut self, id: JobId, alone: bool, request: &ClaimRequest, now: Timestamp) -> Option<Claim> {
+    fn lease_job(
+        &mut self,
+        id: JobId,
+        exclusive: bool,
+        request: &ClaimRequest,
+        now: Timestamp,
+    ) -> Option<Claim> {
         let entry = self.jobs.get_mut(&id)?;
         if entry.state == JobState::Queued {
             self.queued_bytes -= entry.bytes();
@@ -270,7 +276,7 @@ impl Shelf {
         entry.leased_until = after(now, request.lease);
         entry.history.clear();
         let lease = Lease { job: id, owner: request.owner, attempt: entry.attempts };
-        Some(Claim { lease, alone, memory: entry.memory, request: entry.request.clone() })
+        Some(Claim { lease, exclusive, memory: entry.memory, request: entry.request.clone() })
     }
 
     /// Gives leased jobs back. Returns those that ended instead.

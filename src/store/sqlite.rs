@@ -21,7 +21,7 @@ use super::Store;
 use super::express::ExpressStore;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore};
-use crate::jobs::{Clock, Hub, StoreError};
+use crate::jobs::{Clock, JobNotifier, StoreError};
 
 const STEPS: &[Step] =
     &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") }];
@@ -30,7 +30,7 @@ const STEPS: &[Step] =
 const READERS: u32 = 4;
 
 /// Longest wait for the lock of another process's statement (a command beside a running service).
-const BUSY: Duration = Duration::from_secs(10);
+const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Why there is no store.
 #[derive(Debug, Error)]
@@ -74,11 +74,11 @@ struct SqliteFile {
 pub async fn open_sqlite(
     directory: &Path,
     queue_capacity: usize,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let lock = own(directory)?;
-    open(directory, queue_capacity, hub, clock, Some(lock)).await
+    open(directory, queue_capacity, notifier, clock, Some(lock)).await
 }
 
 /// Opens the store beside the process that owns it, to look after its API keys.
@@ -91,20 +91,20 @@ pub async fn open_sqlite_keys(
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let failed = |source| SqliteError::Directory { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(failed)?;
-    open(directory, 0, Hub::new(), clock, None).await
+    open(directory, 0, JobNotifier::new(), clock, None).await
 }
 
 async fn open(
     directory: &Path,
     queue_capacity: usize,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
     lock: Option<File>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let path = directory.join("brinell.db");
     let file = SqliteFile::open(&path, Arc::clone(&clock), lock).await;
     let backend = file.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(ExpressStore::new(SqlStore { backend, hub, queue_capacity }, clock)))
+    Ok(Arc::new(ExpressStore::new(SqlStore { backend, notifier, queue_capacity }, clock)))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.
@@ -127,7 +127,7 @@ impl SqliteFile {
             .journal_mode(SqliteJournalMode::Wal)
             .synchronous(SqliteSynchronous::Full)
             .foreign_keys(true)
-            .busy_timeout(BUSY);
+            .busy_timeout(BUSY_TIMEOUT);
         let pool =
             || SqlitePoolOptions::new().idle_timeout(None).max_lifetime(None).test_before_acquire(false);
         let writer = pool().min_connections(1).max_connections(1).connect_with(options.clone()).await?;

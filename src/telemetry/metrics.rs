@@ -6,7 +6,7 @@ use metrics::{Unit, describe_counter, describe_gauge, describe_histogram, gauge}
 use metrics_exporter_prometheus::{BuildError, Matcher, PrometheusBuilder, PrometheusHandle};
 
 use crate::http::{EVENT_STREAMS, REQUEST_DURATION};
-use crate::jobs::measure;
+use crate::jobs::metrics as job_metrics;
 
 /// Upper bounds \[s\] of the buckets of durations: from a millisecond to ten minutes.
 const SECONDS: [f64; 16] =
@@ -37,27 +37,31 @@ fn install() -> PrometheusHandle {
 }
 
 fn with_buckets() -> Result<PrometheusBuilder, BuildError> {
-    let durations = [measure::QUEUE_WAIT, measure::SOLVE_DURATION, REQUEST_DURATION];
+    let durations = [job_metrics::QUEUE_WAIT, job_metrics::SOLVE_DURATION, REQUEST_DURATION];
     let builder = durations.into_iter().try_fold(PrometheusBuilder::new(), |builder, name| {
         builder.set_buckets_for_metric(Matcher::Full(name.to_owned()), &SECONDS)
     })?;
-    builder.set_buckets_for_metric(Matcher::Full(measure::SOLVER_ITERATIONS.to_owned()), &ITERATIONS)
+    builder.set_buckets_for_metric(Matcher::Full(job_metrics::SOLVER_ITERATIONS.to_owned()), &ITERATIONS)
 }
 
 fn describe() {
     describe_gauge!("brinell_build_info", "Always 1; the label has the version.");
-    describe_gauge!(measure::QUEUE_DEPTH, "Jobs waiting, of all nodes that share the queue.");
-    describe_gauge!(measure::JOBS_RUNNING, "Jobs being solved, of all nodes that share the queue.");
-    describe_histogram!(measure::QUEUE_WAIT, Unit::Seconds, "Time between acceptance and the first attempt.");
-    describe_histogram!(measure::SOLVE_DURATION, Unit::Seconds, "Time of an attempt.");
-    describe_counter!(measure::JOBS_TOTAL, "Attempts by outcome: the job's final state, or released.");
-    describe_histogram!(measure::SOLVER_ITERATIONS, "Iterations of an attempt.");
+    describe_gauge!(job_metrics::QUEUE_DEPTH, "Jobs waiting, of all nodes that share the queue.");
+    describe_gauge!(job_metrics::JOBS_RUNNING, "Jobs being solved, of all nodes that share the queue.");
+    describe_histogram!(
+        job_metrics::QUEUE_WAIT,
+        Unit::Seconds,
+        "Time between acceptance and the first attempt."
+    );
+    describe_histogram!(job_metrics::SOLVE_DURATION, Unit::Seconds, "Time of an attempt.");
+    describe_counter!(job_metrics::JOBS_TOTAL, "Attempts by outcome: the job's final state, or released.");
+    describe_histogram!(job_metrics::SOLVER_ITERATIONS, "Iterations of an attempt.");
     describe_counter!(
-        measure::FACTOR_CACHE_LOOKUPS,
+        job_metrics::FACTOR_CACHE_LOOKUPS,
         "Bodies that a job needed, by outcome: hit if kept from an earlier job."
     );
     describe_gauge!(
-        measure::FACTOR_CACHE_BYTES,
+        job_metrics::FACTOR_CACHE_BYTES,
         Unit::Bytes,
         "Memory of bodies and factors kept for later jobs."
     );

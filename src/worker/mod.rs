@@ -8,7 +8,7 @@ mod attempt;
 mod observer;
 mod pool;
 mod running;
-mod seats;
+mod slots;
 mod supervise;
 
 use std::io;
@@ -19,14 +19,14 @@ use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
-use crate::jobs::{Claim, ClaimRequest, Hub, JobSolver, JobStore, WorkerId};
+use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
 use pool::SolverPool;
 use running::Running;
-use seats::{Seats, Taken};
+use slots::{Reservation, Slots};
 use sparse_cholesky::Cores;
 
 /// Time for solves to notice that they must stop, once the grace time is over.
-const LAST_WORDS: Duration = Duration::from_secs(2);
+const STOP_TIMEOUT: Duration = Duration::from_secs(2);
 
 /// How a worker goes about its work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,21 +49,21 @@ pub struct WorkerSettings {
 
 /// A running pool of solvers.
 pub struct Worker {
-    crew: Arc<Crew>,
+    state: Arc<WorkerState>,
     heartbeat: tokio::task::JoinHandle<()>,
 }
 
 /// What the worker's tasks share.
-pub(crate) struct Crew {
+pub(crate) struct WorkerState {
     id: WorkerId,
     settings: WorkerSettings,
     store: Arc<dyn JobStore>,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
     pool: SolverPool,
     /// One for each solver of the pool; large jobs borrow those of solvers that have nothing to do.
     cores: Arc<Cores>,
-    seats: Arc<Seats>,
+    slots: Arc<Slots>,
     running: Running,
     tasks: TaskTracker,
     drain: CancellationToken,
@@ -77,40 +77,40 @@ impl Worker {
     /// If a thread cannot be started.
     pub fn start(
         store: Arc<dyn JobStore>,
-        hub: Arc<Hub>,
+        notifier: Arc<JobNotifier>,
         solver: Arc<dyn JobSolver>,
         settings: WorkerSettings,
     ) -> io::Result<Self> {
-        let crew = Arc::new(Crew {
+        let state = Arc::new(WorkerState {
             id: WorkerId::generate(),
             settings,
             store,
-            hub,
+            notifier,
             solver,
             pool: SolverPool::new(settings.slots)?,
             cores: Cores::new(settings.slots),
-            seats: Arc::new(Seats::new(settings.slots, settings.memory)),
+            slots: Arc::new(Slots::new(settings.slots, settings.memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),
             drain: CancellationToken::new(),
             halt: CancellationToken::new(),
         });
-        crew.tasks.spawn(Arc::clone(&crew).claim_jobs());
-        let heartbeat = tokio::spawn(Arc::clone(&crew).beat());
-        Ok(Self { crew, heartbeat })
+        state.tasks.spawn(Arc::clone(&state).claim_jobs());
+        let heartbeat = tokio::spawn(Arc::clone(&state).beat());
+        Ok(Self { state, heartbeat })
     }
 
     /// Finishes what is running, and what is queued if so set, then stops. What is left after `grace` is stopped
     /// and goes back to the queue. Returns whether everything was finished.
     pub async fn drain(self, grace: Duration) -> bool {
-        self.crew.drain.cancel();
-        self.crew.tasks.close();
-        let finished = timeout(grace, self.crew.tasks.wait()).await.is_ok();
+        self.state.drain.cancel();
+        self.state.tasks.close();
+        let finished = timeout(grace, self.state.tasks.wait()).await.is_ok();
         if !finished {
-            self.crew.halt.cancel();
-            self.crew.running.stop_all();
-            if timeout(LAST_WORDS, self.crew.tasks.wait()).await.is_err() {
-                self.crew.let_go().await;
+            self.state.halt.cancel();
+            self.state.running.stop_all();
+            if timeout(STOP_TIMEOUT, self.state.tasks.wait()).await.is_err() {
+                self.state.release_all().await;
             }
         }
         self.heartbeat.abort();
@@ -118,70 +118,70 @@ impl Worker {
     }
 }
 
-impl Crew {
+impl WorkerState {
     async fn claim_jobs(self: Arc<Self>) {
-        let mut lonely_waits = false;
+        let mut exclusive_pending = false;
         loop {
-            let taken = tokio::select! {
-                taken = self.seats.take(lonely_waits) => taken,
+            let reservation = tokio::select! {
+                reservation = self.slots.take(exclusive_pending) => reservation,
                 () = self.halt.cancelled() => return,
             };
             if self.drain.is_cancelled() && !self.settings.empties_queue {
                 return;
             }
-            match self.store.claim(&self.request(&taken)).await {
+            match self.store.claim(&self.request(&reservation)).await {
                 Ok(claims) => {
-                    lonely_waits = claims.lonely_waits && !taken.all;
-                    if claims.jobs.is_empty() && !lonely_waits {
-                        drop(taken);
+                    exclusive_pending = claims.exclusive_pending && !reservation.all;
+                    if claims.jobs.is_empty() && !exclusive_pending {
+                        drop(reservation);
                         if self.drain.is_cancelled() {
                             return;
                         }
                         self.idle().await;
                         continue;
                     }
-                    self.start(claims.jobs, taken);
+                    self.start(claims.jobs, reservation);
                 }
                 Err(error) => {
                     tracing::error!(error = &error as &dyn std::error::Error, "cannot claim jobs");
-                    drop(taken);
+                    drop(reservation);
                     tokio::select! { () = sleep(self.settings.poll) => {}, () = self.drain.cancelled() => return }
                 }
             }
         }
     }
 
-    fn request(&self, taken: &Taken) -> ClaimRequest {
+    fn request(&self, reservation: &Reservation) -> ClaimRequest {
         ClaimRequest {
             owner: self.id,
-            slots: taken.len(),
-            alone: taken.all,
-            free_memory: self.seats.free_memory(),
-            memory: self.seats.memory(),
+            slots: reservation.len(),
+            exclusive: reservation.all,
+            free_memory: self.slots.free_memory(),
+            memory: self.slots.memory(),
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,
         }
     }
 
-    fn start(self: &Arc<Self>, claims: Vec<Claim>, mut taken: Taken) {
+    fn start(self: &Arc<Self>, claims: Vec<Claim>, mut reservation: Reservation) {
         for claim in claims {
-            if let Some(seat) = taken.seat(&self.seats, claim.alone, claim.memory) {
-                self.tasks.spawn(Arc::clone(self).supervise(claim, seat));
+            if let Some(slot) = reservation.assign(&self.slots, claim.exclusive, claim.memory) {
+                self.tasks.spawn(Arc::clone(self).supervise(claim, slot));
             }
         }
     }
 
     async fn idle(&self) {
         tokio::select! {
-            () = self.hub.work() => {}
-            () = self.seats.freed() => {}
+            () = self.notifier.work() => {}
+            () = self.slots.freed() => {}
             () = sleep(self.settings.poll) => {}
             () = self.drain.cancelled() => {}
         }
     }
 
     /// Gives back what does not stop.
-    async fn let_go(&self) {
+    async fn release_all(&self) {
         let leases = self.running.leases();
         tracing::warn!(jobs = leases.len(), "solves left running at the end of the grace time");
         if let Err(error) = self.store.release(&leases).await {

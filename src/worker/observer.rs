@@ -14,7 +14,7 @@ use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
 /// of its iterations; what a job that ends sooner has to tell comes with its outcome.
-const TELL: Duration = Duration::from_millis(50);
+const SEND_INTERVAL: Duration = Duration::from_millis(50);
 
 /// The wish that a solve stop, shared between its supervisor and its thread.
 #[derive(Debug, Clone, Default)]
@@ -30,15 +30,15 @@ impl StopFlag {
     }
 }
 
-/// Watches one solve.
+/// Observes one solve on behalf of its supervisor.
 pub(super) struct JobObserver {
     started: Instant,
     timeout: Duration,
     stop: StopFlag,
     messages: UnboundedSender<Message>,
     interrupt: Option<Interrupt>,
-    untold: Vec<IterationRecord>,
-    told_at: Duration,
+    pending: Vec<IterationRecord>,
+    sent_at: Duration,
     core: OccupiedCore,
 }
 
@@ -56,27 +56,27 @@ impl JobObserver {
             stop,
             messages,
             interrupt: None,
-            untold: Vec::new(),
-            told_at: Duration::ZERO,
+            pending: Vec::new(),
+            sent_at: Duration::ZERO,
             core,
         }
     }
 
-    /// The iterations that have not been told.
-    pub(super) fn take_untold(&mut self) -> Vec<IterationRecord> {
-        std::mem::take(&mut self.untold)
+    /// Takes the iterations that have not been sent.
+    pub(super) fn take_pending(&mut self) -> Vec<IterationRecord> {
+        std::mem::take(&mut self.pending)
     }
 
-    fn tell(&mut self) {
+    fn send_progress(&mut self) {
         let now = self.started.elapsed();
-        if !self.untold.is_empty() && now.saturating_sub(self.told_at) >= TELL {
-            self.told_at = now;
-            let records = self.take_untold();
+        if !self.pending.is_empty() && now.saturating_sub(self.sent_at) >= SEND_INTERVAL {
+            self.sent_at = now;
+            let records = self.take_pending();
             let _ = self.messages.send(Message::Iterations(records));
         }
     }
 
-    /// Why the solve was told to stop, if it was.
+    /// Why the solve was stopped, if it was.
     pub(super) fn interrupt(&self) -> Option<Interrupt> {
         self.interrupt
     }
@@ -86,13 +86,13 @@ impl Observer for JobObserver {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         // Progress is for watching: a record that JSON cannot carry is left out, and the report will say why.
         if check_finite(record).is_ok() {
-            self.untold.push(record.clone());
+            self.pending.push(record.clone());
         }
         self.on_checkpoint()
     }
 
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        self.tell();
+        self.send_progress();
         let interrupt = if self.stop.is_raised() {
             Interrupt::Cancelled
         } else if self.started.elapsed() >= self.timeout {

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use tokio::time::sleep;
 
-use super::Crew;
+use super::WorkerState;
 use super::observer::StopFlag;
 use crate::jobs::{Lease, LeaseStatus};
 
@@ -49,7 +49,7 @@ impl Running {
     }
 }
 
-impl Crew {
+impl WorkerState {
     /// Extends all leases again and again; stops the solves that are no longer wanted.
     pub(super) async fn beat(self: Arc<Self>) {
         loop {
@@ -61,7 +61,7 @@ impl Crew {
             match self.store.heartbeat(&leases, self.settings.lease).await {
                 Ok(statuses) => {
                     for (lease, status) in leases.iter().zip(statuses) {
-                        self.heed(lease, status);
+                        self.apply_status(lease, status);
                     }
                 }
                 Err(error) => {
@@ -71,7 +71,7 @@ impl Crew {
         }
     }
 
-    fn heed(&self, lease: &Lease, status: LeaseStatus) {
+    fn apply_status(&self, lease: &Lease, status: LeaseStatus) {
         match status {
             LeaseStatus::Held { cancel_requested: false } => {}
             LeaseStatus::Held { cancel_requested: true } => {

@@ -6,19 +6,19 @@ use std::time::Duration;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use tokio::time::{Instant, sleep, sleep_until};
 
-use super::Crew;
+use super::WorkerState;
 use super::attempt::attempt;
 use super::observer::{JobObserver, StopFlag};
-use super::seats::Seat;
+use super::slots::Slot;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StoreError, measure,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StoreError, metrics,
 };
 
 /// Most messages taken at once.
-const BUNCH: usize = 64;
+const BATCH: usize = 64;
 
 /// Time between two reports of progress. A job that ends sooner is written once, with its result.
-const PROGRESS: Duration = Duration::from_millis(100);
+const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Waits between tries to write an outcome to a store that does not answer. Together they are about as long as a
 /// lease: after that the job is taken up again.
@@ -43,7 +43,7 @@ pub(super) enum Message {
 }
 
 /// What came of a solve.
-struct Followed {
+struct SolveEnd {
     /// Iterations that are still to be written.
     records: Vec<IterationRecord>,
     /// How many there were in all.
@@ -58,22 +58,22 @@ fn wait_of(record: &JobRecord) -> Option<Duration> {
     started.duration_since(record.created_at).try_into().ok()
 }
 
-impl Crew {
+impl WorkerState {
     /// Sees one job through.
-    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, seat: Seat) {
+    pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot) {
         let lease = claim.lease;
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();
         self.running.add(lease, stop.clone());
         let messages = self.start_solve(claim, stop.clone());
         let started = Instant::now();
-        let Followed { records, iterations, outcome } = self.follow(&lease, messages, &stop).await;
+        let SolveEnd { records, iterations, outcome } = self.follow(&lease, messages, &stop).await;
         let time = started.elapsed();
-        drop(seat);
+        drop(slot);
         self.running.settle(&lease);
         let state = outcome.state();
         let stopped_by_shutdown = state == JobState::Cancelled && self.halt.is_cancelled();
-        measure::attempted((!stopped_by_shutdown).then_some(state), time, iterations);
+        metrics::attempted((!stopped_by_shutdown).then_some(state), time, iterations);
         let written = if stopped_by_shutdown {
             self.store.release(&[lease]).await
         } else {
@@ -98,7 +98,7 @@ impl Crew {
         self.pool.run(move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone(), cores.occupy());
             let outcome = attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer);
-            let _ = sender.send(Message::Done(observer.take_untold(), outcome));
+            let _ = sender.send(Message::Done(observer.take_pending(), outcome));
         });
         messages
     }
@@ -109,29 +109,29 @@ impl Crew {
         lease: &Lease,
         mut messages: UnboundedReceiver<Message>,
         stop: &StopFlag,
-    ) -> Followed {
-        let mut watch = self.hub.watch(lease.job);
+    ) -> SolveEnd {
+        let mut subscription = self.notifier.subscribe(lease.job);
         if let Ok(record) = self.store.get(lease.job).await {
-            // Whoever asked between the claim and the watch was not heard.
+            // A cancellation between the claim and the subscription was not announced here.
             if record.cancel_requested {
                 stop.raise();
             }
             if let Some(waited) = wait_of(&record) {
-                measure::waited(waited);
+                metrics::waited(waited);
             }
         }
         let mut iterations = 0;
-        let mut bunch = Vec::with_capacity(BUNCH);
+        let mut batch = Vec::with_capacity(BATCH);
         let mut records = Vec::new();
-        let mut write_at = Instant::now() + PROGRESS;
+        let mut write_at = Instant::now() + PROGRESS_INTERVAL;
         loop {
             tokio::select! {
-                count = messages.recv_many(&mut bunch, BUNCH) => {
+                count = messages.recv_many(&mut batch, BATCH) => {
                     if count == 0 {
                         let failure = JobFailure::internal("the solver thread is gone");
-                        return Followed { records, iterations, outcome: Outcome::Failed(failure) };
+                        return SolveEnd { records, iterations, outcome: Outcome::Failed(failure) };
                     }
-                    for message in bunch.drain(..) {
+                    for message in batch.drain(..) {
                         match message {
                             Message::Iterations(more) => {
                                 iterations += more.len();
@@ -140,16 +140,16 @@ impl Crew {
                             Message::Done(last, outcome) => {
                                 iterations += last.len();
                                 records.extend(last);
-                                return Followed { records, iterations, outcome };
+                                return SolveEnd { records, iterations, outcome };
                             }
                         }
                     }
                 }
                 () = sleep_until(write_at), if !records.is_empty() => {
                     self.write_progress(lease, &mut records, stop).await;
-                    write_at = Instant::now() + PROGRESS;
+                    write_at = Instant::now() + PROGRESS_INTERVAL;
                 }
-                signal = watch.changed() => if signal.cancel_requested { stop.raise() },
+                signal = subscription.changed() => if signal.cancel_requested { stop.raise() },
             }
         }
     }

@@ -48,7 +48,7 @@ fn input_that_turns_out_impossible_is_the_clients_fault() {
 #[test]
 fn a_solver_that_gives_up_says_why() {
     let service = InProcess::start(|_| ());
-    let problem = service.target.post("/v1/solve", job("give_up").to_string()).problem(500, "solve-failed");
+    let problem = service.target.post("/v1/solve", job("fail").to_string()).problem(500, "solve-failed");
     assert_eq!(problem["detail"], "the matrix is not positive definite");
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use brinell::jobs::{Hub, JobState, StoreError, SystemClock};
+use brinell::jobs::{JobNotifier, JobState, StoreError, SystemClock};
 use brinell::store::{SqliteError, open_sqlite};
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
@@ -40,7 +40,7 @@ async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
 async fn a_data_directory_has_one_owner() {
     let subject = Subject::sqlite().await;
     let Place::Directory(directory) = &subject.place else { panic!("a directory") };
-    let second = open_sqlite(&directory.0, 1, Hub::new(), Arc::new(SystemClock)).await;
+    let second = open_sqlite(&directory.0, 1, JobNotifier::new(), Arc::new(SystemClock)).await;
     assert!(matches!(second.err(), Some(SqliteError::InUse(_))));
 }
 
@@ -49,10 +49,10 @@ async fn what_one_process_does_another_hears() {
     let here = Subject::postgres().await;
     let there = Subject::again(here.place.clone(), Arc::clone(&here.clock)).await;
     let id = here.enqueue("x").await;
-    timeout(DEADLINE, there.hub.work()).await.expect("work is heard of");
-    let (mut at_worker, mut at_client) = (there.hub.watch(id), here.hub.watch(id));
+    timeout(DEADLINE, there.notifier.work()).await.expect("work is heard of");
+    let (mut at_worker, mut at_client) = (there.notifier.subscribe(id), here.notifier.subscribe(id));
     let lease = there.claim_one().await;
-    // The listener may have started only now, and then everybody is told to look.
+    // The listener may have started only now; then every waiter is woken.
     while here.get(id).await.state != JobState::Running {
         timeout(DEADLINE, at_client.changed()).await.expect("the start is heard of");
     }

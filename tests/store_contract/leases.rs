@@ -76,18 +76,18 @@ pub async fn the_last_attempt_runs_alone(subject: &Subject) {
     assert_eq!(subject.claim(2).await.len(), 2);
     subject.clock.advance(SignedDuration::from_secs(31));
     let fresh = subject.enqueue("fresh").await;
-    let busy = ClaimRequest { alone: false, ..Subject::request(3) };
+    let busy = ClaimRequest { exclusive: false, ..Subject::request(3) };
     let claims = subject.claims(busy).await;
-    assert_eq!((ids(&claims.jobs), claims.lonely_waits), (vec![fresh], true));
+    assert_eq!((ids(&claims.jobs), claims.exclusive_pending), (vec![fresh], true));
 
     let claims = subject.claims(Subject::request(3)).await;
     assert_eq!(ids(&claims.jobs), [guilty]);
-    assert!(claims.jobs[0].alone);
+    assert!(claims.jobs[0].exclusive);
     let last = claims.jobs[0].lease;
     assert_eq!(last.attempt, 2);
     subject.finish(&last, SolveStatus::Converged).await.unwrap();
     let claims = subject.claims(Subject::request(3)).await;
-    assert_eq!((ids(&claims.jobs), claims.jobs[0].alone), (vec![neighbour], true));
+    assert_eq!((ids(&claims.jobs), claims.jobs[0].exclusive), (vec![neighbour], true));
 }
 
 pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {

@@ -93,16 +93,16 @@ pub async fn only_finished_jobs_are_deleted(subject: &Subject) {
 
 pub async fn changes_are_announced_after_they_can_be_read(subject: &Subject) {
     let (store, id) = (&subject.store, subject.enqueue("x").await);
-    tokio::time::timeout(DEADLINE, subject.hub.work()).await.expect("new work is announced");
-    let mut watch = subject.hub.watch(id);
+    tokio::time::timeout(DEADLINE, subject.notifier.work()).await.expect("new work is announced");
+    let mut subscription = subject.notifier.subscribe(id);
     let lease = subject.claim_one().await;
-    tokio::time::timeout(DEADLINE, watch.changed()).await.expect("the start is announced");
+    tokio::time::timeout(DEADLINE, subscription.changed()).await.expect("the start is announced");
     store.cancel(id).await.unwrap();
     let signal =
-        tokio::time::timeout(DEADLINE, watch.changed()).await.expect("the wish to stop is announced");
+        tokio::time::timeout(DEADLINE, subscription.changed()).await.expect("the wish to stop is announced");
     assert!(signal.cancel_requested && subject.get(id).await.cancel_requested);
     subject.finish(&lease, SolveStatus::Cancelled).await.unwrap();
-    tokio::time::timeout(DEADLINE, watch.finished()).await.expect("the end is announced");
+    tokio::time::timeout(DEADLINE, subscription.finished()).await.expect("the end is announced");
     assert!(subject.get(id).await.state.is_finished());
 }
 

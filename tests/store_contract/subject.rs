@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use brinell::jobs::{
-    Claim, ClaimRequest, Claims, Clock, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobRecord, Lease,
-    NewJob, Outcome, StoreError, WorkerId,
+    Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobRecord,
+    Lease, NewJob, Outcome, StoreError, WorkerId,
 };
 use brinell::store::{MemoryLimits, MemoryStore, Store, open_postgres, open_sqlite};
 use brinell_solver::solver::SolveStatus;
@@ -42,10 +42,10 @@ impl Clock for TestClock {
     }
 }
 
-/// A store under test with the hub it announces on and the clock it reads.
+/// A store under test with its notifier and its clock.
 pub struct Subject {
     pub store: Arc<dyn Store>,
-    pub hub: Arc<Hub>,
+    pub notifier: Arc<JobNotifier>,
     pub clock: Arc<TestClock>,
     /// Where a second process would find the same jobs.
     pub place: Place,
@@ -72,9 +72,9 @@ impl Drop for Scratch {
 
 impl Subject {
     pub fn memory(limits: MemoryLimits) -> Self {
-        let (hub, clock) = (Hub::new(), clock());
-        let store = Arc::new(MemoryStore::new(limits, Arc::clone(&hub), Arc::clone(&clock) as _));
-        Self { store, hub, clock, place: Place::Memory, ephemeral: false }
+        let (notifier, clock) = (JobNotifier::new(), clock());
+        let store = Arc::new(MemoryStore::new(limits, Arc::clone(&notifier), Arc::clone(&clock) as _));
+        Self { store, notifier, clock, place: Place::Memory, ephemeral: false }
     }
 
     pub async fn sqlite() -> Self {
@@ -102,15 +102,15 @@ impl Subject {
     }
 
     async fn at(place: Place, clock: Arc<TestClock>) -> Self {
-        let hub = Hub::new();
+        let notifier = JobNotifier::new();
         let (capacity, hub_of_store, time) =
-            (QUEUE_CAPACITY, Arc::clone(&hub), Arc::clone(&clock) as Arc<dyn Clock>);
+            (QUEUE_CAPACITY, Arc::clone(&notifier), Arc::clone(&clock) as Arc<dyn Clock>);
         let store = match &place {
             Place::Memory => panic!("memory is not shared"),
             Place::Directory(path) => open_sqlite(&path.0, capacity, hub_of_store, time).await.unwrap(),
             Place::Database(url) => open_postgres(url, capacity, hub_of_store, Some(time)).await.unwrap(),
         };
-        Self { store, hub, clock, place, ephemeral: false }
+        Self { store, notifier, clock, place, ephemeral: false }
     }
 
     pub async fn enqueue(&self, tag: &str) -> JobId {
@@ -126,7 +126,7 @@ impl Subject {
         ClaimRequest {
             owner: WorkerId::generate(),
             slots,
-            alone: true,
+            exclusive: true,
             free_memory: MEMORY,
             memory: MEMORY,
             lease: LEASE,

@@ -20,5 +20,5 @@ pub(in crate::http) async fn cancel_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
 ) -> Result<Json<JobDocument>, Problem> {
-    Ok(Json(state.desk.cancel(id).await?.into()))
+    Ok(Json(state.jobs.cancel(id).await?.into()))
 }

@@ -17,6 +17,6 @@ pub(in crate::http) async fn delete_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
 ) -> Result<StatusCode, Problem> {
-    state.desk.delete(id).await?;
+    state.jobs.delete(id).await?;
     Ok(StatusCode::NO_CONTENT)
 }

@@ -16,7 +16,7 @@ use crate::jobs::JobState;
 pub(in crate::http) async fn get_capacity(
     State(state): State<HttpState>,
 ) -> Result<Json<CapacityDocument>, Problem> {
-    let counts = state.desk.counts().await?;
+    let counts = state.jobs.counts().await?;
     let jobs = |wanted: JobState| counts.get(&wanted).copied().unwrap_or(0);
     let (settings, capacity) = (&state.settings, &state.settings.capacity);
     Ok(Json(CapacityDocument {
@@ -29,7 +29,7 @@ pub(in crate::http) async fn get_capacity(
         },
         limits: Limits {
             body_bytes: settings.max_body_bytes,
-            job_memory_bytes: state.desk.limits().job_bytes,
+            job_memory_bytes: state.jobs.limits().job_bytes,
             solve_seconds: settings.solve_limit.as_secs_f64(),
             wait_seconds: settings.wait_limit.as_secs_f64(),
             job_seconds: capacity.job_seconds,

@@ -18,7 +18,7 @@ use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
 use futures_util::stream;
 
-use crate::http::follower::{Follower, Place};
+use crate::http::event_stream::{EventPosition, EventStream};
 use crate::http::job_path::JobPath;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
@@ -51,15 +51,15 @@ pub(in crate::http) async fn get_events(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
-    let record = state.desk.get(id).await?;
-    if last.is_some_and(|last| last == Place::end_of(&record)) && record.state.is_finished() {
+    let record = state.jobs.get(id).await?;
+    if last.is_some_and(|last| last == EventPosition::end_of(&record)) && record.state.is_finished() {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
-    let place = state.streams.open()?;
-    let follower = Follower::new(state.desk, id, last.and_then(Place::parse), state.closing);
-    let events = stream::unfold((follower, place), |(mut follower, place)| async {
-        let event = follower.next().await?;
-        Some((Ok::<Event, Infallible>(event), (follower, place)))
+    let permit = state.streams.open()?;
+    let events = EventStream::new(state.jobs, id, last.and_then(EventPosition::parse), state.closing);
+    let stream = stream::unfold((events, permit), |(mut events, permit)| async {
+        let event = events.next().await?;
+        Some((Ok::<Event, Infallible>(event), (events, permit)))
     });
-    Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
+    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
 }

@@ -75,9 +75,9 @@ async fn get_export(
     if step.is_some() && !form.shows_one_step() {
         return Err(wrong(format!("{} holds every step and takes no step", form.file_name())));
     }
-    match state.desk.export(id, form, step).await {
+    match state.jobs.export(id, form, step).await {
         Ok(text) => Ok(file(id, form, text)),
-        Err(ExportFailure::NoResult) => Err(no_result(&state.desk.get(id).await?)),
+        Err(ExportFailure::NoResult) => Err(no_result(&state.jobs.get(id).await?)),
         Err(ExportFailure::Store(error)) => Err(error.into()),
         Err(ExportFailure::Export(error)) => Err(unavailable(&error)),
         Err(error @ ExportFailure::Unreadable(_)) => {

@@ -18,7 +18,7 @@ use crate::jobs::JobId;
 pub(in crate::http) async fn get_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
-    Wait(patience): Wait,
+    Wait(timeout): Wait,
 ) -> Result<Json<JobDocument>, Problem> {
-    Ok(Json(state.desk.wait(id, patience).await?.into()))
+    Ok(Json(state.jobs.wait(id, timeout).await?.into()))
 }

@@ -19,15 +19,15 @@ pub(in crate::http) async fn get_result(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
 ) -> Result<Response, Problem> {
-    if let Some(json) = state.desk.report(id).await? {
+    if let Some(json) = state.jobs.report(id).await? {
         return Ok(wire::report(id, json));
     }
-    Err(no_result(&state.desk.get(id).await?))
+    Err(no_result(&state.jobs.get(id).await?))
 }
 
 /// The answer to a client that has waited for the end of a job.
 pub(super) async fn finished(state: &HttpState, record: &JobRecord) -> Result<Response, Problem> {
-    match (state.desk.report(record.id).await?, &record.failure) {
+    match (state.jobs.report(record.id).await?, &record.failure) {
         (Some(json), _) => Ok(wire::report(record.id, json)),
         (None, Some(failure)) => Err(failure.into()),
         (None, None) => Err(no_result(record)),

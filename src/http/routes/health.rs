@@ -24,9 +24,9 @@ pub(in crate::http) async fn livez() -> Json<Health> {
     extensions(("x-problems" = json!(["shutting-down", "store-unavailable"]))),
 )]
 pub(in crate::http) async fn readyz(State(state): State<HttpState>) -> Result<Json<Health>, Problem> {
-    if state.desk.is_closed() {
+    if state.jobs.is_closed() {
         return Err(Problem::new(ProblemType::ShuttingDown, "the service is shutting down"));
     }
-    state.desk.ping().await?;
+    state.jobs.ping().await?;
     Ok(Json(Health { status: "ready" }))
 }

@@ -20,5 +20,5 @@ pub(in crate::http) async fn post_hertz(
     State(state): State<HttpState>,
     JobBody(text): JobBody,
 ) -> Result<Json<ClosedForm>, Problem> {
-    Ok(Json(state.desk.closed_form(&text)?))
+    Ok(Json(state.jobs.closed_form(&text)?))
 }

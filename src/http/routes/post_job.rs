@@ -56,7 +56,7 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 )]
 pub(in crate::http) async fn post_job(
     State(state): State<HttpState>,
-    PreferWait(patience): PreferWait,
+    PreferWait(timeout): PreferWait,
     IdempotencyKey(idempotency_key): IdempotencyKey,
     Priority(priority): Priority,
     caller: Caller,
@@ -65,12 +65,12 @@ pub(in crate::http) async fn post_job(
     state.rates.take(caller.key())?;
     let submission =
         Submission { request, priority, submitter: caller.key(), idempotency_key, ephemeral: false };
-    let enqueued = state.desk.submit(submission).await?;
+    let enqueued = state.jobs.submit(submission).await?;
     let mut record = enqueued.job;
-    if let Some(patience) = patience {
-        record = state.desk.wait(record.id, patience).await?;
+    if let Some(timeout) = timeout {
+        record = state.jobs.wait(record.id, timeout).await?;
     }
-    let mut response = if patience.is_some() && record.state.is_finished() {
+    let mut response = if timeout.is_some() && record.state.is_finished() {
         finished(&state, &record).await.unwrap_or_else(IntoResponse::into_response)
     } else {
         wire::accepted(&record)
@@ -79,8 +79,8 @@ pub(in crate::http) async fn post_job(
     if enqueued.replayed {
         headers.insert(REPLAYED, HeaderValue::from_static("true"));
     }
-    if let Some(patience) = patience {
-        let applied = HeaderValue::try_from(format!("wait={}", patience.as_secs()));
+    if let Some(timeout) = timeout {
+        let applied = HeaderValue::try_from(format!("wait={}", timeout.as_secs()));
         headers.extend(applied.ok().map(|applied| (APPLIED, applied)));
     }
     Ok(response)

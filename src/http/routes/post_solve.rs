@@ -20,7 +20,7 @@ use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::wire::Receipt;
 use crate::http::{HttpState, Problem, wire};
-use crate::jobs::{Desk, JobId, Submission};
+use crate::jobs::{JobId, JobService, Submission};
 
 /// Somebody waits: these jobs go before queued ones of ordinary priority.
 const URGENT: i16 = 1;
@@ -56,13 +56,13 @@ pub(in crate::http) async fn post_solve(
         ephemeral: true,
         idempotency_key: None,
     };
-    let id = state.desk.submit(submission).await?.job.id;
-    let mut hang_up = HangUp { desk: Arc::clone(&state.desk), job: Some(id) };
-    let mut record = state.desk.wait(id, state.settings.solve_limit).await?;
+    let id = state.jobs.submit(submission).await?.job.id;
+    let mut cancel_on_drop = CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id) };
+    let mut record = state.jobs.wait(id, state.settings.solve_limit).await?;
     if !record.state.is_finished() {
-        record = state.desk.keep(id).await?;
+        record = state.jobs.keep(id).await?;
     }
-    hang_up.job = None;
+    cancel_on_drop.job = None;
     if !record.state.is_finished() {
         return Ok(wire::accepted(&record));
     }
@@ -70,17 +70,17 @@ pub(in crate::http) async fn post_solve(
 }
 
 /// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.
-struct HangUp {
-    desk: Arc<Desk>,
+struct CancelOnDrop {
+    jobs: Arc<JobService>,
     job: Option<JobId>,
 }
 
-impl Drop for HangUp {
+impl Drop for CancelOnDrop {
     fn drop(&mut self) {
         let (Some(id), Ok(runtime)) = (self.job, Handle::try_current()) else { return };
-        let desk = Arc::clone(&self.desk);
+        let jobs = Arc::clone(&self.jobs);
         runtime.spawn(async move {
-            if let Err(error) = desk.cancel(id).await {
+            if let Err(error) = jobs.cancel(id).await {
                 tracing::warn!(job = %id, %error, "cannot cancel the job of a client that hung up");
             }
         });

@@ -18,6 +18,6 @@ pub(in crate::http) async fn post_validate(
     State(state): State<HttpState>,
     JobBody(text): JobBody,
 ) -> Result<Json<Validation>, Problem> {
-    let (_, estimate) = state.desk.check(&text)?;
+    let (_, estimate) = state.jobs.check(&text)?;
     Ok(Json(Validation { valid: true, estimate }))
 }

@@ -9,7 +9,7 @@ use super::intake::Intake;
 use super::keys::Keys;
 use super::leasing::Leasing;
 use super::reading::Reading;
-use crate::jobs::{Hub, JobId, StoreError};
+use crate::jobs::{JobId, JobNotifier, StoreError};
 
 /// Everything that is asked of a connection.
 pub(in crate::store) trait Statements: Reading + Intake + Claiming + Leasing + Keys {}
@@ -51,12 +51,12 @@ pub(in crate::store) enum Change {
 
 impl Change {
     /// Tells this process.
-    pub(in crate::store) fn announce(self, hub: &Hub) {
+    pub(in crate::store) fn announce(self, notifier: &JobNotifier) {
         match self {
-            Self::Work => hub.announce_work(),
-            Self::Progress(id) => hub.announce_progress(id),
-            Self::Cancel(id) => hub.announce_cancel(id),
-            Self::Finished(id) => hub.announce_finished(id),
+            Self::Work => notifier.announce_work(),
+            Self::Progress(id) => notifier.announce_progress(id),
+            Self::Cancel(id) => notifier.announce_cancel(id),
+            Self::Finished(id) => notifier.announce_finished(id),
         }
     }
 }

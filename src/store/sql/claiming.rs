@@ -14,14 +14,14 @@ const END: &str =
     "UPDATE jobs SET state = $2, failure = $3, finished_at = $4, owner = NULL, leased_until = NULL
      WHERE id = $1";
 const FORGET: &str = "DELETE FROM iterations WHERE job = $1";
-const HAND_OUT: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
+const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
          losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL
      WHERE id = $1 RETURNING attempts, request";
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
     /// Ends the jobs whose lease ran out and that nobody takes up again.
-    fn give_up(
+    fn expire(
         &mut self,
         max_attempts: u32,
         now: i64,
@@ -31,10 +31,10 @@ pub(in crate::store) trait Claiming: Send {
         request: &ClaimRequest,
         now: i64,
     ) -> impl Future<Output = Result<Claims, StoreError>> + Send;
-    fn hand_out(
+    fn lease_job(
         &mut self,
         job: Candidate,
-        alone: bool,
+        exclusive: bool,
         request: &ClaimRequest,
         now: i64,
     ) -> impl Future<Output = Result<Claim, StoreError>> + Send;
@@ -48,7 +48,7 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
 macro_rules! claiming {
     ($database:ty, $connection:ty, $lock:literal) => {
         impl Claiming for $connection {
-            async fn give_up(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
+            async fn expire(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
                 let lost = sqlx::query_as::<$database, (Uuid, i32, bool)>(concat!(
                     "SELECT id, losses, cancel_requested FROM jobs WHERE state = 'running' AND leased_until <= $1
                        AND (cancel_requested OR losses + 1 >= $2)",
@@ -80,12 +80,12 @@ macro_rules! claiming {
                     $lock
                 ));
                 let lost = lost.bind(now).bind(memory).bind(slots.saturating_add(1)).fetch_all(&mut *self).await?;
-                let (lonely, mut candidates): (Vec<Candidate>, Vec<Candidate>) = lost
+                let (exclusive, mut candidates): (Vec<Candidate>, Vec<Candidate>) = lost
                     .into_iter()
                     .partition(|(_, _, losses)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
-                if let (Some(job), true) = (lonely.first(), request.alone) {
-                    let jobs = vec![self.hand_out(*job, true, request, now).await?];
-                    return Ok(Claims { jobs, lonely_waits: false });
+                if let (Some(job), true) = (exclusive.first(), request.exclusive) {
+                    let jobs = vec![self.lease_job(*job, true, request, now).await?];
+                    return Ok(Claims { jobs, exclusive_pending: false });
                 }
                 let queued = sqlx::query_as::<$database, Candidate>(concat!(
                     "SELECT id, memory, losses - 1 FROM jobs WHERE state = 'queued' AND memory <= $1
@@ -93,25 +93,25 @@ macro_rules! claiming {
                     $lock
                 ));
                 candidates.extend(queued.bind(memory).bind(slots).fetch_all(&mut *self).await?);
-                let mut claims = Claims { jobs: Vec::new(), lonely_waits: !lonely.is_empty() };
+                let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
                 let mut free = request.free_memory;
                 for job in candidates.into_iter().take(request.slots) {
                     let Some(rest) = free.checked_sub(count(job.1)?) else { break };
                     free = rest;
-                    claims.jobs.push(self.hand_out(job, false, request, now).await?);
+                    claims.jobs.push(self.lease_job(job, false, request, now).await?);
                 }
                 Ok(claims)
             }
 
-            async fn hand_out(
+            async fn lease_job(
                 &mut self,
                 job: Candidate,
-                alone: bool,
+                exclusive: bool,
                 request: &ClaimRequest,
                 now: i64,
             ) -> Result<Claim, StoreError> {
                 let (id, memory, losses) = job;
-                let (attempt, text) = sqlx::query_as::<$database, (i32, Vec<u8>)>(HAND_OUT)
+                let (attempt, text) = sqlx::query_as::<$database, (i32, Vec<u8>)>(LEASE_JOB)
                     .bind(id)
                     .bind(request.owner.uuid())
                     .bind(until(now, request.lease))
@@ -123,7 +123,7 @@ macro_rules! claiming {
                     sqlx::query::<$database>(FORGET).bind(id).execute(&mut *self).await?;
                 }
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
-                Ok(Claim { lease, alone, memory: count(memory)?, request: unpack(&text)? })
+                Ok(Claim { lease, exclusive, memory: count(memory)?, request: unpack(&text)? })
             }
         }
     };

@@ -20,8 +20,8 @@ use sqlx::Transaction;
 
 use super::shelf::Departure;
 use crate::jobs::{
-    ClaimRequest, Claims, Counts, Enqueued, Hub, IterationRecord, JobFilter, JobId, JobPage, JobRecord,
-    JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
+    ClaimRequest, Claims, Counts, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobPage,
+    JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
 };
 pub(super) use backend::{Backend, Change};
 use claiming::Claiming;
@@ -38,7 +38,7 @@ impl From<sqlx::Error> for StoreError {
 /// A [`JobStore`] in a database.
 pub(super) struct SqlStore<B> {
     pub(super) backend: B,
-    pub(super) hub: Arc<Hub>,
+    pub(super) notifier: Arc<JobNotifier>,
     pub(super) queue_capacity: usize,
 }
 
@@ -63,7 +63,7 @@ impl<B: Backend> SqlStore<B> {
         self.backend.notify(&mut transaction, changes).await?;
         transaction.commit().await?;
         for change in changes {
-            change.announce(&self.hub);
+            change.announce(&self.notifier);
         }
         Ok(())
     }
@@ -96,7 +96,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        let ended = transaction.give_up(request.max_attempts, now).await?;
+        let ended = transaction.expire(request.max_attempts, now).await?;
         let claims = Claiming::claim(&mut *transaction, request, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
         let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();

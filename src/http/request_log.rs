@@ -15,7 +15,7 @@ use crate::jobs::JobId;
 /// Time \[s\] from a request's head to its answer's, by method, route and status.
 pub const REQUEST_DURATION: &str = "http_server_request_duration_seconds";
 
-/// Routes that are asked all the time and mean nothing: told at level `debug`.
+/// Routes that are asked all the time and mean nothing: logged at level `debug`.
 const PROBES: [&str; 3] = ["/livez", "/readyz", "/metrics"];
 
 /// Longest part of an unknown address that is logged.
@@ -23,22 +23,22 @@ const PATH: usize = 100;
 
 /// Put in an answer's extensions by handlers that make a job.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct AboutJob(pub(super) JobId);
+pub(super) struct JobIdExtension(pub(super) JobId);
 
 /// The layer.
-pub(super) async fn observe(request: Request, next: Next) -> Response {
-    let mut exchange = Exchange::begin(&request);
-    let span = exchange.span.clone();
+pub(super) async fn log_request(request: Request, next: Next) -> Response {
+    let mut log = RequestLog::begin(&request);
+    let span = log.span.clone();
     let response = next.run(request).instrument(span).await;
-    exchange.status = Some(response.status());
-    if let Some(AboutJob(id)) = response.extensions().get() {
-        exchange.job = Some(id.to_string());
+    log.status = Some(response.status());
+    if let Some(JobIdExtension(id)) = response.extensions().get() {
+        log.job = Some(id.to_string());
     }
     response
 }
 
-/// One request. Told when dropped: that is also what becomes of the request of a client that hangs up.
-struct Exchange {
+/// One request, logged when dropped, because the handler of a client that disconnects is dropped as well.
+struct RequestLog {
     started: Instant,
     span: Span,
     method: &'static str,
@@ -48,7 +48,7 @@ struct Exchange {
     status: Option<StatusCode>,
 }
 
-impl Exchange {
+impl RequestLog {
     fn begin(request: &Request) -> Self {
         let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).unwrap_or_default();
         let route = request.extensions().get::<MatchedPath>().map(|path| path.as_str().to_owned());
@@ -81,7 +81,7 @@ fn name(method: &Method) -> &'static str {
     }
 }
 
-impl Drop for Exchange {
+impl Drop for RequestLog {
     fn drop(&mut self) {
         let time = self.started.elapsed();
         let route = self.route.clone().unwrap_or_else(|| "none".to_owned());

@@ -1,12 +1,12 @@
-//! Room to solve in: a number of solvers, and memory shared by the jobs they solve.
+//! Slots of a worker: a number of solvers, and memory that their jobs share.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore};
 
-/// All seats of a worker.
+/// All slots of a worker.
 #[derive(Debug)]
-pub(super) struct Seats {
+pub(super) struct Slots {
     solvers: Arc<Semaphore>,
     n_solvers: usize,
     memory: u64,
@@ -14,30 +14,30 @@ pub(super) struct Seats {
     freed: Notify,
 }
 
-/// Solvers taken for jobs that are not chosen yet.
+/// Solvers reserved for jobs that have not been claimed yet.
 #[derive(Debug)]
-pub(super) struct Taken {
+pub(super) struct Reservation {
     permits: Vec<OwnedSemaphorePermit>,
     /// These are all there are.
     pub(super) all: bool,
 }
 
-/// The room of one job, given back when dropped.
+/// The solvers and the memory of one job, released when dropped.
 #[derive(Debug)]
-pub(super) struct Seat {
-    seats: Arc<Seats>,
+pub(super) struct Slot {
+    slots: Arc<Slots>,
     memory: u64,
     _permits: Vec<OwnedSemaphorePermit>,
 }
 
-impl Seats {
+impl Slots {
     pub(super) fn new(n_solvers: usize, memory: u64) -> Self {
         let solvers = Arc::new(Semaphore::new(n_solvers));
         Self { solvers, n_solvers, memory, used: Mutex::new(0), freed: Notify::new() }
     }
 
     /// Waits for a free solver, or for all of them, and takes all that are free.
-    pub(super) async fn take(&self, all: bool) -> Taken {
+    pub(super) async fn take(&self, all: bool) -> Reservation {
         let least = if all { u32::try_from(self.n_solvers).unwrap_or(u32::MAX) } else { 1 };
         let first = Arc::clone(&self.solvers).acquire_many_owned(least).await;
         let mut n_taken = if all { self.n_solvers } else { 1 };
@@ -46,7 +46,7 @@ impl Seats {
             permits.push(permit);
             n_taken += 1;
         }
-        Taken { all: n_taken == self.n_solvers, permits }
+        Reservation { all: n_taken == self.n_solvers, permits }
     }
 
     /// Memory \[bytes\] of the whole worker.
@@ -69,15 +69,15 @@ impl Seats {
     }
 }
 
-impl Taken {
+impl Reservation {
     /// How many solvers these are.
     pub(super) fn len(&self) -> usize {
         self.permits.iter().map(OwnedSemaphorePermit::num_permits).sum()
     }
 
-    /// Seats a job on one solver, or on all of them if it must be alone. `None` if there is none.
-    pub(super) fn seat(&mut self, seats: &Arc<Seats>, alone: bool, memory: u64) -> Option<Seat> {
-        let permits = if alone {
+    /// Assigns one solver to a job, or on all of them if it must be alone. `None` if there is none.
+    pub(super) fn assign(&mut self, slots: &Arc<Slots>, exclusive: bool, memory: u64) -> Option<Slot> {
+        let permits = if exclusive {
             std::mem::take(&mut self.permits)
         } else {
             let mut last = self.permits.pop()?;
@@ -90,16 +90,16 @@ impl Taken {
                 None => vec![last],
             }
         };
-        *seats.used() += memory;
-        Some(Seat { seats: Arc::clone(seats), memory, _permits: permits })
+        *slots.used() += memory;
+        Some(Slot { slots: Arc::clone(slots), memory, _permits: permits })
     }
 }
 
-impl Drop for Seat {
+impl Drop for Slot {
     fn drop(&mut self) {
-        let mut used = self.seats.used();
+        let mut used = self.slots.used();
         *used = used.saturating_sub(self.memory);
-        self.seats.freed.notify_one();
+        self.slots.freed.notify_one();
     }
 }
 
@@ -109,23 +109,23 @@ mod tests {
 
     #[tokio::test]
     async fn seats_are_taken_and_given_back() {
-        let seats = Arc::new(Seats::new(3, 100));
-        let mut taken = seats.take(false).await;
-        assert_eq!((taken.len(), taken.all), (3, true));
-        let seat = taken.seat(&seats, false, 60).unwrap();
-        drop(taken);
-        assert_eq!(seats.free_memory(), 40);
-        let taken = seats.take(false).await;
-        assert_eq!((taken.len(), taken.all), (2, false));
-        drop((taken, seat));
-        seats.freed().await;
-        let mut taken = seats.take(true).await;
-        assert_eq!((taken.len(), taken.all, seats.free_memory()), (3, true, 100));
-        let first = taken.seat(&seats, false, 0).unwrap();
-        assert_eq!(taken.len(), 2);
-        let alone = taken.seat(&seats, true, 0).unwrap();
-        assert_eq!(taken.len(), 0);
-        assert!(taken.seat(&seats, false, 0).is_none());
-        drop((first, alone));
+        let slots = Arc::new(Slots::new(3, 100));
+        let mut reservation = slots.take(false).await;
+        assert_eq!((reservation.len(), reservation.all), (3, true));
+        let slot = reservation.assign(&slots, false, 60).unwrap();
+        drop(reservation);
+        assert_eq!(slots.free_memory(), 40);
+        let reservation = slots.take(false).await;
+        assert_eq!((reservation.len(), reservation.all), (2, false));
+        drop((reservation, slot));
+        slots.freed().await;
+        let mut reservation = slots.take(true).await;
+        assert_eq!((reservation.len(), reservation.all, slots.free_memory()), (3, true, 100));
+        let first = reservation.assign(&slots, false, 0).unwrap();
+        assert_eq!(reservation.len(), 2);
+        let exclusive = reservation.assign(&slots, true, 0).unwrap();
+        assert_eq!(reservation.len(), 0);
+        assert!(reservation.assign(&slots, false, 0).is_none());
+        drop((first, exclusive));
     }
 }

@@ -1,4 +1,4 @@
-//! Tells waiting parties in this process that a job has changed.
+//! Notifies subscribers in this process that a job has changed.
 //!
 //! The store announces every change here after making it (a store shared by several machines forwards the
 //! others' changes too); those who wait then ask the store. A signal carries no data, so a slow listener costs
@@ -11,7 +11,7 @@ use tokio::sync::{Notify, watch};
 
 use super::JobId;
 
-/// What has happened to a job since it was first watched.
+/// What has happened to a job since the first subscription to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Signal {
     /// Number of changes announced.
@@ -22,24 +22,24 @@ pub struct Signal {
     pub finished: bool,
 }
 
-/// Switchboard between the store and those who wait for it.
+/// Announces changes of jobs to subscribers in this process.
 #[derive(Debug, Default)]
-pub struct Hub {
+pub struct JobNotifier {
     jobs: Mutex<HashMap<JobId, watch::Sender<Signal>>>,
     work: Notify,
 }
 
-impl Hub {
-    /// A hub nobody listens to yet.
+impl JobNotifier {
+    /// A notifier without subscribers.
     pub fn new() -> Arc<Self> {
         Arc::new(Self::default())
     }
 
-    /// Listens to one job. Watch first, then ask the store: a change in between is not missed.
-    pub fn watch(self: &Arc<Self>, id: JobId) -> Watch {
+    /// Listens to one job. Subscription first, then ask the store: a change in between is not missed.
+    pub fn subscribe(self: &Arc<Self>, id: JobId) -> Subscription {
         let receiver =
             self.lock().entry(id).or_insert_with(|| watch::Sender::new(Signal::default())).subscribe();
-        Watch { id, receiver, hub: Arc::clone(self) }
+        Subscription { id, receiver, notifier: Arc::clone(self) }
     }
 
     /// Progress was recorded.
@@ -70,7 +70,7 @@ impl Hub {
         self.work.notify_one();
     }
 
-    /// Waits for [`Hub::announce_work`]; one announced while nobody waited counts. For one waiter a process.
+    /// Waits for [`JobNotifier::announce_work`]; one announced while nobody waited counts. For one waiter a process.
     pub async fn work(&self) {
         self.work.notified().await;
     }
@@ -89,15 +89,15 @@ impl Hub {
     }
 }
 
-/// One party's ear on one job.
+/// A subscription to the changes of one job.
 #[derive(Debug)]
-pub struct Watch {
+pub struct Subscription {
     id: JobId,
     receiver: watch::Receiver<Signal>,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
 }
 
-impl Watch {
+impl Subscription {
     /// Waits for the next change and returns all that has happened so far.
     pub async fn changed(&mut self) -> Signal {
         // The sender lives as long as this receiver does, so waiting cannot fail.
@@ -111,9 +111,9 @@ impl Watch {
     }
 }
 
-impl Drop for Watch {
+impl Drop for Subscription {
     fn drop(&mut self) {
-        let mut jobs = self.hub.lock();
+        let mut jobs = self.notifier.lock();
         if jobs.get(&self.id).is_some_and(|sender| sender.receiver_count() <= 1) {
             jobs.remove(&self.id);
         }
@@ -126,32 +126,35 @@ mod tests {
 
     #[tokio::test]
     async fn changes_between_watching_and_waiting_are_not_missed() {
-        let hub = Hub::new();
+        let notifier = JobNotifier::new();
         let id = JobId::generate();
-        let mut watch = hub.watch(id);
-        hub.announce_progress(id);
-        hub.announce_cancel(id);
-        assert_eq!(watch.changed().await, Signal { changes: 2, cancel_requested: true, finished: false });
-        hub.announce_finished(id);
-        watch.finished().await;
+        let mut subscription = notifier.subscribe(id);
+        notifier.announce_progress(id);
+        notifier.announce_cancel(id);
+        assert_eq!(
+            subscription.changed().await,
+            Signal { changes: 2, cancel_requested: true, finished: false }
+        );
+        notifier.announce_finished(id);
+        subscription.finished().await;
     }
 
     #[tokio::test]
     async fn nothing_is_kept_for_jobs_nobody_watches() {
-        let hub = Hub::new();
+        let notifier = JobNotifier::new();
         let id = JobId::generate();
-        let (first, second) = (hub.watch(id), hub.watch(id));
+        let (first, second) = (notifier.subscribe(id), notifier.subscribe(id));
         drop(first);
-        assert_eq!(hub.lock().len(), 1);
+        assert_eq!(notifier.lock().len(), 1);
         drop(second);
-        hub.announce_finished(id);
-        assert!(hub.lock().is_empty());
+        notifier.announce_finished(id);
+        assert!(notifier.lock().is_empty());
     }
 
     #[tokio::test]
     async fn work_announced_before_anyone_waits_counts() {
-        let hub = Hub::new();
-        hub.announce_work();
-        hub.work().await;
+        let notifier = JobNotifier::new();
+        notifier.announce_work();
+        notifier.work().await;
     }
 }

@@ -11,24 +11,24 @@ use tokio::time::sleep;
 use tokio_util::sync::CancellationToken;
 
 use super::wire::JobDocument;
-use crate::jobs::{Desk, JobId, JobRecord, JobState, StoreError, Watch};
+use crate::jobs::{JobId, JobRecord, JobService, JobState, StoreError, Subscription};
 
 /// Longest time between two looks at the store, should an announcement be lost.
-const LOOK_AGAIN: Duration = Duration::from_secs(1);
+const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Iterations seen, of which attempt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Place {
+pub(super) struct EventPosition {
     attempt: u32,
     seen: usize,
 }
 
-impl Place {
+impl EventPosition {
     /// Reads an event's id; `None` if no event has it.
     pub(super) fn parse(id: &str) -> Option<Self> {
         let mut parts = id.split('-');
-        let place = Self { attempt: parts.next()?.parse().ok()?, seen: parts.next()?.parse().ok()? };
-        matches!(parts.next(), None | Some("end")).then_some(place)
+        let position = Self { attempt: parts.next()?.parse().ok()?, seen: parts.next()?.parse().ok()? };
+        matches!(parts.next(), None | Some("end")).then_some(position)
     }
 
     /// The id of the last event of a finished job.
@@ -42,22 +42,36 @@ impl Place {
 }
 
 /// One client's view of a job.
-pub(super) struct Follower {
-    desk: Arc<Desk>,
+pub(super) struct EventStream {
+    jobs: Arc<JobService>,
     job: JobId,
-    watch: Watch,
+    subscription: Subscription,
     closing: CancellationToken,
-    place: Place,
-    told: Option<(JobState, u32, bool)>,
+    position: EventPosition,
+    sent_state: Option<(JobState, u32, bool)>,
     events: VecDeque<Event>,
     ended: bool,
 }
 
-impl Follower {
+impl EventStream {
     /// From `place` on, or from the beginning.
-    pub(super) fn new(desk: Arc<Desk>, job: JobId, place: Option<Place>, closing: CancellationToken) -> Self {
-        let (watch, place) = (desk.watch(job), place.unwrap_or_default());
-        Self { desk, job, watch, closing, place, told: None, events: VecDeque::new(), ended: false }
+    pub(super) fn new(
+        jobs: Arc<JobService>,
+        job: JobId,
+        position: Option<EventPosition>,
+        closing: CancellationToken,
+    ) -> Self {
+        let (subscription, position) = (jobs.subscribe(job), position.unwrap_or_default());
+        Self {
+            jobs,
+            job,
+            subscription,
+            closing,
+            position,
+            sent_state: None,
+            events: VecDeque::new(),
+            ended: false,
+        }
     }
 
     /// The next event; `None` after the last.
@@ -69,15 +83,15 @@ impl Follower {
             if self.ended {
                 return None;
             }
-            if let Err(error) = self.look().await {
+            if let Err(error) = self.poll().await {
                 // The stream breaks off; the client comes back to where it was.
                 tracing::debug!(job = %self.job, %error, "stopped following");
                 return None;
             }
             if self.events.is_empty() {
                 tokio::select! {
-                    _ = self.watch.changed() => {}
-                    () = sleep(LOOK_AGAIN) => {}
+                    _ = self.subscription.changed() => {}
+                    () = sleep(POLL_INTERVAL) => {}
                     () = self.closing.cancelled() => return None,
                 }
             }
@@ -85,39 +99,39 @@ impl Follower {
     }
 
     /// Asks the store what is new.
-    async fn look(&mut self) -> Result<(), StoreError> {
-        let mut record = self.desk.get(self.job).await?;
-        if record.attempts != self.place.attempt || record.iterations < self.place.seen {
-            self.place = Place { attempt: record.attempts, seen: 0 };
+    async fn poll(&mut self) -> Result<(), StoreError> {
+        let mut record = self.jobs.get(self.job).await?;
+        if record.attempts != self.position.attempt || record.iterations < self.position.seen {
+            self.position = EventPosition { attempt: record.attempts, seen: 0 };
         }
         let mut iterations = Vec::new();
-        if record.iterations > self.place.seen {
-            iterations = self.desk.history(self.job, self.place.seen).await?;
-            record = self.desk.get(self.job).await?;
-            if record.attempts != self.place.attempt {
+        if record.iterations > self.position.seen {
+            iterations = self.jobs.history(self.job, self.position.seen).await?;
+            record = self.jobs.get(self.job).await?;
+            if record.attempts != self.position.attempt {
                 return Ok(());
             }
-            iterations.truncate(record.iterations.saturating_sub(self.place.seen));
+            iterations.truncate(record.iterations.saturating_sub(self.position.seen));
         }
         let finished = record.state.is_finished();
         if !finished {
-            self.tell_state(&record, None);
+            self.send_state(&record, None);
         }
         for iteration in &iterations {
-            self.place.seen += 1;
-            self.events.extend(event("iteration", iteration).map(|event| event.id(self.place.id())));
+            self.position.seen += 1;
+            self.events.extend(event("iteration", iteration).map(|event| event.id(self.position.id())));
         }
         // Written in one step with the last iterations; whatever came between is fetched by the next look.
-        if finished && (iterations.is_empty() || self.place.seen >= record.iterations) {
-            self.tell_state(&record, Some(Place::end_of(&record)));
+        if finished && (iterations.is_empty() || self.position.seen >= record.iterations) {
+            self.send_state(&record, Some(EventPosition::end_of(&record)));
             self.ended = true;
         }
         Ok(())
     }
 
-    fn tell_state(&mut self, record: &JobRecord, id: Option<String>) {
+    fn send_state(&mut self, record: &JobRecord, id: Option<String>) {
         let now = (record.state, record.attempts, record.cancel_requested);
-        if self.told.replace(now) != Some(now) {
+        if self.sent_state.replace(now) != Some(now) {
             let state = event("state", &JobDocument::from(record.clone()));
             self.events.extend(state.map(|event| match id {
                 Some(id) => event.id(id),
@@ -137,12 +151,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_are_read_as_they_are_written() {
-        let place = Place { attempt: 2, seen: 17 };
-        assert_eq!(Place::parse(&place.id()), Some(place));
-        assert_eq!(Place::parse("2-17-end"), Some(place));
+    fn positions_are_read_as_they_are_written() {
+        let position = EventPosition { attempt: 2, seen: 17 };
+        assert_eq!(EventPosition::parse(&position.id()), Some(position));
+        assert_eq!(EventPosition::parse("2-17-end"), Some(position));
         for noise in ["", "2", "2-x", "-1-2", "2-17-begin"] {
-            assert_eq!(Place::parse(noise), None, "{noise:?}");
+            assert_eq!(EventPosition::parse(noise), None, "{noise:?}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The front desk: what may be asked of the job queue from outside.
+//! Operations on jobs for the layers above: submit, query, wait, cancel, remove.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,19 +11,19 @@ use tokio::time::{Instant, timeout_at};
 use sha2::{Digest, Sha256};
 
 use super::{
-    ApiKey, ClosedForm, Counts, Enqueued, Hub, Idempotency, IterationRecord, JobFilter, JobId, JobPage,
-    JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Watch, read_token,
+    ApiKey, ClosedForm, Counts, Enqueued, Idempotency, IterationRecord, JobFilter, JobId, JobNotifier,
+    JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Subscription, read_token,
 };
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
 /// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
 /// an announcement from another process is lost.
-const LOOK_AGAIN: Duration = Duration::from_secs(1);
+const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Bounds on what is taken in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct DeskLimits {
+pub struct SubmissionLimits {
     /// Largest memory \[bytes\] a job may be estimated to need.
     pub job_bytes: u64,
 }
@@ -39,13 +39,13 @@ pub struct Submission {
     pub submitter: Option<KeyId>,
     /// The client's name for this submission, if it may come twice.
     pub idempotency_key: Option<String>,
-    /// The client waits for the answer and is told of the job only by [`Desk::keep`].
+    /// The client waits for the answer and is told of the job only by [`JobService::keep`].
     pub ephemeral: bool,
 }
 
 /// Why a job is not taken in.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Refusal {
+pub enum Rejection {
     /// Its text is not a job.
     #[error(transparent)]
     Invalid(#[from] JobError),
@@ -67,7 +67,7 @@ pub enum Refusal {
 pub enum SubmitError {
     /// The job itself is at fault.
     #[error(transparent)]
-    Refused(#[from] Refusal),
+    Rejected(#[from] Rejection),
     /// The service is shutting down.
     #[error("the service is shutting down")]
     Closed,
@@ -77,36 +77,36 @@ pub enum SubmitError {
 }
 
 /// Takes jobs in, answers questions about them, and stops them.
-pub struct Desk {
+pub struct JobService {
     store: Arc<dyn JobStore>,
-    hub: Arc<Hub>,
+    notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
     keys: Arc<dyn KeyStore>,
-    limits: DeskLimits,
+    limits: SubmissionLimits,
     closed: AtomicBool,
 }
 
-impl Desk {
-    /// A desk in front of `store`, which announces on `hub`.
+impl JobService {
+    /// A service on `store`, whose changes `notifier` announces.
     pub fn new(
         store: Arc<dyn JobStore>,
-        hub: Arc<Hub>,
+        notifier: Arc<JobNotifier>,
         solver: Arc<dyn JobSolver>,
         keys: Arc<dyn KeyStore>,
-        limits: DeskLimits,
+        limits: SubmissionLimits,
     ) -> Self {
-        Self { store, hub, solver, keys, limits, closed: AtomicBool::new(false) }
+        Self { store, notifier, solver, keys, limits, closed: AtomicBool::new(false) }
     }
 
     /// Checks a job without queueing it, and estimates its cost.
     ///
     /// # Errors
-    /// [`Refusal`] with every fault.
-    pub fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Refusal> {
+    /// [`Rejection`] with every fault.
+    pub fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Rejection> {
         let job = Job::from_json(request)?;
         let estimate = self.solver.estimate(&job).map_err(JobError::Fields)?;
         if estimate.bytes > self.limits.job_bytes {
-            return Err(Refusal::TooLarge { estimate, limit: self.limits.job_bytes });
+            return Err(Rejection::TooLarge { estimate, limit: self.limits.job_bytes });
         }
         Ok((job, estimate))
     }
@@ -124,8 +124,8 @@ impl Desk {
     /// What theory answers to a job without a mesh.
     ///
     /// # Errors
-    /// [`Refusal`] with every fault, also where the theory does not apply.
-    pub fn closed_form(&self, request: &[u8]) -> Result<ClosedForm, Refusal> {
+    /// [`Rejection`] with every fault, also where the theory does not apply.
+    pub fn closed_form(&self, request: &[u8]) -> Result<ClosedForm, Rejection> {
         let job = Job::from_json(request)?;
         Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
     }
@@ -165,19 +165,19 @@ impl Desk {
         self.store.get(id).await
     }
 
-    /// Like [`Desk::get`], once the job has finished or `patience` has run out.
+    /// Like [`JobService::get`], once the job has finished or `timeout` has elapsed.
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn wait(&self, id: JobId, patience: Duration) -> Result<JobRecord, StoreError> {
-        let mut watch = self.watch(id);
-        let deadline = Instant::now() + patience;
+    pub async fn wait(&self, id: JobId, timeout: Duration) -> Result<JobRecord, StoreError> {
+        let mut subscription = self.subscribe(id);
+        let deadline = Instant::now() + timeout;
         loop {
             let record = self.store.get(id).await?;
             if record.state.is_finished() || Instant::now() >= deadline {
                 return Ok(record);
             }
-            let _ = timeout_at(deadline.min(Instant::now() + LOOK_AGAIN), watch.finished()).await;
+            let _ = timeout_at(deadline.min(Instant::now() + POLL_INTERVAL), subscription.finished()).await;
         }
     }
 
@@ -190,8 +190,8 @@ impl Desk {
     }
 
     /// Listens to a job.
-    pub fn watch(&self, id: JobId) -> Watch {
-        self.hub.watch(id)
+    pub fn subscribe(&self, id: JobId) -> Subscription {
+        self.notifier.subscribe(id)
     }
 
     /// Iterations of the latest attempt from the `after`-th on.
@@ -255,7 +255,7 @@ impl Desk {
     }
 
     /// Bounds on what is taken in.
-    pub const fn limits(&self) -> DeskLimits {
+    pub const fn limits(&self) -> SubmissionLimits {
         self.limits
     }
 
@@ -272,7 +272,7 @@ impl Desk {
         self.closed.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the desk has been closed.
+    /// Whether the service has been closed.
     pub fn is_closed(&self) -> bool {
         self.closed.load(Ordering::Relaxed)
     }
