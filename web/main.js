@@ -1,11 +1,12 @@
 /** Puts the page together. */
 
 import { Problem, ask, post } from './api/client.js';
+import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
 import { same } from './lib/pointer.js';
 import { startTheme } from './lib/theme.js';
-import { startKeys, startParts } from './shell.js';
+import { showTitle, startKeys, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
 import { Form } from './setup/form.js';
@@ -25,7 +26,7 @@ const KEPT = 'draft';
 startTheme();
 const draft = new Draft();
 const form = new Form(draft);
-startJson(draft);
+const readJson = startJson(draft);
 const sketch = startSketch(draft);
 const view = new View(() => {
   draft.set('/output/fields', true, 'page');
@@ -42,6 +43,7 @@ let current;
 let first;
 
 const watch = new Watch({
+  titled: showTitle,
   iterated: (history) => {
     if (current) view.iterate(history, current.job);
   },
@@ -53,7 +55,7 @@ const watch = new Watch({
   ended: (document) => {
     list.refresh();
     const errors = document.error?.errors ?? [];
-    if (errors.length) form.complain(errors);
+    if (errors.length) form.showError(errors);
     if (!first) nothing(document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '');
   },
 });
@@ -76,22 +78,53 @@ function nothing(text) {
   view.clear(h('div', { class: 'empty' }, h('p', {}, text)));
 }
 
+/** Says beside the button why nothing is solved. @param {string} words */
+function refuse(words) {
+  byId('solve-state').textContent = words;
+}
+
 async function solve() {
   const button = /** @type {HTMLButtonElement} */ (byId('solve'));
+  const damaged = readJson();
+  if (damaged) return refuse(`The JSON beside is not a job: ${damaged}`);
   button.disabled = true;
+  draft.settle();
   try {
     const job = structuredClone(draft.job);
     const { id } = await post('v1/jobs', job);
+    refuse('');
     current = { id, job };
     history.pushState(null, '', `#job=${id}`);
     follow(id);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
-    check.refuse(error);
+    if (error.status === 422 || error.status === 400) check.refuse(error);
     form.focusFault();
-    if (error.status === 429) toast('The queue is full. Try again in a moment.');
+    refuse(refusal(error));
   } finally {
     button.disabled = false;
+  }
+}
+
+/** @param {Problem} problem @returns {string} what it means for who wants an answer */
+function refusal({ status, message, errors }) {
+  switch (status) {
+    case 0:
+    case 502:
+    case 504:
+      return 'The service does not answer, nothing was sent. It is asked again until it does.';
+    case 401:
+      return 'The service asks for an API key.';
+    case 429:
+      return 'The queue is full. Try again in a moment.';
+    case 422:
+      if (form.faults)
+        return form.faults === 1
+          ? 'One field is wrong: the cursor is in it.'
+          : `${form.faults} fields are wrong: the cursor is in the first.`;
+      return errors[0]?.detail ?? message;
+    default:
+      return message;
   }
 }
 
@@ -109,19 +142,34 @@ function follow(id) {
   compareWithDraft();
 }
 
+/** The job that was asked for last: answers may overtake each other. */
+let wanted = '';
+
 /** Shows a job that somebody made. @param {string} id */
 async function open(id) {
+  wanted = id;
   if (current?.id === id) return;
   try {
     const job = await ask(`v1/jobs/${id}/request`);
+    if (wanted !== id) return;
     current = { id, job };
     draft.replace(job, 'link');
     follow(id);
   } catch (error) {
+    if (wanted !== id) return;
+    const { status, message } = error instanceof Problem ? error : { status: -1, message: String(error) };
+    watch.stop();
+    first = undefined;
+    current = undefined;
+    showTitle();
     nothing(
-      error instanceof Problem && error.status === 404
+      status === 404
         ? 'This link leads to a job that is not here: removed after its time, or made on another service.'
-        : String(/** @type {Error} */ (error).message),
+        : status === 401
+          ? 'This job is shown to holders of an API key.'
+          : status === 0
+            ? 'The service does not answer. The job is shown when it does.'
+            : message,
     );
   }
 }
@@ -150,9 +198,10 @@ async function compare(id, on, label) {
 }
 
 /** Does what the address says. */
-async function obey() {
+async function applyAddress() {
   const { job, draft: packed } = link.read();
   if (job) return open(job);
+  wanted = '';
   if (packed) {
     const definition = await link.unpack(packed).catch(() => undefined);
     if (definition) return draft.replace(definition, 'link');
@@ -186,8 +235,8 @@ async function begin() {
     );
   nothing('Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.');
   draft.addEventListener('change', () => sessionStorage.setItem(KEPT, JSON.stringify(draft.job)));
-  await obey();
-  addEventListener('hashchange', obey);
+  await applyAddress();
+  addEventListener('hashchange', applyAddress);
 }
 
 byId('form').addEventListener('submit', (event) => {
@@ -200,7 +249,31 @@ addEventListener('keydown', (event) => {
     solve();
   }
 });
-draft.addEventListener('change', compareWithDraft);
+draft.addEventListener('change', () => {
+  compareWithDraft();
+  refuse('');
+  /** @type {HTMLButtonElement} */ (byId('undo')).disabled = !draft.undoable;
+  /** @type {HTMLButtonElement} */ (byId('redo')).disabled = !draft.redoable;
+});
+byId('undo').addEventListener('click', () => draft.undo());
+byId('redo').addEventListener('click', () => draft.redo());
+addEventListener('keydown', (event) => {
+  const key = event.key.toLowerCase();
+  const inText = event.target instanceof Element && event.target.closest('#json, #jobs, dialog');
+  if (!(event.ctrlKey || event.metaKey) || inText || !['z', 'y'].includes(key)) return;
+  event.preventDefault();
+  // What is typed is shown as the draft has it: the field no longer counts as being typed in.
+  const field = /** @type {HTMLElement | null} */ (document.activeElement);
+  field?.blur();
+  if (key === 'y' || event.shiftKey) draft.redo();
+  else draft.undo();
+  field?.focus();
+});
+onReconnect(() => {
+  refuse('');
+  applyAddress();
+  list.refresh();
+});
 byId('restore').addEventListener('click', () => {
   if (current) draft.replace(current.job, 'job');
 });
@@ -214,4 +287,5 @@ document.querySelector('[data-skip]')?.addEventListener('click', (event) => {
 
 startParts(() => list.refresh());
 startKeys();
+startMenus();
 begin();

@@ -1,7 +1,29 @@
-/** What stands around the contents: which parts are shown, and the API key. */
+/** What stands around the contents: which parts are shown, the API key, menus, the title of the tab. */
 
 import { onKeyWanted, useKey } from './api/client.js';
 import { byId } from './lib/dom.js';
+
+const NAME = document.title;
+
+/** @param {string} [state] of the job, which the tab says before the page's name */
+export const showTitle = (state) => {
+  document.title = state ? `${state} · Brinell` : NAME;
+};
+
+/** Menus close by Escape and by a click elsewhere. */
+export function startMenus() {
+  const open = () => /** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll('details.menu[open]'));
+  addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    for (const menu of open()) {
+      menu.open = false;
+      menu.querySelector('summary')?.focus();
+    }
+  });
+  addEventListener('click', (event) => {
+    for (const menu of open()) if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+  });
+}
 
 /** Buttons that show and hide the JSON and the jobs. @param {() => void} jobsShown */
 export function startParts(jobsShown) {
@@ -13,7 +35,11 @@ export function startParts(jobsShown) {
       localStorage.setItem(`show-${part}`, String(on));
       if (part === 'jobs') jobsShown();
     };
-    button.addEventListener('click', () => turn(byId(part).hidden));
+    button.addEventListener('click', () => {
+      turn(byId(part).hidden);
+      // On a narrow page the parts are stacked, and this one may be far below.
+      if (!byId(part).hidden && innerWidth <= 900) byId(part).scrollIntoView();
+    });
     turn(localStorage.getItem(`show-${part}`) === 'true');
   }
 }
@@ -21,14 +47,20 @@ export function startParts(jobsShown) {
 /** Asks for an API key when the service does. */
 export function startKeys() {
   const dialog = /** @type {HTMLDialogElement} */ (byId('key-dialog'));
-  const show = () => {
+  const show = (/** @type {string} */ words) => {
+    byId('key-words').textContent = words;
     if (!dialog.open) dialog.showModal();
   };
-  onKeyWanted(() => {
+  const kept = 'It is kept until this tab is closed.';
+  onKeyWanted((refused) => {
     byId('api-key').hidden = false;
-    show();
+    show(
+      refused
+        ? `The service does not know this key. Enter another one. ${kept}`
+        : `This service asks for a key. ${kept}`,
+    );
   });
-  byId('api-key').addEventListener('click', show);
+  byId('api-key').addEventListener('click', () => show(`The key that is used for this service. ${kept}`));
   dialog.addEventListener('close', () => {
     if (dialog.returnValue !== 'save') return;
     useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim());

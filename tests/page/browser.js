@@ -35,19 +35,30 @@ function found(what, paths, help) {
 export async function serve(args = []) {
   const binary = found('the program', [process.env.BRINELL_BIN, join(ROOT, 'target/debug/brinell')], 'cargo build');
   const data = await mkdtemp(join(tmpdir(), 'brinell-page-'));
-  const child = spawn(binary, ['serve', '--listen', '127.0.0.1:0', '--data-dir', data, ...args], {
-    stdio: ['ignore', 'pipe', 'inherit'],
-    env: { ...process.env, BRINELL_LOG: 'error' },
-  });
-  const [line] = await once(createInterface({ input: child.stdout }), 'line');
-  const url = /** @type {string} */ (line).replace('brinell listening on ', '');
-  const stop = async () => {
+  /** @param {string} address @returns {Promise<[import('node:child_process').ChildProcess, string]>} the process, and where it listens */
+  const start = async (address) => {
+    const child = spawn(binary, ['serve', '--listen', address, '--data-dir', data, ...args], {
+      stdio: ['ignore', 'pipe', 'inherit'],
+      env: { ...process.env, BRINELL_LOG: 'error' },
+    });
+    const [line] = await once(createInterface({ input: child.stdout }), 'line');
+    return [child, /** @type {string} */ (line).replace('brinell listening on ', '')];
+  };
+  let [child, url] = await start('127.0.0.1:0');
+  const kill = async () => {
     const ended = once(child, 'exit');
     child.kill('SIGKILL');
     await ended;
+  };
+  /** After {@link kill}: the same data at the same address. */
+  const again = async () => {
+    [child] = await start(url.replace(/^http:\/\//, ''));
+  };
+  const stop = async () => {
+    await kill();
     await rm(data, { recursive: true });
   };
-  return { url, binary, data, stop };
+  return { url, binary, data, kill, again, stop };
 }
 
 /** @returns {Promise<import('playwright-core').Browser>} */

@@ -1,5 +1,7 @@
 /** Asking the service. Addresses are relative, so the page works behind any path. */
 
+import { reportLost } from './connection.js';
+
 /** @typedef {{pointer: string, detail: string}} FieldError */
 
 /** An RFC 9457 problem, or a connection that failed (status 0). */
@@ -17,10 +19,16 @@ export class Problem extends Error {
 }
 
 const KEY = 'api-key';
-const asked = /** @type {Set<() => void>} */ (new Set());
+const asked = /** @type {Set<(refused: boolean) => void>} */ (new Set());
 
-/** @param {() => void} listener called when the service wants an API key */
+/** @param {(refused: boolean) => void} listener called when the service wants an API key, or another one */
 export const onKeyWanted = (listener) => asked.add(listener);
+
+/** Tells that the service has refused a question for want of a key. */
+export function keyWanted() {
+  const refused = sessionStorage.getItem(KEY) !== null;
+  for (const listener of asked) listener(refused);
+}
 
 /** @param {string} key kept for this tab only */
 export const useKey = (key) => (key ? sessionStorage.setItem(KEY, key) : sessionStorage.removeItem(KEY));
@@ -49,10 +57,13 @@ export async function request(path, { json, headers, ...options } = {}) {
     });
   } catch (error) {
     if (/** @type {Error} */ (error).name === 'AbortError') throw error;
+    reportLost();
     throw new Problem(0, 'the service does not answer');
   }
   if (response.ok) return response;
-  if (response.status === 401) for (const listener of asked) listener();
+  if (response.status === 401) keyWanted();
+  // A proxy before a service that is not there.
+  if (response.status === 502 || response.status === 504) reportLost();
   const problem = await response.json().catch(() => ({}));
   throw new Problem(response.status, String(problem.detail ?? response.statusText), problem);
 }

@@ -1,6 +1,7 @@
 /** Results, fetched and parsed in a worker: that of a fine mesh is tens of megabytes of JSON. */
 
-import { Problem, authorization } from './client.js';
+import { Problem, authorization, keyWanted } from './client.js';
+import { reportLost } from './connection.js';
 
 /** @type {Worker | undefined} */
 let worker;
@@ -32,6 +33,8 @@ function start() {
   started.addEventListener('message', ({ data }) => {
     const asker = waiting.get(data.number);
     waiting.delete(data.number);
+    if (data.status === 0) reportLost();
+    if (data.status === 401) keyWanted();
     if (data.report) asker?.resolve(data.report);
     else asker?.reject(new Problem(data.status, data.problem.detail ?? 'the service does not answer', data.problem));
   });

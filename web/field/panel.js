@@ -296,6 +296,6 @@ export class FieldPanel {
   #read(report) {
     this.readout.textContent = this.#probe
       ? readout(this.#bodies, report, this.#deformation, this.#camera.toWorld(...this.#probe))
-      : 'Point at the field for its figures. White line: plastic zone. Drag to move; click, then scroll to zoom.';
+      : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}. White line: plastic zone.`;
   }
 }

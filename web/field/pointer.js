@@ -8,9 +8,9 @@ const FACTOR = 1.25;
 /**
  * @param {HTMLElement} element
  * @param {Camera} camera
- * @param {{moved: () => void, home: () => void, probe: (at: [number, number] | null) => void}} told
+ * @param {{moved: () => void, home: () => void, probe: (at: [number, number] | null) => void}} on
  */
-export function steer(element, camera, told) {
+export function steer(element, camera, on) {
   const down = /** @type {Map<number, [number, number]>} */ (new Map());
   const at = (/** @type {MouseEvent} */ event) => {
     const box = element.getBoundingClientRect();
@@ -19,19 +19,23 @@ export function steer(element, camera, told) {
   element.addEventListener('pointerdown', (event) => {
     down.set(event.pointerId, at(event));
     element.setPointerCapture(event.pointerId);
+    // A finger that taps reads; it moves the field only from a second one on, for the page scrolls under it.
+    if (event.pointerType === 'touch') on.probe(at(event));
   });
   element.addEventListener('pointermove', (event) => {
     const now = at(event);
     const before = down.get(event.pointerId);
     if (before) drag(camera, down, before, now, event.pointerId);
-    if (before) told.moved();
-    told.probe(now);
+    if (before) on.moved();
+    on.probe(now);
   });
   const up = (/** @type {PointerEvent} */ event) => down.delete(event.pointerId);
   element.addEventListener('pointerup', up);
   element.addEventListener('pointercancel', up);
-  element.addEventListener('pointerleave', () => told.probe(null));
-  element.addEventListener('dblclick', told.home);
+  element.addEventListener('pointerleave', (event) => {
+    if (event.pointerType === 'mouse') on.probe(null);
+  });
+  element.addEventListener('dblclick', on.home);
   // The page scrolls on over a field that has not been clicked.
   element.addEventListener(
     'wheel',
@@ -39,11 +43,11 @@ export function steer(element, camera, told) {
       if (document.activeElement !== element && !event.ctrlKey) return;
       event.preventDefault();
       camera.zoom(Math.exp(-event.deltaY / 400), ...at(event));
-      told.moved();
+      on.moved();
     },
     { passive: false },
   );
-  element.addEventListener('keydown', (event) => key(event, camera, told));
+  element.addEventListener('keydown', (event) => key(event, camera, on));
 }
 
 /** One finger moves, two also stretch. @param {Camera} camera @param {Map<number, [number, number]>} down @param {[number, number]} before @param {[number, number]} now @param {number} id */
@@ -58,8 +62,8 @@ function drag(camera, down, before, now, id) {
   down.set(id, now);
 }
 
-/** @param {KeyboardEvent} event @param {Camera} camera @param {{moved: () => void, home: () => void, probe: (at: [number, number]) => void}} told */
-function key(event, camera, told) {
+/** @param {KeyboardEvent} event @param {Camera} camera @param {{moved: () => void, home: () => void, probe: (at: [number, number]) => void}} on */
+function key(event, camera, on) {
   const actions = /** @type {Record<string, () => void>} */ ({
     ArrowLeft: () => camera.pan(STEP, 0),
     ArrowRight: () => camera.pan(-STEP, 0),
@@ -68,12 +72,12 @@ function key(event, camera, told) {
     '+': () => camera.zoom(FACTOR),
     '=': () => camera.zoom(FACTOR),
     '-': () => camera.zoom(1 / FACTOR),
-    0: told.home,
+    0: on.home,
   });
   const action = event.ctrlKey || event.metaKey ? undefined : actions[event.key];
   if (!action) return;
   event.preventDefault();
   action();
-  told.moved();
-  told.probe([camera.width / 2, camera.height / 2]);
+  on.moved();
+  on.probe([camera.width / 2, camera.height / 2]);
 }

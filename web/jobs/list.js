@@ -18,9 +18,9 @@ export class JobList {
   /** Jobs beyond the first page stay as they were fetched. */
   #pages = 1;
 
-  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean, label: string) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} told */
-  constructor(told) {
-    this.told = told;
+  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean, label: string) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} on */
+  constructor(on) {
+    this.on = on;
     this.search = h('input', {
       type: 'search',
       placeholder: 'Search tags, ids; name:value',
@@ -100,21 +100,21 @@ export class JobList {
   /** @param {JobDocument} job */
   #row(job) {
     const label = labelOf(job);
-    const current = this.told.current() === job.id;
-    const compared = this.told.isCompared(job.id);
+    const current = this.on.current() === job.id;
+    const compared = this.on.isCompared(job.id);
     const box = h('input', {
       type: 'checkbox',
       checked: Boolean(compared),
       disabled: current || !finished(job),
       'aria-label': `Compare ${label}`,
       title: 'Lay over the one shown',
-      onchange: () => this.told.compare(job.id, box.checked, label),
+      onchange: () => this.on.compare(job.id, box.checked, label),
     });
     if (compared) box.style.setProperty('accent-color', `var(${compared})`);
     const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
     const open = h(
       'button',
-      { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.told.open(job.id) },
+      { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.on.open(job.id) },
       h('span', { class: `dot ${job.status}` }),
       h('span', {}, NAMES[job.status]),
       h('span', { class: 'quiet' }, `${job.progress.iterations} it.`),

@@ -16,6 +16,50 @@ const QUANTITIES = {
   strain: { mm_N_MPa: '', SI: '', factor: 1 },
 };
 
+/** Names of units and what one of each is in SI. @type {Partial<Record<Quantity, Record<string, number>>>} */
+const NAMES = {
+  length: {
+    m: 1,
+    cm: 1e-2,
+    mm: 1e-3,
+    µm: 1e-6,
+    um: 1e-6,
+    nm: 1e-9,
+    in: 0.0254,
+    inch: 0.0254,
+    '″': 0.0254,
+    mil: 2.54e-5,
+  },
+  stress: {
+    Pa: 1,
+    kPa: 1e3,
+    MPa: 1e6,
+    'N/mm²': 1e6,
+    'N/mm2': 1e6,
+    GPa: 1e9,
+    bar: 1e5,
+    psi: 6894.757293168,
+    ksi: 6894757.293168,
+  },
+  force: { N: 1, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
+  line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 175.12683524647636 },
+  strain: { '%': 1e-2, '‰': 1e-3, 1: 1 },
+};
+
+/**
+ * @param {number} value
+ * @param {string} name of its unit
+ * @param {Quantity} quantity
+ * @param {Units} units of the job
+ * @returns {number | undefined} in these; `undefined` if the unit is none of this quantity
+ */
+export function inJobUnits(value, name, quantity, units) {
+  const factor = NAMES[quantity]?.[name.replace('μ', 'µ')];
+  if (factor === undefined) return undefined;
+  const own = units === 'SI' ? 1 : QUANTITIES[quantity].factor;
+  return factor === own ? value : Number(((value * factor) / own).toPrecision(15));
+}
+
 /** @param {{units?: unknown}} job @returns {Units} */
 export const unitsOf = (job) => (job.units === 'SI' ? 'SI' : 'mm_N_MPa');
 

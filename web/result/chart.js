@@ -135,13 +135,13 @@ export class Chart {
         {
           ...axis,
           label: plot.y,
-          size: 48,
+          size: room,
           grid,
           values,
           ...(plot.log && { filter: decades, ticks: { ...rule, size: 4, filter: decades } }),
         },
         ...(plot.right
-          ? [{ ...axis, label: plot.right, size: 52, scale: 'right', side: 1, grid: { show: false }, values }]
+          ? [{ ...axis, label: plot.right, size: room, scale: 'right', side: 1, grid: { show: false }, values }]
           : []),
       ],
       series: [
@@ -174,6 +174,15 @@ export class Chart {
       ...(x == null ? [] : [h('li', { class: 'at' }, `at ${figure(x, 4)}`)]),
     );
   }
+}
+
+/** Room for the longest figure of an axis. @param {uPlot} u @param {string[] | null} values */
+function room(u, values) {
+  u.ctx.save();
+  u.ctx.font = FONT;
+  const widest = Math.max(24, ...(values ?? []).map((value) => u.ctx.measureText(value ?? '').width));
+  u.ctx.restore();
+  return Math.ceil(widest) + 14;
 }
 
 /** The whole abscissa. @param {Plot} plot @returns {[number, number]} */
@@ -236,7 +245,32 @@ function drawMarks(u, marks) {
       mark.across === 'y' ? !mark.left : at + ctx.measureText(mark.text).width + 8 * ratio > bbox.left + bbox.width;
     const x = mark.across === 'x' ? at : right ? bbox.left + bbox.width : bbox.left;
     ctx.textAlign = right ? 'right' : 'left';
-    ctx.fillText(mark.text, x + (right ? -4 : 4) * ratio, mark.across === 'x' ? bbox.top + 12 * ratio : at - 4 * ratio);
+    label(
+      ctx,
+      mark.text,
+      x + (right ? -4 : 4) * ratio,
+      mark.across === 'x' ? bbox.top + 12 * ratio : at - 5 * ratio,
+      ratio,
+    );
   }
   ctx.restore();
+}
+
+/**
+ * A text on the ground of the page, so that no line strikes it through.
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y of its base line
+ * @param {number} ratio of pixels
+ */
+function label(ctx, text, x, y, ratio) {
+  if (!text) return;
+  const { width } = ctx.measureText(text);
+  const left = ctx.textAlign === 'right' ? x - width : x;
+  const ink = ctx.fillStyle;
+  ctx.fillStyle = colour('--panel');
+  ctx.fillRect(left - 2 * ratio, y - 10 * ratio, width + 4 * ratio, 13 * ratio);
+  ctx.fillStyle = ink;
+  ctx.fillText(text, x, y);
 }

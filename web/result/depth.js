@@ -79,7 +79,7 @@ export class DepthPanel {
     this.chart.show({
       x: `depth  [${length}]`,
       y: `stress  [${stress}]`,
-      right: this.#chosen.has('equivalent_plastic_strain') ? 'plastic strain' : undefined,
+      right: curves.some(({ right }) => right) ? 'plastic strain' : undefined,
       curves,
       range: [0, 4 * step.contact.half_width || 1],
       marks: strength
@@ -98,7 +98,11 @@ export class DepthPanel {
   #curves(one, at, named) {
     const profile = one.report.steps[at].subsurface?.[this.#body];
     if (!profile) return [];
-    return [...this.#chosen].map((component, k) => {
+    // Without plastic strain there is nothing to scale an axis by.
+    const there = [...this.#chosen].filter(
+      (component) => component !== 'equivalent_plastic_strain' || profile[component].some((value) => value > 0),
+    );
+    return there.map((component, k) => {
       const { name, colour } = COMPONENTS[component];
       return {
         label: named ? `${one.label}: ${name}` : name,

@@ -26,7 +26,9 @@ export function downloads(id, report) {
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
     const there = needs === 'nothing' || step?.[needs] !== undefined;
-    const title = there ? '' : `The job did not ask for this (output.${needs})`;
+    const title = there
+      ? ''
+      : `The job did not ask for ${needs === 'fields' ? 'the stress field' : 'stresses over depth'}`;
     return h(
       'li',
       {},

@@ -1,10 +1,12 @@
 /** Follows one job from the queue to its result, and says where it stands. */
 
 import { Problem, ask, post } from '../api/client.js';
+import { reconnected } from '../api/connection.js';
 import { follow } from '../api/events.js';
 import { fetchResult } from '../api/result.js';
 import { byId, copy, h, toast } from '../lib/dom.js';
 import { duration, figure } from '../lib/units.js';
+import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
 
@@ -16,7 +18,8 @@ import { downloads } from './downloads.js';
 const LOOK = 2000;
 
 /**
- * @typedef {object} Told
+ * @typedef {object} Handlers
+ * @property {(state: string) => void} titled
  * @property {(history: Iteration[]) => void} iterated
  * @property {(id: string, report: Report) => void} solved
  * @property {(document: JobDocument) => void} ended in whatever state
@@ -28,9 +31,9 @@ export class Watch {
   /** What the bar on the page is of. */
   #bar = '';
 
-  /** @param {Told} told */
-  constructor(told) {
-    this.told = told;
+  /** @param {Handlers} on */
+  constructor(on) {
+    this.on = on;
     this.place = byId('watch');
   }
 
@@ -46,13 +49,10 @@ export class Watch {
     try {
       const last = await this.#follow(id, signal);
       if (signal.aborted || !last) return;
-      this.told.ended(last);
-      const report = await fetchResult(id).catch((error) => {
-        if (error instanceof Problem && error.status === 409) return undefined;
-        throw error;
-      });
+      this.on.ended(last);
+      const report = await this.#fetch(id, signal);
       if (signal.aborted) return;
-      if (report) this.told.solved(id, report);
+      if (report) this.on.solved(id, report);
       this.#show(last, report);
     } catch (error) {
       if (!signal.aborted)
@@ -67,6 +67,21 @@ export class Watch {
     }
   }
 
+  /** @param {string} id @param {AbortSignal} signal @returns {Promise<Report | undefined>} nothing if there is no result */
+  async #fetch(id, signal) {
+    while (!signal.aborted) {
+      try {
+        return await fetchResult(id);
+      } catch (error) {
+        if (!(error instanceof Problem)) throw error;
+        if (error.status === 409) return undefined;
+        if (error.status !== 0) throw error;
+        await reconnected();
+      }
+    }
+    return undefined;
+  }
+
   /** @param {string} id @param {AbortSignal} signal @returns {Promise<JobDocument | undefined>} as it ended */
   async #follow(id, signal) {
     const history = /** @type {Iteration[]} */ ([]);
@@ -75,7 +90,7 @@ export class Watch {
     let frame = 0;
     const draw = () => {
       frame = 0;
-      if (!signal.aborted && history.length) this.told.iterated(history);
+      if (!signal.aborted && history.length) this.on.iterated(history);
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;
@@ -113,6 +128,7 @@ export class Watch {
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
     if (this.#bar !== bar || !this.place.firstChild) this.#build(document, report);
     this.#bar = bar;
+    this.on.titled(NAMES[status]);
     const text = this.place.querySelector('.words');
     if (text) text.textContent = words(document, report);
   }
@@ -180,7 +196,10 @@ function words(
         ? `${iterations}, out of balance ${figure(progress.latest.equilibrium_residual, 2)}`
         : 'meshing and factorizing';
     case 'failed':
-      return `${error?.detail ?? ''} ${(error?.errors ?? []).map(({ pointer, detail }) => `${pointer} ${detail}`).join('; ')}`;
+      return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
+        .filter(Boolean)
+        .map((text) => inWords(String(text)))
+        .join('; ');
     case 'succeeded':
       return `${iterations}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
     default:

@@ -4,7 +4,9 @@
  */
 
 import { Problem, post } from '../api/client.js';
+import { onReconnect } from '../api/connection.js';
 import { byId, debounce, h } from '../lib/dom.js';
+import { inWords } from './words.js';
 import { figure, forceOf, grouped, megabytes, unit, unitsOf } from '../lib/units.js';
 
 /** Time to go on typing. */
@@ -23,14 +25,15 @@ export class Check {
   /**
    * @param {import('./draft.js').Draft} draft
    * @param {import('./form.js').Form} form
-   * @param {(hertz: Hertz | null) => void} told
+   * @param {(hertz: Hertz | null) => void} on
    */
-  constructor(draft, form, told) {
+  constructor(draft, form, on) {
     this.draft = draft;
     this.form = form;
-    this.told = told;
+    this.on = on;
     const later = debounce(() => this.now(), QUIET);
     draft.addEventListener('change', () => later());
+    onReconnect(() => this.now());
   }
 
   async now() {
@@ -56,10 +59,10 @@ export class Check {
   /** @param {Problem} problem a refusal of the job as a whole or in parts */
   refuse(problem) {
     this.valid = false;
-    const others = this.form.complain(problem.errors);
-    const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, problem.message)] : [];
+    const others = this.form.showError(problem.errors);
+    const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, inWords(problem.message))] : [];
     const rest = others.map(({ pointer, detail }) =>
-      h('p', { class: 'error' }, h('code', {}, pointer || '/'), ' ', detail),
+      h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
     );
     byId('check').replaceChildren(...whole, ...rest);
     const { estimate } = problem.body;
@@ -68,15 +71,17 @@ export class Check {
 
   /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation */
   #show(job, { estimate, problem }) {
+    // Nothing is known of this draft: what has been said of it stays, and it is asked again after a while.
+    if (problem?.status === 0) return;
     if (problem) {
       this.refuse(problem);
     } else {
       this.valid = true;
-      this.form.complain([]);
+      this.form.showError([]);
       byId('check').replaceChildren(...(this.hertz ? [figures(job, this.hertz)] : []));
       byId('cost').textContent = estimate ? cost(estimate) : '';
     }
-    this.told(this.hertz);
+    this.on(this.hertz);
   }
 }
 

@@ -8,31 +8,89 @@ import { ELASTIC, LAWS, LOADS, SHAPES, lawOf, loadOf } from './fields.js';
 /** @typedef {import('../lib/units.js').Units} Units */
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 
+/** Most states that can be gone back to. */
+const UNDOABLE = 200;
+
 /** Tells of every change by an event `change`, whose detail is who made it. */
 export class Draft extends EventTarget {
   /** @type {Job} */
   job = {};
+  /** States before this one and after it, as text. @type {string[]} */
+  #past = [];
+  /** @type {string[]} */
+  #future = [];
+  /** What was changed last: typing in one place is one change. */
+  #place = '';
 
   /** @param {string} place a JSON pointer @param {unknown} value `undefined` removes @param {string} source */
   set(place, value, source) {
+    if (pointer.same(pointer.get(this.job, place), value)) return;
+    this.#keep(place + source);
     pointer.set(this.job, place, value);
     this.#changed(source);
   }
 
   /** @param {Job} job @param {string} source */
   replace(job, source) {
+    if (!pointer.same(job, this.job)) this.#keep(source === 'json' ? source : '');
     this.job = structuredClone(job);
     this.#changed(source);
+  }
+
+  /** @returns {boolean} */
+  get undoable() {
+    return this.#past.length > 0;
+  }
+
+  /** @returns {boolean} */
+  get redoable() {
+    return this.#future.length > 0;
+  }
+
+  undo() {
+    this.#go(this.#past, this.#future);
+  }
+
+  redo() {
+    this.#go(this.#future, this.#past);
+  }
+
+  /** Ends what counts as one change. */
+  settle() {
+    this.#place = '';
+  }
+
+  /** @param {string[]} from @param {string[]} to */
+  #go(from, to) {
+    const job = from.pop();
+    if (job === undefined) return;
+    to.push(JSON.stringify(this.job));
+    this.#place = '';
+    this.job = JSON.parse(job);
+    this.#changed('undo');
+  }
+
+  /** @param {string} place */
+  #keep(place) {
+    const empty = Object.keys(this.job).length === 0;
+    if (!empty && (place === '' || place !== this.#place)) {
+      this.#past.push(JSON.stringify(this.job));
+      if (this.#past.length > UNDOABLE) this.#past.shift();
+    }
+    this.#future.length = 0;
+    this.#place = place;
   }
 
   /** The same physics in other units. @param {Units} units @param {string} source */
   changeUnits(units, source) {
     const from = this.job.units === 'SI' ? 'SI' : 'mm_N_MPa';
-    for (const [place, quantity] of dimensional(this.job)) {
-      const value = pointer.get(this.job, place);
-      if (typeof value === 'number') pointer.set(this.job, place, convert(value, quantity, from, units));
+    const job = structuredClone(this.job);
+    for (const [place, quantity] of dimensional(job)) {
+      const value = pointer.get(job, place);
+      if (typeof value === 'number') pointer.set(job, place, convert(value, quantity, from, units));
     }
-    this.set('/units', units, source);
+    job.units = units;
+    this.replace(job, source);
   }
 
   /** @param {string} source */

@@ -1,15 +1,35 @@
-/** One field of the form: label, entry, unit, hint and the service's complaint, tied together for screen readers. */
+/** One field of the form: label, entry, unit, hint and what is wrong with it, tied together for screen readers. */
 
 import { h } from '../lib/dom.js';
+import { readQuantity } from '../lib/number.js';
+import { same } from '../lib/pointer.js';
+import { help } from './help.js';
+import { pointsControl } from './points.js';
 
 /** @typedef {import('./fields.js').Field} Field */
+/** @typedef {import('../lib/units.js').Quantity} Quantity */
+/** @typedef {import('../lib/units.js').Units} Units */
+/**
+ * @typedef {object} Surroundings of a field: what its reading depends on beside its text
+ * @property {() => Units} units
+ * @property {(field: Field) => Quantity | undefined} quantity
+ * @property {() => Record<string, any> | undefined} parent the object that the field is a key of
+ */
+/**
+ * @typedef {object} Control
+ * @property {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} input
+ * @property {() => unknown} read the value as it goes into the job
+ * @property {(value: any) => void} write
+ * @property {(value: unknown) => string} [problem] what is wrong with a value, if this can be told without the service
+ * @property {Node[]} [beside]
+ */
 /**
  * @typedef {object} Entry
  * @property {HTMLElement} element
  * @property {HTMLElement} input
- * @property {(value: unknown) => void} show a value, unless it is being typed
+ * @property {(value: unknown, otherwise: unknown) => void} show the value, or else what holds without one
  * @property {(unit: string) => void} setUnit
- * @property {(message: string) => void} complain; nothing takes the complaint back
+ * @property {(message: string) => void} showError an empty message takes it back
  */
 
 let count = 0;
@@ -17,34 +37,50 @@ let count = 0;
 /**
  * @param {Field} field
  * @param {(value: unknown) => void} change called with the value as it goes into the job
+ * @param {Surroundings} surroundings
  * @returns {Entry}
  */
-export function entry(field, change) {
+export function entry(field, change, surroundings) {
   const id = `entry-${++count}`;
-  const { input, read, write } = control(field, id);
+  const { input, read, write, problem, beside } = control(field, id, change, surroundings);
   const unit = h('span', { class: 'unit' });
   const error = h('p', { class: 'error', id: `${id}-error`, hidden: true });
   const hint = field.hint && h('p', { class: 'hint', id: `${id}-hint` }, symbol(field.hint));
   input.setAttribute('aria-describedby', `${id}-error${hint ? ` ${id}-hint` : ''}`);
   input.addEventListener(field.kind === 'choice' || field.kind === 'flag' ? 'change' : 'input', () => change(read()));
-  const label = h('label', { for: id }, field.label, field.symbol ? [' ', h('i', {}, symbol(field.symbol))] : null);
+  const label = h(
+    'label',
+    { for: id, id: `${id}-label` },
+    field.label,
+    field.symbol ? [' ', h('i', {}, symbol(field.symbol))] : null,
+  );
+  let shown = /** @type {{value: unknown, otherwise: unknown}} */ ({ value: undefined, otherwise: undefined });
+  // What is being typed stays as it is typed: `1.` and `0,30` read as the figures that they stand for.
+  const show = (/** @type {boolean} */ typing) => {
+    if (!typing || !same(read(), shown.value)) write(shown.value ?? shown.otherwise);
+  };
+  input.addEventListener('blur', () => show(false));
+  const own = () => problem?.(shown.value) ?? '';
   return {
     element: h(
       'div',
       { class: `entry ${field.kind ?? 'number'}` },
-      label,
+      h('span', { class: 'name' }, label, help(field.help ?? field.key, field.label, `${id}-label`)),
       h('div', { class: 'value' }, input, unit),
+      beside ?? null,
       hint,
       error,
     ),
     input,
-    show: (value) => {
-      if (document.activeElement !== input || field.kind === 'choice') write(value);
+    show: (value, otherwise) => {
+      shown = { value, otherwise };
+      show(document.activeElement === input);
     },
     setUnit: (text) => {
       unit.textContent = text;
     },
-    complain: (message) => {
+    showError: (reported) => {
+      const message = own() || reported;
       error.textContent = message;
       error.hidden = !message;
       input.setAttribute('aria-invalid', String(Boolean(message)));
@@ -61,108 +97,127 @@ export function symbol(text) {
     );
 }
 
-/**
- * @param {Field} field
- * @param {string} id
- * @returns {{input: HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement, read: () => unknown, write: (value: any) => void}}
- */
-function control(field, id) {
-  if (field.kind === 'choice') {
-    const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
-    const input = h('select', { id }, options);
-    return {
-      input,
-      read: () => input.value,
-      write: (value) => {
-        input.value = value ?? '';
-      },
-    };
+/** @param {Field} field @param {string} id @param {(value: unknown) => void} change @param {Surroundings} surroundings @returns {Control} */
+function control(field, id, change, surroundings) {
+  switch (field.kind) {
+    case 'choice':
+      return choiceControl(field, id);
+    case 'flag':
+      return flagControl(id);
+    case 'points':
+      return pointsControl(field, id, change, surroundings);
+    case 'tags': {
+      const input = h('textarea', { id, rows: 2, spellcheck: 'false' });
+      return { input, ...text(input, readTags, writeTags) };
+    }
+    case 'list':
+      return listControl(field, id, surroundings);
+    default:
+      return numberControl(field, id, surroundings);
   }
-  if (field.kind === 'flag') {
-    const input = h('input', { id, type: 'checkbox' });
-    return {
-      input,
-      read: () => input.checked,
-      write: (value) => {
-        input.checked = value === true;
-      },
-    };
-  }
-  if (field.kind === 'points' || field.kind === 'tags') {
-    const input = h('textarea', { id, rows: field.kind === 'tags' ? 2 : 5, spellcheck: 'false' });
-    const [read, write] = field.kind === 'tags' ? [readTags, writeTags] : [readPoints, writePoints];
-    return {
-      input,
-      read: () => read(input.value),
-      write: (value) => {
-        input.value = write(value);
-      },
-    };
-  }
-  const input = h('input', {
-    id,
-    type: 'text',
-    inputmode: field.kind === 'list' ? 'text' : 'decimal',
-    autocomplete: 'off',
-    spellcheck: 'false',
-  });
-  if (field.kind === 'list')
-    return {
-      input,
-      read: () => readList(input.value),
-      write: (value) => {
-        input.value = writeList(value);
-      },
-    };
+}
+
+/** @param {HTMLInputElement | HTMLTextAreaElement} input @param {(text: string) => unknown} read @param {(value: any) => string} write */
+const text = (input, read, write) => ({
+  read: () => read(input.value),
+  write: (/** @type {any} */ value) => {
+    input.value = write(value);
+  },
+});
+
+/** @param {Field} field @param {string} id @returns {Control} */
+function choiceControl(field, id) {
+  const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
+  const input = h('select', { id }, options);
   return {
     input,
-    read: () => readNumber(input.value),
+    read: () => input.value,
     write: (value) => {
-      input.value = value === undefined ? '' : String(value);
+      input.value = value ?? '';
     },
   };
 }
 
-/** What is no number goes to the service as it stands, which says what is wrong with it. @param {string} text */
-export function readNumber(text) {
-  const plain = text.trim().replace(/^([^.,]*),([^.,]*)$/, '$1.$2');
-  if (plain === '') return undefined;
-  return Number.isFinite(Number(plain)) ? Number(plain) : text;
+/** @param {string} id @returns {Control} */
+function flagControl(id) {
+  const input = h('input', { id, type: 'checkbox' });
+  return {
+    input,
+    read: () => input.checked,
+    write: (value) => {
+      input.checked = value === true;
+    },
+  };
 }
 
-/** @param {string} text numbers, or `first…last/count` */
-export function readList(text) {
+/** @param {string} id @param {'decimal' | 'text'} mode */
+const box = (id, mode) => h('input', { id, type: 'text', inputmode: mode, autocomplete: 'off', spellcheck: 'false' });
+
+/** @param {Field} field @param {string} id @param {Surroundings} surroundings @returns {Control} */
+function numberControl(field, id, { units, quantity }) {
+  const input = box(id, 'decimal');
+  const reading = (/** @type {string} */ typed) => readQuantity(typed, quantity(field), units());
+  // What is no number stays in the draft as it is typed, and is refused there.
+  const read = (/** @type {string} */ typed) => {
+    if (typed.trim() === '') return undefined;
+    const result = reading(typed);
+    return 'value' in result ? result.value : typed;
+  };
+  return {
+    input,
+    ...text(input, read, (value) => (value === undefined ? '' : String(value))),
+    problem: (value) => {
+      const result = typeof value === 'string' ? reading(value) : { value };
+      return 'problem' in result ? result.problem : '';
+    },
+  };
+}
+
+/** @param {Field} field @param {string} id @param {Surroundings} surroundings @returns {Control} */
+function listControl(field, id, { units, quantity }) {
+  const input = box(id, 'text');
+  const reading = (/** @type {string} */ part) => readQuantity(part, quantity(field), units());
+  return {
+    input,
+    ...text(
+      input,
+      (typed) => readList(typed, reading),
+      (value) => (Array.isArray(value) ? value.join(' ') : (value ?? '')),
+    ),
+    problem: (value) => {
+      if (!Array.isArray(value)) return '';
+      const faults = value.flatMap((one, k) => {
+        const result = typeof one === 'string' ? reading(one) : { value: one };
+        return 'problem' in result ? [`number ${k + 1}: ${result.problem}`] : [];
+      });
+      return faults.length > 1 ? `${faults[0]} (and ${faults.length - 1} more)` : (faults[0] ?? '');
+    },
+  };
+}
+
+/**
+ * @param {string} text numbers, or `first…last/count`
+ * @param {(part: string) => import('../lib/number.js').Reading} reading
+ * @returns {unknown[]} parts that are no numbers as they stand
+ */
+export function readList(text, reading) {
   const range = /^\s*(\S+?)\s*(?:…|\.\.\.?)\s*(\S+?)\s*\/\s*(\d+)\s*$/.exec(text);
   if (range) {
-    const [first, last, many] = [Number(range[1]), Number(range[2]), Math.min(Number(range[3]), 1000)];
-    const at = (/** @type {number} */ k) =>
-      Number((first + ((last - first) * k) / Math.max(1, many - 1)).toPrecision(8));
-    if (Number.isFinite(first + last)) return Array.from({ length: many }, (_, k) => at(k));
+    const [first, last] = [reading(range[1]), reading(range[2])];
+    const many = Math.min(Number(range[3]), 1000);
+    if ('value' in first && 'value' in last) {
+      const step = (last.value - first.value) / Math.max(1, many - 1);
+      return Array.from({ length: many }, (_, k) => Number((first.value + step * k).toPrecision(8)));
+    }
   }
   return text
     .split(/[\s;]+|,\s+/)
     .filter(Boolean)
-    .map(readNumber);
+    .map((part) => {
+      const result = reading(part);
+      return 'value' in result ? result.value : part;
+    });
 }
-
-/** @param {any} value */
-const writeList = (value) => (Array.isArray(value) ? value.join(' ') : (value ?? ''));
-
-/** @param {string} text */
-const readPoints = (text) =>
-  text
-    .split('\n')
-    .filter((line) => line.trim())
-    .map((line) =>
-      line
-        .trim()
-        .split(/[\s;]+|,\s*/)
-        .map(readNumber),
-    );
-
-/** @param {any} value */
-const writePoints = (value) =>
-  Array.isArray(value) ? value.map((point) => (Array.isArray(point) ? point.join('  ') : point)).join('\n') : '';
 
 /** @param {string} text */
 function readTags(text) {

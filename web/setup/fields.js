@@ -10,6 +10,7 @@
  * @property {'number' | 'list' | 'points' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
+ * @property {string} [help] key of its explanation, where it is not its own
  * @property {[Quantity, Quantity]} [pair] quantities of points
  */
 /** @typedef {{label: string, fields: Field[]}} Kind */
@@ -41,7 +42,7 @@ export const SHAPES = {
         symbol: 'x, height',
         kind: 'points',
         pair: ['length', 'length'],
-        hint: 'One point a line, x rising and passing 0.',
+        hint: 'One point a line, x rising and passing 0; paste from a spreadsheet.',
       },
       { key: 'depth', label: 'Depth', symbol: 'd', quantity: 'length' },
     ],
@@ -117,7 +118,7 @@ export const LAWS = {
         symbol: 'ε_p, q',
         kind: 'points',
         pair: ['strain', 'stress'],
-        hint: 'One point a line, from ε_p = 0, never falling.',
+        hint: 'One point a line, from ε_p = 0, never falling; paste from a spreadsheet.',
       },
     ],
   },

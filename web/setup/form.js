@@ -1,4 +1,4 @@
-/** The form: shows the draft, changes it, and puts the service's complaints beside the fields they are about. */
+/** The form: shows the draft, changes it, and puts the service's errors beside the fields they are about. */
 
 import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
@@ -20,6 +20,8 @@ import {
   shapeLike,
 } from './fields.js';
 import { PRESETS, materialOf, presetOf } from './materials.js';
+import { inWords } from './words.js';
+import { curvePreview, profilePreview } from './preview.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
@@ -30,6 +32,8 @@ export class Form {
   /** @type {Map<string, {entry: import('./entry.js').Entry, field: Field}>} by pointer */
   #fields = new Map();
   #shape = '';
+  /** What the service has said of each field. @type {Map<string, string>} */
+  #reported = new Map();
 
   /** @param {import('./draft.js').Draft} draft */
   constructor(draft) {
@@ -42,7 +46,7 @@ export class Form {
    * @param {FieldError[]} errors
    * @returns {FieldError[]} those that no field is responsible for
    */
-  complain(errors) {
+  showError(errors) {
     const messages = /** @type {Map<string, string[]>} */ (new Map());
     const others = [];
     for (const error of errors) {
@@ -50,8 +54,23 @@ export class Form {
       if (place === undefined) others.push(error);
       else messages.set(place, [...(messages.get(place) ?? []), inner(place, error)]);
     }
-    for (const [place, { entry }] of this.#fields) entry.complain((messages.get(place) ?? []).join('; '));
+    this.#reported = new Map(
+      [...messages].map(([place, [first, ...more]]) => [
+        place,
+        more.length ? `${first} (and ${more.length} more)` : first,
+      ]),
+    );
+    this.#showErrors();
     return others;
+  }
+
+  #showErrors() {
+    for (const [place, { entry }] of this.#fields) entry.showError(this.#reported.get(place) ?? '');
+  }
+
+  /** How many fields are wrong. */
+  get faults() {
+    return this.root.querySelectorAll('[aria-invalid=true]').length;
   }
 
   /** Puts the cursor into the first field at fault. */
@@ -78,23 +97,40 @@ export class Form {
       job.lower?.shape?.type,
       job.analysis === 'axisymmetric',
     ]);
-    if (shape !== this.#shape) this.#build();
+    const focused = shape === this.#shape ? undefined : this.#build();
     this.#shape = shape;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
-      entry.show(this.#value(place));
+      entry.show(this.#value(place), /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
       if (quantity) entry.setUnit(unit(quantity, units));
       if (field.pair) entry.setUnit(field.pair.map((one) => unit(one, units) || '1').join(', '));
     }
-    for (const body of ['upper', 'lower']) this.#showPreset(body);
+    for (const body of /** @type {const} */ (['upper', 'lower'])) {
+      this.#showPreset(body);
+      this.#showPreview(body);
+    }
+    this.#showErrors();
+    // Fields are filled before one of them has the cursor: what has it is taken as being typed.
+    if (focused)
+      /** @type {HTMLElement | null} */ (
+        this.root.querySelector(`[data-place="${focused}"] :is(input, select, textarea)`)
+      )?.focus();
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #showPreview(body) {
+    const { job } = this.draft;
+    const place = (/** @type {string} */ name) => this.root.querySelector(`[data-preview="${body}-${name}"]`);
+    place('shape')?.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
+    place('curve')?.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
   /** @param {string} place */
   #value(place) {
     if (place.endsWith('/law')) return lawOf(pointer.get(this.draft.job, place.replace('/law', '')));
     if (place === '/load/kind') return loadOf(this.draft.job.load);
-    return pointer.get(this.draft.job, place) ?? /** @type {Record<string, unknown>} */ (DEFAULTS)[place];
+    return pointer.get(this.draft.job, place);
   }
 
   /** @param {string} body */
@@ -107,6 +143,7 @@ export class Form {
     source?.replaceChildren(...(preset ? symbol(preset.source) : []));
   }
 
+  /** @returns {string | null | undefined} place of the field that had the cursor */
   #build() {
     const focused = document.activeElement?.closest('[data-place]')?.getAttribute('data-place');
     const open = this.root.querySelector('details')?.open ?? false;
@@ -134,10 +171,7 @@ export class Form {
         ),
       ),
     );
-    if (focused)
-      /** @type {HTMLElement | null} */ (
-        this.root.querySelector(`[data-place="${focused}"] :is(input, select, textarea)`)
-      )?.focus();
+    return focused;
   }
 
   /** @param {'upper' | 'lower'} body @param {string} title */
@@ -179,6 +213,7 @@ export class Form {
           this.draft.set(`${at}/shape`, shapeLike(String(type), job[body]?.shape), SOURCE),
         ),
         (SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
+        h('div', { 'data-preview': `${body}-shape` }),
         this.#choice(`${at}/support`, 'Support', SUPPORTS),
         h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, preset))),
         h('p', { class: 'source', 'data-source': body }),
@@ -190,6 +225,7 @@ export class Form {
           (law) => this.#useLaw(body, String(law)),
         ),
         LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? [],
+        h('div', { 'data-preview': `${body}-curve` }),
       ),
     );
   }
@@ -222,14 +258,19 @@ export class Form {
   #choice(place, label, choices, change) {
     return this.#place(
       place,
-      { key: '', label, kind: 'choice', choices },
+      { key: place.slice(place.lastIndexOf('/') + 1), label, kind: 'choice', choices },
       change ?? ((value) => this.draft.set(place, value, SOURCE)),
     );
   }
 
   /** @param {string} place @param {Field} field @param {(value: unknown) => void} change */
   #place(place, field, change) {
-    const made = entry(field, change);
+    const body = place.split('/')[1];
+    const made = entry(field, change, {
+      units: () => unitsOf(this.draft.job),
+      quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
+      parent: () => this.draft.job[body]?.material,
+    });
     made.element.dataset.place = place;
     this.#fields.set(place, { entry: made, field });
     return made.element;
@@ -273,11 +314,12 @@ export class Form {
 }
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
-function inner(place, { pointer, detail }) {
+function inner(place, { pointer, detail: reported }) {
+  const detail = inWords(reported);
   const part = pointer
     .slice(place.length + 1)
     .split('/')
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
-  return part.length ? `${part.length > 1 ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
+  return part.length ? `${/points$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
 }

@@ -4,32 +4,38 @@ import { byId, debounce } from '../lib/dom.js';
 
 const SOURCE = 'json';
 
-/** @param {import('./draft.js').Draft} draft */
+/**
+ * @param {import('./draft.js').Draft} draft
+ * @returns {() => string} reads what is typed at once; answers with what is wrong with it
+ */
 export function startJson(draft) {
-  const text =
-    byId('json-text') instanceof HTMLTextAreaElement
-      ? /** @type {HTMLTextAreaElement} */ (byId('json-text'))
-      : undefined;
+  const text = /** @type {HTMLTextAreaElement} */ (byId('json-text'));
   const state = byId('json-state');
-  if (!text) return;
+  let typed = false;
+  const read = () => {
+    if (!typed) return text.hasAttribute('aria-invalid') ? (state.textContent ?? '') : '';
+    typed = false;
+    try {
+      const job = JSON.parse(text.value);
+      if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
+      draft.replace(job, SOURCE);
+      return '';
+    } catch (error) {
+      text.setAttribute('aria-invalid', 'true');
+      return (state.textContent = /** @type {Error} */ (error).message);
+    }
+  };
   draft.addEventListener('change', (event) => {
     if (/** @type {CustomEvent} */ (event).detail !== SOURCE) text.value = print(draft.job);
     text.removeAttribute('aria-invalid');
     state.textContent = 'in step';
   });
-  text.addEventListener(
-    'input',
-    debounce(() => {
-      try {
-        const job = JSON.parse(text.value);
-        if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
-        draft.replace(job, SOURCE);
-      } catch (error) {
-        text.setAttribute('aria-invalid', 'true');
-        state.textContent = /** @type {Error} */ (error).message;
-      }
-    }, 200),
-  );
+  const later = debounce(read, 200);
+  text.addEventListener('input', () => {
+    typed = true;
+    later();
+  });
+  return read;
 }
 
 /** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */

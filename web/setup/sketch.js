@@ -17,8 +17,8 @@ export function startSketch(draft) {
   let hertz = /** @type {Hertz | null} */ (null);
   const draw = () => place.replaceChildren(picture(draft.job, hertz));
   draft.addEventListener('change', draw);
-  return (/** @type {Hertz | null} */ told) => {
-    hertz = told;
+  return (/** @type {Hertz | null} */ answer) => {
+    hertz = answer;
     draw();
   };
 }

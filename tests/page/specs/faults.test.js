@@ -101,3 +101,47 @@ async function slowJob() {
   });
   return (await answer.json()).id;
 }
+
+test('a service that goes away is said beside the button, and the page goes on when it is back', async () => {
+  const own = await serve();
+  const { page, close } = await visit(browser, own.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await own.kill();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  const said = page.locator('#solve-state');
+  await said.getByText('The service does not answer, nothing was sent.').waitFor();
+  assert.equal(
+    await said.evaluate((one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= innerHeight),
+    true,
+  );
+  await page.getByText('Connection lost, retrying').waitFor();
+  await own.again();
+  await page.getByText('Connection lost, retrying').waitFor({ state: 'hidden' });
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor();
+  await close();
+  await own.stop();
+});
+
+test('a key that the service does not know is called wrong, and a link to a job asks for one', async () => {
+  const guarded = await serve(['--require-api-key']);
+  const { page, close } = await visit(browser, `${guarded.url}/#job=0197e1f0-0000-7000-8000-000000000000`);
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText('This service asks for a key').waitFor();
+  await page.getByLabel('Key', { exact: true }).fill('not-a-key');
+  await page.getByRole('button', { name: 'Use key' }).click();
+  await dialog.getByText('The service does not know this key').waitFor();
+  await page.getByText('This job is shown to holders of an API key.').waitFor();
+  await close();
+  await guarded.stop();
+});
+
+test('messages speak the language of the form', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Tangent modulus').first().fill('300000');
+  const error = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"] .error');
+  await error.getByText('must be less than young’s modulus').waitFor();
+  assert.doesNotMatch((await error.textContent()) ?? '', /_/);
+  await close();
+});

@@ -1,0 +1,272 @@
+/** The form shows the draft, always: nothing else is ever solved than what it shows. */
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, serve, visit } from '../browser.js';
+
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => {
+  [server, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
+
+const SOLVED = '[data-status=succeeded]';
+const FORCE = '[data-place="/load/force"] input';
+
+/** @param {import('playwright-core').Page} page @param {string} text that the field is to show */
+const shows = (page, text) =>
+  page.waitForFunction(
+    ([field, text]) => /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === text,
+    [FORCE, text],
+  );
+
+/** The draft as it is kept. @param {import('playwright-core').Page} page */
+const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');
+
+test('a field that has the cursor follows the draft when one goes back', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  const force = page.locator(FORCE);
+  await force.fill('612');
+  await force.press('Control+Enter');
+  await page.locator('#headline').getByText('612.00').waitFor();
+  await force.fill('900');
+  await force.press('Control+Enter');
+  await page.locator('#headline').getByText('900.00').waitFor();
+  await page.goBack();
+  await page.locator('#headline').getByText('612.00').waitFor();
+  await shows(page, '612');
+  assert.equal(await force.evaluate((input) => input === document.activeElement), true, 'the cursor stays');
+  assert.equal((await draft(page)).load.force, 612);
+  await force.press('Control+Z');
+  await shows(page, '900');
+  await page.getByText('The set-up has changed since').waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a form that is built anew fills the field that has the cursor', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  const id = await page.evaluate(async () => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+    const sphere = { ...job, analysis: 'axisymmetric', load: { force: 4321 } };
+    const headers = { 'Content-Type': 'application/json' };
+    return (await (await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(sphere) })).json()).id;
+  });
+  await page.locator(FORCE).focus();
+  await page.evaluate((id) => {
+    location.hash = `job=${id}`;
+  }, id);
+  await page.locator('[data-place="/upper/shape/type"] option').getByText('Sphere').waitFor({ state: 'attached' });
+  await shows(page, '4321');
+  await close();
+});
+
+test('what is typed stays as it is typed until one leaves the field', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  const force = page.locator(FORCE);
+  await force.click();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('0,50');
+  assert.equal(await force.inputValue(), '0,50');
+  assert.equal((await draft(page)).load.force, 0.5);
+  await page.keyboard.press('Tab');
+  await shows(page, '0.5');
+  await page.getByText('Mesh, solver, output, tags').click();
+  const elements = page.getByLabel('Elements per half-width', { exact: true });
+  await elements.fill('');
+  assert.equal(await elements.inputValue(), '', 'an emptied field is not filled while it is typed in');
+  await elements.blur();
+  assert.equal(await elements.inputValue(), '20', 'and then shows what holds');
+  await close();
+});
+
+test('a thousand is never silently one', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.locator(FORCE).fill('1,000');
+  await page.getByText('“1,000” can be read as 1.000 or as 1000').waitFor();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.getByText('One field is wrong: the cursor is in it.').waitFor();
+  assert.equal(await page.locator(SOLVED).count(), 0);
+  for (const [typed, read] of [
+    ['1,000,000', 1e6],
+    ['1.234,5', 1234.5],
+    ['1,234.5', 1234.5],
+    ['12 500', 12500],
+    ['0,250', 0.25],
+    ['−5e2', -500],
+    ['0.2 kN/mm', 200],
+  ]) {
+    await page.locator(FORCE).fill(String(typed));
+    assert.equal((await draft(page)).load.force, read, String(typed));
+  }
+  await close();
+});
+
+test('half a JSON beside the form is not solved around', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByRole('button', { name: 'JSON', exact: true }).click();
+  const text = page.locator('#json-text');
+  const whole = await text.inputValue();
+  await text.fill(whole.replace('612.6106', '612.6106,,'));
+  await page.keyboard.press('Control+Enter');
+  await page.getByText('The JSON beside is not a job').waitFor();
+  assert.equal(await page.locator('.state').count(), 0, 'nothing was sent');
+  await text.fill(whole.replace('612.6106', '500'));
+  await page.keyboard.press('Control+Enter');
+  await page.locator('#headline').getByText('500.00').waitFor();
+  await close();
+});
+
+test('changes are undone and done again', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.locator(FORCE).fill('777');
+  await page.getByLabel('Support').first().selectOption('roller');
+  await page.getByLabel('Units').selectOption('SI');
+  await shows(page, '777000');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await shows(page, '777');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  assert.equal(await page.getByLabel('Support').first().inputValue(), 'clamped');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await shows(page, '612.6106');
+  for (let k = 0; k < 3; k++) await page.getByRole('button', { name: 'Redo' }).click();
+  await shows(page, '777000');
+  assert.equal(await page.getByRole('button', { name: 'Redo' }).isDisabled(), true);
+  await close();
+});
+
+/** Chooses a profile as the upper shape. @param {import('playwright-core').Page} page */
+async function profile(page) {
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Shape').first().selectOption('profile');
+  return page.getByLabel('Points x, height');
+}
+
+/** Pastes as a spreadsheet does. @param {import('playwright-core').Locator} field @param {string} text */
+const paste = (field, text) =>
+  field.evaluate((input, text) => {
+    const data = new DataTransfer();
+    data.setData('text/plain', text);
+    /** @type {HTMLTextAreaElement} */ (input).focus();
+    /** @type {HTMLTextAreaElement} */ (input).select();
+    const event = new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
+    if (!input.dispatchEvent(event)) return;
+    /** @type {HTMLTextAreaElement} */ (input).value = text;
+    input.dispatchEvent(new InputEvent('input', { bubbles: true }));
+  }, text);
+
+test('tables are pasted as spreadsheets have them', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const points = await profile(page);
+  for (const [text, read] of /** @type {[string, number[][]][]} */ ([
+    [
+      '-1,5\t-0,2\n0\t0\n1,5\t-0,2',
+      [
+        [-1.5, -0.2],
+        [0, 0],
+        [1.5, -0.2],
+      ],
+    ],
+    [
+      'x [mm];h [µm]\n-1;-250\n0;0\n1,25;-250',
+      [
+        [-1, -0.25],
+        [0, 0],
+        [1.25, -0.25],
+      ],
+    ],
+    [
+      '# stylus\nx, height\n-1, -0.3\n0, 0\n1, -0.3\n',
+      [
+        [-1, -0.3],
+        [0, 0],
+        [1, -0.3],
+      ],
+    ],
+    [
+      '-1,000\t-0,500\n0,000\t0,000\n1,000\t-0,500',
+      [
+        [-1, -0.5],
+        [0, 0],
+        [1, -0.5],
+      ],
+    ],
+    [
+      '−1  −0.3\n0 0\n1 −0.3',
+      [
+        [-1, -0.3],
+        [0, 0],
+        [1, -0.3],
+      ],
+    ],
+  ])) {
+    await paste(points, text);
+    assert.deepEqual((await draft(page)).upper.shape.points, read, text);
+  }
+  await page.locator('[data-place="/upper/shape/points"]').getByText('3 points read').waitFor();
+  await page.getByRole('button', { name: 'Flip heights' }).click();
+  assert.deepEqual((await draft(page)).upper.shape.points, [
+    [-1, 0.3],
+    [0, 0],
+    [1, 0.3],
+  ]);
+  await page.locator('.preview svg[aria-label="Profile, 3 points"]').waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a faulty table is one message with its line', async () => {
+  const { page, close } = await visit(browser, server.url);
+  const points = await profile(page);
+  const rows = Array.from({ length: 21 }, (_, k) => `${k - 10} ${k === 4 ? 'oops' : k === 6 ? '1 2' : 0}`);
+  await paste(points, rows.join('\n'));
+  const error = page.locator('[data-place="/upper/shape/points"] .error');
+  await error.getByText('line 5: “oops” is not a number (and 1 more line)').waitFor();
+  assert.equal(await page.locator('#setup .error:visible').count(), 1);
+  assert.equal(await points.inputValue(), rows.join('\n'), 'the text stays to be put right');
+  await paste(points, '1,000\t0\n2,000\t0');
+  await error.getByText('line 1: “1,000” can be read as 1.000 or as 1000').waitFor();
+  await paste(points, '0 0\n1 0\n0.5 0\n0.2 0\n0.1 0');
+  await page.waitForFunction(() =>
+    document.querySelector('[data-place="/upper/shape/points"] .error')?.textContent?.includes('line 3'),
+  );
+  assert.equal(await page.locator('#setup .error:visible').count(), 1);
+  await close();
+});
+
+test('a tensile test becomes a hardening table', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Hardening').first().selectOption('table');
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Open CSV…' }).click();
+  const csv = 'strain [%];stress [MPa]\n0;0\n0,1;210\n0,2;420\n1;500\n5;560\n10;580\n';
+  await (await chooser).setFiles({ name: 'tensile.csv', mimeType: 'text/csv', buffer: Buffer.from(csv) });
+  const place = page.locator('[data-place="/upper/material/plasticity/points"]');
+  await place
+    .getByText('6 points read; 1 header line skipped; decimal commas read; column 1 converted from %')
+    .waitFor();
+  await page.getByRole('button', { name: 'From engineering values' }).click();
+  await place.getByText('3 elastic points left out').waitFor();
+  const { points } = (await draft(page)).upper.material.plasticity;
+  // The last point: ε = ln 1.1, σ = 580 · 1.1, ε_p = ε − σ/E.
+  const [strain, stress] = points.at(-1);
+  assert.ok(Math.abs(stress - 638) < 1e-3, `${stress}`);
+  assert.ok(Math.abs(strain - (Math.log(1.1) - 638 / 210000)) < 1e-6, `${strain}`);
+  assert.equal(points[0][0], 0);
+  await page.locator('.preview svg[aria-label="Hardening curve"]').first().waitFor();
+  await close();
+});

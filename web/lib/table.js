@@ -1,0 +1,83 @@
+/** Tables of points as spreadsheets and instruments write them. */
+
+import { commas, readNumber } from './number.js';
+import { inJobUnits } from './units.js';
+
+/** @typedef {import('./units.js').Quantity} Quantity */
+/** @typedef {import('./units.js').Units} Units */
+/** @typedef {{number: number, cells: string[]}} Row a line of the text, counted from 1 */
+/** @typedef {{points: [number, number][], notes: string[]} | {problem: string}} Table */
+
+/**
+ * Points from two columns separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
+ * headers; a unit that they name is converted.
+ * @param {string} text
+ * @param {[Quantity, Quantity]} quantities of the columns
+ * @param {Units} units of the job
+ * @returns {Table} `problem` names the first line at fault
+ */
+export function readTable(text, quantities, units) {
+  const lines = text.split(/\r\n?|\n/);
+  const separator = separatorOf(lines);
+  const rows = lines
+    .map((line, k) => ({ number: k + 1, cells: cellsOf(line, separator) }))
+    .filter(({ cells }) => cells.length);
+  const first = rows.findIndex(({ cells }) => cells.some((cell) => /^[+\-−–]?[.,]?\d/.test(cell)));
+  const [headers, body] = first < 0 ? [[], rows] : [rows.slice(0, first), rows.slice(first)];
+  const meanings = new Set(body.flatMap(({ cells }) => cells.map(commas)));
+  if (meanings.has('decimal') && meanings.has('thousands'))
+    return { problem: 'Commas are decimal in some lines and group thousands in others' };
+  const meaning = meanings.has('decimal') ? 'decimal' : meanings.has('thousands') ? 'thousands' : undefined;
+  const points = /** @type {[number, number][]} */ ([]);
+  const problems = [];
+  for (const { number, cells } of body) {
+    const readings = cells.map((cell) => readNumber(cell, meaning));
+    const fault = readings.find((reading) => 'problem' in reading);
+    if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
+    else if (cells.length !== 2)
+      problems.push(`line ${number} has ${cells.length} column${cells.length === 1 ? '' : 's'}, not two`);
+    else
+      points.push(
+        /** @type {[number, number]} */ (readings.map((reading) => ('value' in reading ? reading.value : NaN))),
+      );
+  }
+  if (problems.length) return { problem: problems[0] + more(problems.length - 1) };
+  const notes = headers.length ? [`${headers.length} header line${headers.length === 1 ? '' : 's'} skipped`] : [];
+  if (meaning === 'decimal') notes.push('decimal commas read');
+  for (const axis of /** @type {const} */ ([0, 1])) {
+    const name = headers
+      .map(({ cells }) => unitIn(cells[axis] ?? ''))
+      .find((found) => found !== undefined && inJobUnits(1, found, quantities[axis], units));
+    const factor = name === undefined ? 1 : (inJobUnits(1, name, quantities[axis], units) ?? 1);
+    if (factor === 1) continue;
+    for (const point of points) point[axis] = Number((point[axis] * factor).toPrecision(12));
+    notes.push(`column ${axis + 1} converted from ${name}`);
+  }
+  return { points, notes };
+}
+
+/** @param {number} count of further lines at fault */
+const more = (count) => (count === 0 ? '' : ` (and ${count} more line${count === 1 ? '' : 's'})`);
+
+/** @param {string[]} lines @returns {RegExp} */
+function separatorOf(lines) {
+  for (const one of ['\t', ';']) if (lines.some((line) => line.includes(one))) return new RegExp(one);
+  const spaced = lines.some((line) => /\d[.,]?\s+[+\-−–]?[.,]?\d/.test(line));
+  if (!spaced) return /,\s*|\s+/;
+  return lines.some((line) => /\d,\s+[+\-−–]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
+}
+
+/** @param {string} line @param {RegExp} separator */
+const cellsOf = (line, separator) =>
+  /^\s*(#|%|\/\/)/.test(line)
+    ? []
+    : line
+        .split(separator)
+        .map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'))
+        .filter(Boolean);
+
+/** A unit in brackets, behind a slash, behind “in”, or by itself. @param {string} header */
+const unitIn = (header) =>
+  /[[(]\s*([^\])]+?)\s*[\])]/.exec(header)?.[1] ??
+  /(?:\/|\bin\b)\s*(\S+)$/.exec(header)?.[1] ??
+  /^\S+$/.exec(header)?.[0];

@@ -1,0 +1,58 @@
+/** Explanations in place: what a figure means, for those who do not set up contacts every day. */
+
+import { h } from '../lib/dom.js';
+
+/** By the key of a field or figure. @type {Record<string, string>} */
+export const TEXTS = {
+  analysis:
+    'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres.',
+  support:
+    'How the far side of the body is held, at the diametral plane or the base. Clamped: it cannot move at all. Roller: it may slide sideways, as on a greased plate. Far from the contact the difference touches the approach by some per cent and the pressure hardly.',
+  young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
+  poisson_ratio: 'Contraction across over stretching along: 0.3 for steel, 0.33 for aluminium.',
+  law: 'How the stress that makes the metal flow grows with plastic strain. Elastic: it never flows. Bilinear: a yield stress and a slope. Swift, Ludwik and Voce: fits of tensile tests. Table: points of a test. Rigid: it neither bends nor flows.',
+  yield_stress: 'Stress in a tensile test at which plastic flow begins.',
+  tangent_modulus:
+    'Slope of stress over total strain beyond yield. 0 is perfectly plastic; steels are often taken at E/100.',
+  reference_stress: 'Stress at which the plastic strain is a·σ0/E. With σ0 = R_p0.2, a = 0.002 E/σ0.',
+  saturation_stress: 'Stress that hardening approaches and does not pass.',
+  width: 'Full width of the body. Ten half-widths of the contact or more keep its sides out of the answer.',
+  depth:
+    'From the surface to the base, where the body is held. The approach grows with it without bound, the pressure does not.',
+  kind: 'Force: the load is known. Approach: how far the bodies are pressed together is known, the force is an answer. A sweep gives a curve. Onset of yield: the least load that makes the metal flow.',
+  force:
+    'In plane strain and plane stress the load per unit of thickness, on the whole contact; in axisymmetry the whole force.',
+  approach: 'How far the two held sides move towards each other. It depends on where the bodies are held.',
+  'mesh/elements_per_half_width':
+    'Elements over half the width of the contact. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
+  'solver/coupling':
+    'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are the paper’s.',
+  'solver/contact': 'Two methods for the same contact problem; the simplex is the paper’s and slower.',
+  'solver/tolerance': 'Relative change of displacements and out-of-balance force at which the iteration ends.',
+  'solver/theory':
+    'Deformation theory takes plastic strain from the state as it is: fast, and close as long as the load only grows. Flow theory follows the history in increments: it knows unloading, residual stresses and the dent.',
+};
+
+let count = 0;
+
+/**
+ * A question mark that opens the explanation of a figure.
+ * @param {string} key
+ * @param {string} name
+ * @param {string} label id of the element that names it
+ */
+export function help(key, name, label) {
+  const text = TEXTS[key];
+  if (!text) return null;
+  const id = `help-${++count}`;
+  return h(
+    'span',
+    { class: 'help' },
+    h(
+      'button',
+      { type: 'button', class: 'plain', popovertarget: id, 'aria-label': 'Explanation', 'aria-describedby': label },
+      '?',
+    ),
+    h('span', { id, popover: 'auto', role: 'note' }, h('b', {}, name), h('br'), text),
+  );
+}

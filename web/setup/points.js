@@ -1,0 +1,122 @@
+/** A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of what they make. */
+
+import { h } from '../lib/dom.js';
+import { readTable } from '../lib/table.js';
+import { unit } from '../lib/units.js';
+import { same } from '../lib/pointer.js';
+import { fromEngineering, fromTotal } from './hardening.js';
+
+/** @typedef {[number, number]} Point */
+
+/**
+ * @param {import('./fields.js').Field} field
+ * @param {string} id
+ * @param {(value: unknown) => void} change
+ * @param {import('./entry.js').Surroundings} surroundings
+ * @returns {import('./entry.js').Control}
+ */
+export function pointsControl(field, id, change, { units, parent }) {
+  const quantities = field.pair ?? ['number', 'number'];
+  const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
+  const note = h('p', { class: 'note', role: 'status' });
+  const table = (/** @type {string} */ text) => readTable(text, quantities, units());
+  // A table at fault stays in the draft as its text, and is refused there.
+  const read = () => {
+    const result = table(input.value);
+    return 'points' in result ? result.points : input.value;
+  };
+  const write = (/** @type {any} */ value) => {
+    input.value = Array.isArray(value)
+      ? value.map((point) => (Array.isArray(point) ? point.join('  ') : point)).join('\n')
+      : (value ?? '');
+  };
+  /** @param {Point[]} points @param {string[]} notes */
+  const put = (points, notes) => {
+    write(points);
+    note.textContent = notes.join('; ');
+    change(points);
+  };
+  /** @param {string} text from elsewhere @returns {boolean} whether it is a table */
+  const take = (text) => {
+    const result = table(text);
+    if (!('points' in result)) return false;
+    put(result.points, [`${result.points.length} points read`, ...result.notes]);
+    return true;
+  };
+  input.addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text') ?? '';
+    const whole = input.selectionEnd - input.selectionStart === input.value.length;
+    if (text.trim().includes('\n') && (whole || !input.value.trim()) && take(text)) event.preventDefault();
+  });
+  input.addEventListener('input', () => {
+    note.textContent = '';
+  });
+  const open = async (/** @type {File | undefined} */ file) => {
+    if (!file) return;
+    const text = await file.text();
+    if (take(text)) return;
+    write(text);
+    change(text);
+  };
+  input.addEventListener('dragover', (event) => event.preventDefault());
+  input.addEventListener('drop', (event) => {
+    const file = event.dataTransfer?.files[0];
+    if (file) event.preventDefault();
+    open(file);
+  });
+  /** @param {(points: Point[]) => {points: Point[], note: string}} work */
+  const convert = (work) => {
+    const points = read();
+    if (!Array.isArray(points)) return;
+    const result = work(points);
+    if (!same(result.points, points)) put(result.points, [result.note]);
+  };
+  const modulus = () => Number(parent()?.young_modulus);
+  const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : heights(convert);
+  return {
+    input,
+    read,
+    write,
+    problem: (value) => {
+      const result = typeof value === 'string' ? table(value) : undefined;
+      if (!result) return '';
+      if ('problem' in result) return result.problem;
+      return `two columns of figures are wanted: ${quantities.map((one) => unit(one, units()) || '1').join(' and ')}`;
+    },
+    beside: [h('div', { class: 'bar beside' }, fileButton(open), conversions), note],
+  };
+}
+
+/** @param {(file: File | undefined) => void} open */
+function fileButton(open) {
+  const chooser = h('input', { type: 'file', accept: '.csv,.tsv,.txt,.dat,text/plain,text/csv', hidden: true });
+  chooser.addEventListener('change', () => {
+    open(chooser.files?.[0]);
+    chooser.value = '';
+  });
+  return [chooser, h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, 'Open CSV…')];
+}
+
+/** @typedef {(work: (points: Point[]) => {points: Point[], note: string}) => void} Convert */
+
+/** @param {string} text @param {string} title @param {() => void} work */
+const button = (text, title, work) => h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+
+/** @param {Convert} convert */
+const heights = (convert) => [
+  button('Flip heights', 'For depths measured into the body: heights count outward', () =>
+    convert((points) => ({ points: points.map(([x, height]) => [x, -height || 0]), note: 'heights flipped' })),
+  ),
+];
+
+/** @param {Convert} convert @param {() => number} modulus */
+const strains = (convert, modulus) => [
+  button(
+    'From engineering values',
+    'The points are engineering strain and stress of a tensile test, the elastic part included',
+    () => convert((points) => fromEngineering(points, modulus())),
+  ),
+  button('From total strain', 'The points are total strain and true stress, the elastic part included', () =>
+    convert((points) => fromTotal(points, modulus())),
+  ),
+];

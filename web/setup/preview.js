@@ -1,0 +1,106 @@
+/** Small pictures beside the fields: a profile with its heights exaggerated, a hardening curve. */
+
+import { h, svg } from '../lib/dom.js';
+import { plain, unit } from '../lib/units.js';
+import { curve } from './hardening.js';
+import { outline } from './outline.js';
+
+/** @typedef {import('../lib/units.js').Units} Units */
+/** @typedef {[number, number]} Point */
+
+const [WIDTH, HEIGHT, LEFT, BOTTOM, TOP] = [324, 110, 46, 18, 10];
+
+/** @param {Record<string, any> | undefined} shape @param {Units} units */
+export function profilePreview(shape, units) {
+  if (shape?.type !== 'profile') return [];
+  const made = outline(shape);
+  if (!made) return [];
+  const { surface } = made;
+  const [low, high] = range(surface.map(([, y]) => y));
+  const [left, right] = range(surface.map(([x]) => x));
+  if (!(right > left)) return [];
+  const scaleX = (WIDTH - LEFT - 8) / (right - left);
+  const scaleY = (HEIGHT - BOTTOM - TOP) / (high - low || 1);
+  const length = unit('length', units);
+  const times = scaleY / scaleX;
+  return [
+    h(
+      'figure',
+      { class: 'preview' },
+      drawing(surface, [left, right], [low, high], `Profile, ${surface.length} points`, 'filled'),
+      h(
+        'figcaption',
+        {},
+        `height over x [${length}]${times > 1.05 ? `, heights ×${plain(Number(times.toPrecision(2)))}` : ''}`,
+      ),
+    ),
+  ];
+}
+
+/** @param {Record<string, any> | undefined} material @param {Units} units */
+export function curvePreview(material, units) {
+  const stress = curve(material);
+  if (!stress) return [];
+  const modulus = Number(material?.young_modulus);
+  const law = material?.plasticity;
+  const last = law.law === 'table' ? law.points.at(-1)[0] : 0;
+  const reach = Math.max(0.02, Math.min(last, 0.5));
+  const plastic = Array.from({ length: 81 }, (_, k) => reach * (k / 80) ** 2);
+  const points = /** @type {Point[]} */ ([[0, 0], ...plastic.map((p) => [p + stress(p) / modulus, stress(p)])]);
+  const nominal = /** @type {Point[]} */ (points.map(([e, s]) => [Math.expm1(e), s / Math.exp(e)]));
+  const xs = range([...points, ...nominal].map(([x]) => x));
+  const ys = range([...points, ...nominal].map(([, y]) => y));
+  return [
+    h(
+      'figure',
+      { class: 'preview' },
+      drawing(points, xs, ys, 'Hardening curve', 'line', nominal),
+      h('figcaption', {}, `true stress [${unit('stress', units)}] over total strain; dashed: engineering`),
+    ),
+  ];
+}
+
+/** @param {number[]} values @returns {[number, number]} */
+const range = (values) => [Math.min(...values), Math.max(...values)];
+
+/**
+ * @param {Point[]} points
+ * @param {[number, number]} xs
+ * @param {[number, number]} ys
+ * @param {string} name
+ * @param {string} kind of drawing
+ * @param {Point[]} [dashed]
+ */
+function drawing(points, xs, ys, name, kind, dashed) {
+  const at = (/** @type {Point} */ [x, y]) => [
+    LEFT + ((x - xs[0]) / (xs[1] - xs[0] || 1)) * (WIDTH - LEFT - 8),
+    HEIGHT - BOTTOM - ((y - ys[0]) / (ys[1] - ys[0] || 1)) * (HEIGHT - BOTTOM - TOP),
+  ];
+  const path = (/** @type {Point[]} */ list) =>
+    `M${list
+      .map((point) =>
+        at(point)
+          .map((c) => c.toFixed(1))
+          .join(' '),
+      )
+      .join('L')}`;
+  const base = HEIGHT - BOTTOM;
+  const text = (
+    /** @type {number} */ x,
+    /** @type {number} */ y,
+    /** @type {number} */ value,
+    /** @type {string} */ anchor,
+  ) => svg('text', { x, y, 'text-anchor': anchor }, plain(Number(value.toPrecision(3))));
+  return svg(
+    'svg',
+    { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': name },
+    svg('path', { class: 'axes', d: `M${LEFT} ${TOP}V${base}H${WIDTH - 8}` }),
+    kind === 'filled' && svg('path', { class: 'ground', d: `${path(points)}V${base}H${at(points[0])[0].toFixed(1)}Z` }),
+    dashed && svg('path', { class: 'curve dashed', d: path(dashed) }),
+    svg('path', { class: 'curve', d: path(points) }),
+    text(LEFT - 4, TOP + 8, ys[1], 'end'),
+    text(LEFT - 4, base, ys[0], 'end'),
+    text(LEFT, HEIGHT - 4, xs[0], 'start'),
+    text(WIDTH - 8, HEIGHT - 4, xs[1], 'end'),
+  );
+}
