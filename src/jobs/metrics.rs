@@ -5,7 +5,7 @@ use std::time::Duration;
 use metrics::{counter, gauge, histogram};
 
 use super::{Counts, JobState};
-use brinell_solver::solver::FactorCacheFigures;
+use brinell_solver::solver::FactorCacheStats;
 
 /// Jobs waiting, of all nodes that share the queue.
 pub const QUEUE_DEPTH: &str = "brinell_queue_depth";
@@ -47,7 +47,7 @@ pub fn attempted(outcome: Option<JobState>, time: Duration, iterations: usize) {
 }
 
 /// What is kept from job to job, and how often it has served.
-pub fn factor_cache(figures: FactorCacheFigures) {
+pub fn factor_cache(figures: FactorCacheStats) {
     counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "hit").absolute(figures.hits);
     counter!(FACTOR_CACHE_LOOKUPS, "outcome" => "miss").absolute(figures.misses);
     gauge!(FACTOR_CACHE_BYTES).set(figures.bytes as f64);

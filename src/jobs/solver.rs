@@ -42,7 +42,7 @@ impl JobSolver for CoreSolver {
         let options = Options { cache: self.cache.as_ref(), ..Options::default() };
         let report = report::run_with(job, options, observer);
         if let Some(cache) = &self.cache {
-            metrics::factor_cache(cache.figures());
+            metrics::factor_cache(cache.stats());
         }
         report
     }

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use brinell_solver::fem::assembly::{Equations, Restraint, StiffnessAssembler};
-use brinell_solver::fem::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Coupling, Job, Load, Material, MeshSettings, Named, PositiveF64};
 use brinell_solver::report;
@@ -429,7 +429,7 @@ fn write_designs(text: &mut String) -> std::fmt::Result {
             pairs.iter().map(|pair| pair.0).sum::<f64>() / pairs.iter().map(|pair| pair.1).sum::<f64>()
         })
         .collect();
-    let figures = cache.figures();
+    let figures = cache.stats();
     writeln!(
         text,
         "\n## Designs of experiments\n\n{} jobs over {YIELD_STRESSES} yield stresses (350 to 650 MPa) and {TANGENT_MODULI} tangent \
@@ -506,9 +506,9 @@ impl FloorBody {
         let symbolic = SymbolicCholesky::new(pattern).unwrap();
         let analysis = clock.elapsed();
 
-        let kinematics = Kinematics::PlaneStrain;
+        let stress_state = StressState::PlaneStrain;
         let pattern = symbolic.pattern();
-        let assembler = StiffnessAssembler { mesh, kinematics, equations: &equations, pattern };
+        let assembler = StiffnessAssembler { mesh, stress_state, equations: &equations, pattern };
         let values = assembler
             .assemble(|_, quad| element_stiffness(quad, self.bulk, &[self.shear; QUADRATURE_POINTS]));
         let clock = Instant::now();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::units::Writer;
+use super::units::UnitConverter;
 use super::{
     HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport, Timings, contact,
     error_bars, fields, load_approach, onset, plastic_zone, subsurface, validity,
@@ -18,7 +18,7 @@ use crate::solver::{
 /// Writes the report, last of all its own time.
 pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) -> Report {
     let start = observer.elapsed();
-    let write = Writer::new(job.units, job.analysis);
+    let write = UnitConverter::new(job.units, job.analysis);
     let steps = solution.steps.iter().map(|step| step_report(job, step, write)).collect();
     let end = observer.elapsed();
     Report {
@@ -46,7 +46,7 @@ fn worst_status(solution: &Solution) -> SolveStatus {
     statuses.max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
 }
 
-fn step_report(job: &Job, step: &StepSolution, write: Writer) -> StepReport {
+fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepReport {
     let peak = contact::peak_abscissa(step);
     // Who stops a job wants its core back, not its stresses.
     let is_stopped = step.status.is_stopped();
@@ -103,7 +103,7 @@ fn plasticity_report(
     solution: &BodySolution,
     body: &Body,
     symmetric: bool,
-    write: Writer,
+    write: UnitConverter,
 ) -> PlasticityReport {
     let copies = if symmetric { 2.0 } else { 1.0 };
     let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
@@ -129,7 +129,7 @@ fn plasticity_report(
     }
 }
 
-fn approach_datum(job: &Job, write: Writer) -> String {
+fn approach_datum(job: &Job, write: UnitConverter) -> String {
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
         (_, Shape::Cylinder { radius }) => {
@@ -145,11 +145,11 @@ fn approach_datum(job: &Job, write: Writer) -> String {
     format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
 }
 
-fn block_base(side: &str, depth: f64, write: Writer) -> String {
+fn block_base(side: &str, depth: f64, write: UnitConverter) -> String {
     format!("the base of the {side} body, {} from the contact", write.length_text(depth))
 }
 
-fn in_units(record: &IterationRecord, write: Writer) -> IterationRecord {
+fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
     IterationRecord {
         approach: write.figure(Quantity::Approach, record.approach),
         peak_pressure: write.stress(record.peak_pressure),
@@ -157,7 +157,7 @@ fn in_units(record: &IterationRecord, write: Writer) -> IterationRecord {
     }
 }
 
-fn mesh_report(solution: &Solution, write: Writer) -> MeshReport {
+fn mesh_report(solution: &Solution, write: UnitConverter) -> MeshReport {
     let last = solution.steps.last();
     let bodies = || last.into_iter().flat_map(|step| step.bodies.iter().flatten());
     let quality = bodies().map(|body| body.quality);

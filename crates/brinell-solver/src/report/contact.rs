@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use super::units::Writer;
-use crate::fem::element::Kinematics;
+use super::units::UnitConverter;
+use crate::fem::element::StressState;
 use crate::solver::{ContactPatch, StepSolution};
 
 /// Contact pressure and its resultants, both sides of the axis.
@@ -65,13 +65,13 @@ pub(super) fn peak_abscissa(step: &StepSolution) -> f64 {
 
 /// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
 fn area(step: &StepSolution, half_width: f64) -> f64 {
-    match step.kinematics {
-        Kinematics::PlaneStrain | Kinematics::PlaneStress => 2.0 * half_width,
-        Kinematics::Axisymmetric => PI * half_width * half_width,
+    match step.stress_state {
+        StressState::PlaneStrain | StressState::PlaneStress => 2.0 * half_width,
+        StressState::Axisymmetric => PI * half_width * half_width,
     }
 }
 
-pub(super) fn report(step: &StepSolution, write: Writer) -> ContactReport {
+pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
     let force = force(step);
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
     let mean = if half_width > 0.0 { force / area(step, half_width) } else { 0.0 };

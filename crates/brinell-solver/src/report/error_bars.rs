@@ -18,7 +18,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::solver::StepSolution;
 
 /// Floor of the error of the peak pressure over (h/a)².
@@ -58,10 +58,10 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     }
     let size = step.spacing / half_width;
     let relative = |fine: f64, coarse: f64| if fine == 0.0 { 0.0 } else { ((fine - coarse) / fine).abs() };
-    let is_axis_raw = step.kinematics == Kinematics::Axisymmetric && size * RECOVERED > 1.0;
+    let is_axis_raw = step.stress_state == StressState::Axisymmetric && size * RECOVERED > 1.0;
     let peak_floor = if is_axis_raw { AXIS_FLOOR } else { PEAK_FLOOR * size * size };
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    let approach_floor = if yields && step.kinematics == Kinematics::Axisymmetric {
+    let approach_floor = if yields && step.stress_state == StressState::Axisymmetric {
         PLASTIC_REVOLUTION_FLOOR * size
     } else {
         APPROACH_FLOOR * size * size

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::PerBody;
 use super::recovery::Recovery;
-use super::units::Writer;
+use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::solver::{BodySolution, StepSolution};
 
@@ -42,7 +42,7 @@ pub struct FieldsReport {
 }
 
 /// The fields of both bodies; nothing for a rigid one.
-pub(super) fn fields(step: &StepSolution, write: Writer) -> PerBody<Option<FieldsReport>> {
+pub(super) fn fields(step: &StepSolution, write: UnitConverter) -> PerBody<Option<FieldsReport>> {
     let [upper, lower] = &step.bodies;
     let of = |body: &BodySolution, mirror| body_fields(body, step, mirror, write);
     PerBody {
@@ -51,7 +51,7 @@ pub(super) fn fields(step: &StepSolution, write: Writer) -> PerBody<Option<Field
     }
 }
 
-fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: Writer) -> FieldsReport {
+fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: UnitConverter) -> FieldsReport {
     // Adding zero turns a mirrored -0 into 0.
     let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
     let global = |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];

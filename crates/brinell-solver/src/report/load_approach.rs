@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::contact::force;
-use super::units::Writer;
+use super::units::UnitConverter;
 use crate::solver::{SolveStatus, StepSolution};
 
 /// Approaches closer together than this part of the larger one count as one point of the curve.
@@ -24,7 +24,7 @@ pub struct LoadApproach {
 /// The curve; `None` of fewer than two different approaches.
 ///
 /// Deformation theory has no memory, so the order in which the loads were applied does not matter.
-pub(super) fn curve(steps: &[StepSolution], write: Writer) -> Option<LoadApproach> {
+pub(super) fn curve(steps: &[StepSolution], write: UnitConverter) -> Option<LoadApproach> {
     let converged = steps.iter().filter(|step| step.status == SolveStatus::Converged);
     let mut points: Vec<[f64; 2]> = converged.map(|step| [step.approach, force(step)]).collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::contact::force;
 use super::recovery::element_mean;
-use super::units::Writer;
+use super::units::UnitConverter;
 use crate::contact::ContactLoad;
 use crate::job::{Body, Job, Load, Material};
 use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
@@ -38,7 +38,7 @@ pub enum Side {
 }
 
 /// The onset that a job asked for; `None` for any other job.
-pub(super) fn onset(job: &Job, step: &StepSolution, write: Writer) -> Option<YieldOnsetReport> {
+pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Option<YieldOnsetReport> {
     if job.load != Load::Onset {
         return None;
     }

@@ -2,14 +2,19 @@
 
 use super::SubsurfaceReport;
 use super::recovery::Recovery;
-use super::units::Writer;
+use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::job::Quantity;
 use crate::solver::BodySolution;
 
 /// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
 /// below the nearest candidate node, from the surface to the support.
-pub(super) fn profile(body: &BodySolution, symmetric: bool, x: f64, write: Writer) -> SubsurfaceReport {
+pub(super) fn profile(
+    body: &BodySolution,
+    symmetric: bool,
+    x: f64,
+    write: UnitConverter,
+) -> SubsurfaceReport {
     let mesh = &body.mesh;
     let mut recovery = Recovery::new(body, symmetric);
     let line = normal_line(body, x);

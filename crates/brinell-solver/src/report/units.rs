@@ -4,13 +4,13 @@ use crate::job::{Analysis, Quantity, Units};
 
 /// Writes figures of the core in a job's units.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Writer {
+pub(super) struct UnitConverter {
     units: Units,
     /// What a force is: on unit thickness, or in all.
     force: Quantity,
 }
 
-impl Writer {
+impl UnitConverter {
     pub fn new(units: Units, analysis: Analysis) -> Self {
         Self { units, force: analysis.force() }
     }

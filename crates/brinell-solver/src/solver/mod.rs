@@ -9,40 +9,24 @@
 //! judge:     full displacement fields; contact conditions and equilibrium from scratch
 //! ```
 
-mod anderson;
-mod axis;
-mod body;
-mod contact_stiffness;
-mod coupling;
-mod elastic_body;
-mod estimate;
-mod extent;
-mod factor_cache;
-mod former;
-mod iteration;
-mod onset;
-mod pass;
-mod patch;
+mod body_system;
+mod couplings;
+mod final_check;
+mod load_stepping;
+mod mesh_sizing;
+mod observer;
 mod phases;
-mod plastic_reach;
 mod problem;
-mod record;
 mod reference;
-mod run;
-mod secant;
-mod side_by_side;
-mod solution;
-mod system;
-mod weak;
 
-pub use estimate::{Estimate, estimate};
-pub use factor_cache::{FactorCache, FactorCacheFigures};
-pub use patch::ContactPatch;
+pub use body_system::contact_patch::ContactPatch;
+pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
+pub use final_check::solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
+pub use load_stepping::run::{Options, run, run_with};
+pub use mesh_sizing::estimate::{Estimate, estimate};
+pub use observer::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use phases::{Phase, PhaseTimes};
-pub use record::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use reference::ElasticReference;
-pub use run::{Options, run, run_with};
-pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
 
 use std::ops::ControlFlow;
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::Observer;
+use crate::solver::Observer;
 
 /// A kind of work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +60,7 @@ impl PhaseTimes {
     }
 
     /// Books time that was measured elsewhere.
-    pub(super) fn book(&mut self, phase: Phase, time: Duration) {
+    pub(crate) fn book(&mut self, phase: Phase, time: Duration) {
         self.spent[phase as usize] += time;
     }
 

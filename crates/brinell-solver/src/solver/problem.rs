@@ -3,24 +3,24 @@
 use std::f64::consts::PI;
 
 use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::job::{Analysis, Body, Deformable, Hardening, Job, Material, Support};
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
-pub(super) struct Problem {
-    pub kinematics: Kinematics,
+pub(crate) struct Problem {
+    pub stress_state: StressState,
     /// Upper and lower body.
     pub bodies: [ProblemBody; 2],
     /// Whether symmetry is made use of where there is one.
     pub use_symmetry: bool,
     /// Abscissa of the smallest gap \[mm\].
-    pub touching: f64,
+    pub first_contact_x: f64,
     /// The smallest gap as the outlines are given \[mm\]; gaps are counted from it.
     pub smallest_gap: f64,
 }
 
-pub(super) struct ProblemBody {
+pub(crate) struct ProblemBody {
     pub outline: Outline,
     /// `None` for a rigid body.
     pub material: Option<Deformable>,
@@ -40,16 +40,16 @@ impl Problem {
             },
             support: body.support,
         };
-        let kinematics = match job.analysis {
-            Analysis::PlaneStrain => Kinematics::PlaneStrain,
-            Analysis::PlaneStress => Kinematics::PlaneStress,
-            Analysis::Axisymmetric => Kinematics::Axisymmetric,
+        let stress_state = match job.analysis {
+            Analysis::PlaneStrain => StressState::PlaneStrain,
+            Analysis::PlaneStress => StressState::PlaneStress,
+            Analysis::Axisymmetric => StressState::Axisymmetric,
         };
         let mut problem = Self {
-            kinematics,
+            stress_state,
             bodies: [body(&job.upper), body(&job.lower)],
             use_symmetry: true,
-            touching: 0.0,
+            first_contact_x: 0.0,
             smallest_gap: 0.0,
         };
         problem.find_smallest_gap();
@@ -68,9 +68,9 @@ impl Problem {
 
     /// Force over the area of a contact of this half-width \[MPa\].
     pub fn mean_pressure(&self, force: f64, half_width: f64) -> f64 {
-        match self.kinematics {
-            Kinematics::PlaneStrain | Kinematics::PlaneStress => force / (2.0 * half_width),
-            Kinematics::Axisymmetric => force / (PI * half_width * half_width),
+        match self.stress_state {
+            StressState::PlaneStrain | StressState::PlaneStress => force / (2.0 * half_width),
+            StressState::Axisymmetric => force / (PI * half_width * half_width),
         }
     }
 
@@ -80,7 +80,7 @@ impl Problem {
             return;
         }
         let (left, right) = self.span();
-        let left = if self.kinematics == Kinematics::Axisymmetric { 0.0 } else { left };
+        let left = if self.stress_state == StressState::Axisymmetric { 0.0 } else { left };
         let place = |k: u32| left + (right - left) * f64::from(k) / f64::from(GAP_SAMPLES);
         let origin: (f64, f64) = (self.initial_gap(0.0), 0.0);
         let (gap, x) =
@@ -90,7 +90,7 @@ impl Problem {
                 if better { found } else { best }
             });
         self.smallest_gap = gap;
-        self.touching = x;
+        self.first_contact_x = x;
     }
 
     /// Whether both bodies are deformable and mirror images of each other.
@@ -109,7 +109,7 @@ impl Problem {
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        self.kinematics == Kinematics::Axisymmetric || (self.use_symmetry && self.has_symmetric_outlines())
+        self.stress_state == StressState::Axisymmetric || (self.use_symmetry && self.has_symmetric_outlines())
     }
 
     /// Whether the answer is symmetric, even if the whole is meshed.
@@ -137,9 +137,9 @@ impl Problem {
                 poisson_ratio: elastic.poisson_ratio.get(),
             })
         });
-        match self.kinematics {
-            Kinematics::PlaneStrain | Kinematics::Axisymmetric => effective_modulus(constants),
-            Kinematics::PlaneStress => effective_modulus_plane_stress(constants),
+        match self.stress_state {
+            StressState::PlaneStrain | StressState::Axisymmetric => effective_modulus(constants),
+            StressState::PlaneStress => effective_modulus_plane_stress(constants),
         }
     }
 

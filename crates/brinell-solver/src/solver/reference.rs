@@ -1,10 +1,10 @@
 //! The elastic contact of the same bodies in closed form.
 
-use super::problem::{Problem, ProblemBody};
 use crate::analytical::{HertzLine, HertzPoint, YieldOnset};
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::job::Job;
 use crate::material::{HardeningLaw, UniaxialCurve};
+use crate::solver::problem::{Problem, ProblemBody};
 
 /// Hertz's contact and the onset of yield.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,9 +32,9 @@ impl ElasticReference {
             return None;
         }
         let radius = curvature.recip();
-        let onset = |body: &ProblemBody| onset(problem.kinematics, body, radius, modulus);
+        let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus);
         let first = problem.bodies.iter().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
-        let (half_width, peak_pressure) = contact(problem.kinematics, force, radius, modulus);
+        let (half_width, peak_pressure) = contact(problem.stress_state, force, radius, modulus);
         Some(Self {
             half_width,
             peak_pressure,
@@ -46,13 +46,13 @@ impl ElasticReference {
 }
 
 /// Half-width and peak pressure.
-fn contact(kinematics: Kinematics, force: f64, radius: f64, modulus: f64) -> (f64, f64) {
-    match kinematics {
-        Kinematics::PlaneStrain | Kinematics::PlaneStress => {
+fn contact(stress_state: StressState, force: f64, radius: f64, modulus: f64) -> (f64, f64) {
+    match stress_state {
+        StressState::PlaneStrain | StressState::PlaneStress => {
             let hertz = HertzLine::new(force, radius, modulus);
             (hertz.half_width(), hertz.peak_pressure())
         }
-        Kinematics::Axisymmetric => {
+        StressState::Axisymmetric => {
             let hertz = HertzPoint::new(force, radius, modulus);
             (hertz.contact_radius(), hertz.peak_pressure())
         }
@@ -60,27 +60,27 @@ fn contact(kinematics: Kinematics, force: f64, radius: f64, modulus: f64) -> (f6
 }
 
 /// Force and depth at which a body begins to yield.
-fn onset(kinematics: Kinematics, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
+fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
     let material = body.material.as_ref()?;
     let yield_stress = UniaxialCurve::of(material)?.yield_stress();
     if yield_stress <= 0.0 {
         return None;
     }
     let poisson_ratio = material.elastic().poisson_ratio.get();
-    let (onset, force) = match kinematics {
-        Kinematics::PlaneStrain => {
+    let (onset, force) = match stress_state {
+        StressState::PlaneStrain => {
             let onset = YieldOnset::line_von_mises(poisson_ratio);
             (onset, onset.line_force(yield_stress, radius, modulus))
         }
         // Without out-of-plane stress the field is that of plane strain with ν = 0.
-        Kinematics::PlaneStress => {
+        StressState::PlaneStress => {
             let onset = YieldOnset::line_von_mises(0.0);
             (onset, onset.line_force(yield_stress, radius, modulus))
         }
-        Kinematics::Axisymmetric => {
+        StressState::Axisymmetric => {
             let onset = YieldOnset::point(poisson_ratio);
             (onset, onset.point_force(yield_stress, radius, modulus))
         }
     };
-    Some((force, onset.depth_ratio * contact(kinematics, force, radius, modulus).0))
+    Some((force, onset.depth_ratio * contact(stress_state, force, radius, modulus).0))
 }

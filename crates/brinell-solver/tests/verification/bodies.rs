@@ -3,7 +3,7 @@
 use brinell_solver::fem::assembly::{
     Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField,
 };
-use brinell_solver::fem::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh};
 use brinell_solver::job::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
@@ -46,7 +46,7 @@ pub struct Loaded {
 /// Solves `∫Bᵀσ dV = force` by the plain initial-stress iteration, until displacements change by less than 1e-11.
 pub fn load(
     mesh: &Mesh,
-    kinematics: Kinematics,
+    stress_state: StressState,
     material: &Deformable,
     held: Vec<[bool; 2]>,
     force: &[[f64; 2]],
@@ -57,14 +57,14 @@ pub fn load(
     let equations = Equations::new(&order, &Restraint::from(held), 0);
     let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
     let assembler =
-        StiffnessAssembler { mesh, kinematics, equations: &equations, pattern: symbolic.pattern() };
+        StiffnessAssembler { mesh, stress_state, equations: &equations, pattern: symbolic.pattern() };
     let shear = material.elastic().shear_modulus();
     let values = assembler.assemble(|_, quad| {
         element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
     });
     let factor = Cholesky::factor(&symbolic, &values).unwrap();
     let region =
-        InitialStressRegion::new(mesh, kinematics, &equations, &vec![true; mesh.elements.len()], material);
+        InitialStressRegion::new(mesh, stress_state, &equations, &vec![true; mesh.elements.len()], material);
 
     let mut external = vec![0.0; equations.len() + 1];
     for (node, f) in (0u32..).zip(force) {
@@ -91,6 +91,6 @@ pub fn load(
     }
     let displacement: Vec<[f64; 2]> =
         (0u32..).take(mesh.nodes.len()).map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
-    let field = StressField::evaluate(mesh, kinematics, material, &displacement);
+    let field = StressField::evaluate(mesh, stress_state, material, &displacement);
     Loaded { displacement, field, iterations }
 }

@@ -9,7 +9,7 @@
 //!
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
-use brinell_solver::fem::element::Kinematics;
+use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Deformable, Hardening, NonNegativeF64};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -70,7 +70,7 @@ fn patch_test() {
             let force = tractions(&mesh, along, around);
             let state = load(
                 &mesh,
-                Kinematics::Axisymmetric,
+                StressState::Axisymmetric,
                 &material(YOUNG, POISSON, law),
                 held.clone(),
                 &force,
@@ -123,7 +123,7 @@ fn pressurise(
             force[node][1] += share * normal[1];
         }
     }
-    let loaded = load(&mesh, Kinematics::Axisymmetric, material, held, &force, limit);
+    let loaded = load(&mesh, StressState::Axisymmetric, material, held, &force, limit);
     (mesh, loaded)
 }
 

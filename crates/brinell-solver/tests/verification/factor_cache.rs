@@ -51,10 +51,10 @@ fn a_kept_factor_gives_the_same_bits() {
             assert_eq!(&bits(&cached(job, &cache)), expected, "round {round}: {job}");
         }
     }
-    let before = cache.figures();
+    let before = cache.stats();
     assert!(before.hits > before.misses, "{before:?}");
     cached(&jobs[0], &cache);
-    let after = cache.figures();
+    let after = cache.stats();
     assert_eq!((after.misses, after.hits), (before.misses, before.hits + 3), "sizing, coarse and fine mesh");
 }
 
@@ -69,7 +69,7 @@ fn bodies_that_harden_differently_share_meshes() {
             jobs += 1;
         }
     }
-    let figures = cache.figures();
+    let figures = cache.stats();
     assert_eq!(figures.hits + figures.misses, 3 * jobs);
     // Other loads, materials and supports do not.
     assert!(figures.misses <= jobs, "{figures:?}");
@@ -77,9 +77,9 @@ fn bodies_that_harden_differently_share_meshes() {
         two_cylinders("clamped", bilinear(500.0, 10000.0), 500.0),
         two_cylinders("roller", bilinear(500.0, 10000.0), 612.6106),
     ] {
-        let misses = cache.figures().misses;
+        let misses = cache.stats().misses;
         cached(&with_elements(job, 10), &cache);
-        assert_eq!(cache.figures().misses, misses + 3);
+        assert_eq!(cache.stats().misses, misses + 3);
     }
 }
 
@@ -90,12 +90,12 @@ fn a_small_cache_stays_small() {
     for force in [300.0, 500.0, 700.0, 900.0] {
         let job = with_elements(paper(force, "accelerated"), 8);
         assert_eq!(bits(&cached(&job, &cache)), bits(&solve(&job)));
-        let bytes = cache.figures().bytes;
+        let bytes = cache.stats().bytes;
         assert!(bytes > 0 && bytes <= limit, "{bytes}");
     }
     let nothing = Arc::new(FactorCache::new(0));
     cached(&with_elements(paper(300.0, "accelerated"), 5), &nothing);
-    assert_eq!(nothing.figures().bytes, 0);
+    assert_eq!(nothing.stats().bytes, 0);
 }
 
 #[test]

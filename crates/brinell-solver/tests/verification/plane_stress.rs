@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use brinell_solver::analytical::HertzLine;
-use brinell_solver::fem::element::Kinematics;
+use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Hardening, NonNegativeF64};
 use brinell_solver::solver::SolveStatus;
@@ -29,7 +29,7 @@ fn pull(along: f64, across: f64, law: Option<Hardening>) -> (Mesh, crate::bodies
     let on = |s: f64| if s > 1.0 - 1e-12 { 1.0 } else { 0.0 };
     let force: Vec<[f64; 2]> =
         mesh.nodes.iter().map(|&[x, y]| [along * on(x) * share(y), across * on(y) * share(x)]).collect();
-    let loaded = load(&mesh, Kinematics::PlaneStress, &material(YOUNG, POISSON, law), held, &force, 20_000);
+    let loaded = load(&mesh, StressState::PlaneStress, &material(YOUNG, POISSON, law), held, &force, 20_000);
     (mesh, loaded)
 }
 
@@ -82,7 +82,7 @@ fn a_thin_annulus_follows_lame() {
             force[node][1] -= 0.5 * pressure * (q[0] - p[0]);
         }
     }
-    let loaded = load(&mesh, Kinematics::PlaneStress, &material(YOUNG, POISSON, None), held, &force, 10);
+    let loaded = load(&mesh, StressState::PlaneStress, &material(YOUNG, POISSON, None), held, &force, 10);
     let factor = pressure / (f64::powi(outer / inner, 2) - 1.0);
     for (node, u) in mesh.nodes.iter().zip(&loaded.displacement) {
         let r = node[0].hypot(node[1]);

@@ -113,11 +113,11 @@ fn unequal_bumps_mirrored_and_swapped() {
         let one = step(&tilted, &below, force);
         assert!(!one.symmetric);
         assert_eq!(one.parts.len(), 2, "both bumps carry: {:?}", one.parts);
-        let carried = |side: f64| -> f64 {
+        let transferred = |side: f64| -> f64 {
             one.pairs.iter().filter(|pair| pair.x * side > 0.0).map(|pair| pair.force).sum()
         };
-        assert!(carried(1.0) > 1.02 * carried(-1.0));
-        assert_within(carried(1.0) + carried(-1.0), force, 1e-9);
+        assert!(transferred(1.0) > 1.02 * transferred(-1.0));
+        assert_within(transferred(1.0) + transferred(-1.0), force, 1e-9);
 
         let other = step(&mirror, &below, force);
         assert_same(&one, &other, 1e-6);

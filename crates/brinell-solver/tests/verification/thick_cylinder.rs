@@ -6,7 +6,7 @@
 //! R. Hill, *The Mathematical Theory of Plasticity* (1950), chapter V.
 
 use brinell_solver::analytical::{PowerLawCylinder, ThickCylinder};
-use brinell_solver::fem::element::Kinematics;
+use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Deformable, Hardening, NonNegativeF64};
 
@@ -49,7 +49,7 @@ fn pressurise(radial: i32, around: i32, material: &Deformable, pressure: f64) ->
             force[node][1] += half[1];
         }
     }
-    let loaded = load(&mesh, Kinematics::PlaneStrain, material, held, &force, 20_000);
+    let loaded = load(&mesh, StressState::PlaneStrain, material, held, &force, 20_000);
     (mesh, loaded)
 }
 
@@ -190,7 +190,7 @@ fn patch_test() {
             force[node][0] = traction * share / 3.0 * x;
         }
         let loaded =
-            load(&mesh, Kinematics::PlaneStrain, &material(210_000.0, 0.3, law), held.clone(), &force, 5000);
+            load(&mesh, StressState::PlaneStrain, &material(210_000.0, 0.3, law), held.clone(), &force, 5000);
         let first = loaded.field.points[0][0];
         assert_eq!(first.yielded, yields);
         for point in loaded.field.points.iter().flatten() {

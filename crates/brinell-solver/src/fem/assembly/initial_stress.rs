@@ -18,9 +18,9 @@
 //! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact problems*,
 //! eqs. (2.1)–(2.5).
 
-use super::softening::Softening;
+use super::softening::ModuliReduction;
 use super::{Equations, out_of_plane};
-use crate::fem::element::{ElementStiffness, Kinematics, QUADRATURE_POINTS, Quad};
+use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::job::Deformable;
 use crate::material::{OutOfPlane, PointLaw, ReferenceModuli};
@@ -32,7 +32,7 @@ pub struct InitialStressRegion {
     elements: Vec<RegionElement>,
     law: PointLaw,
     /// What [`RegionElement::softening`] points to.
-    softening: Vec<Softening>,
+    softening: Vec<ModuliReduction>,
 }
 
 #[derive(Debug, Clone)]
@@ -49,19 +49,19 @@ impl InitialStressRegion {
     /// Takes the elements of the mesh that are `inside`; `None` for a material that cannot yield.
     pub fn new(
         mesh: &Mesh,
-        kinematics: Kinematics,
+        stress_state: StressState,
         equations: &Equations,
         inside: &[bool],
         material: &Deformable,
     ) -> Option<Self> {
-        let law = PointLaw::new(material, out_of_plane(kinematics));
+        let law = PointLaw::new(material, out_of_plane(stress_state));
         if !law.can_yield() {
             return None;
         }
         let elements = (0..mesh.elements.len())
             .filter(|&element| inside[element])
             .map(|element| RegionElement {
-                quad: Quad::new(&mesh.corners(element), kinematics),
+                quad: Quad::new(&mesh.corners(element), stress_state),
                 equations: mesh.elements[element].map(|node| equations.of_node(node)),
                 index: element,
                 softening: None,
@@ -85,10 +85,11 @@ impl InitialStressRegion {
             let softened =
                 std::array::from_fn(|g| self.law.softening(strain.map(|component| component[g]), reference));
             is_beyond_yield |= softened.iter().flatten().any(|point| point.is_beyond_yield);
-            element.softening = Softening::new(&softened.map(|point| Some(point?.moduli))).map(|softening| {
-                self.softening.push(softening);
-                self.softening.len() - 1
-            });
+            element.softening =
+                ModuliReduction::new(&softened.map(|point| Some(point?.moduli))).map(|softening| {
+                    self.softening.push(softening);
+                    self.softening.len() - 1
+                });
         }
         if !is_beyond_yield {
             self.refer_to_elastic();

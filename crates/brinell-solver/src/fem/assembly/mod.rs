@@ -6,7 +6,7 @@ mod softening;
 mod stiffness;
 mod stress;
 
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::material::OutOfPlane;
 
 pub use equations::{Equations, Restraint};
@@ -14,10 +14,10 @@ pub use initial_stress::InitialStressRegion;
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 
-/// What the kinematics know of the out-of-plane direction.
-fn out_of_plane(kinematics: Kinematics) -> OutOfPlane {
-    match kinematics {
-        Kinematics::PlaneStrain | Kinematics::Axisymmetric => OutOfPlane::Strained,
-        Kinematics::PlaneStress => OutOfPlane::Free,
+/// What the stress_state know of the out-of-plane direction.
+fn out_of_plane(stress_state: StressState) -> OutOfPlane {
+    match stress_state {
+        StressState::PlaneStrain | StressState::Axisymmetric => OutOfPlane::Strained,
+        StressState::PlaneStress => OutOfPlane::Free,
     }
 }

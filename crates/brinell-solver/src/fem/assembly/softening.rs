@@ -12,11 +12,11 @@ const PAIRS: [(usize, usize); 10] =
 
 /// `C = D_e - D` at the points of one element: upper triangle, point by point innermost \[MPa\].
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Softening {
+pub(super) struct ModuliReduction {
     moduli: [PerPoint; 10],
 }
 
-impl Softening {
+impl ModuliReduction {
     /// Collects the moduli of all points; `None` where every point is elastic.
     pub fn new(points: &[Option<Moduli>; QUADRATURE_POINTS]) -> Option<Self> {
         if points.iter().all(Option::is_none) {
@@ -79,7 +79,7 @@ impl Softening {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fem::element::{Kinematics, element_stiffness};
+    use crate::fem::element::{StressState, element_stiffness};
 
     /// Softened by `2 (G - G') dev`, the stiffness with G is that with G'.
     #[test]
@@ -92,10 +92,10 @@ mod tests {
             _ => 2.0 * (whole - left) * (f64::from(u8::from(i == j)) - 1.0 / 3.0),
         };
         let moduli: Moduli = std::array::from_fn(|i| std::array::from_fn(|j| isotropic(i, j)));
-        for kinematics in [Kinematics::PlaneStrain, Kinematics::Axisymmetric] {
-            let quad = Quad::new(&corners, kinematics);
+        for stress_state in [StressState::PlaneStrain, StressState::Axisymmetric] {
+            let quad = Quad::new(&corners, stress_state);
             let elastic = element_stiffness(&quad, bulk, &[whole; 4]);
-            let addition = Softening::new(&[Some(moduli); 4]).unwrap().stiffness(&quad);
+            let addition = ModuliReduction::new(&[Some(moduli); 4]).unwrap().stiffness(&quad);
             let expected = element_stiffness(&quad, bulk, &[left; 4]);
             let entries = |k: &ElementStiffness| k.as_flattened().as_flattened().as_flattened().to_vec();
             let sum = entries(&elastic).into_iter().zip(entries(&addition)).map(|(a, b)| a + b);

@@ -6,7 +6,7 @@
 )]
 
 use super::Equations;
-use crate::fem::element::{ElementStiffness, Kinematics, Quad};
+use crate::fem::element::{ElementStiffness, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use sparse_cholesky::SymmetricPattern;
 
@@ -17,7 +17,7 @@ pub struct StiffnessAssembler<'a> {
     /// Mesh of the body.
     pub mesh: &'a Mesh,
     /// Third direction.
-    pub kinematics: Kinematics,
+    pub stress_state: StressState,
     /// Numbering.
     pub equations: &'a Equations,
     /// Sparsity; that of [`Equations::pattern`].
@@ -29,7 +29,7 @@ impl StiffnessAssembler<'_> {
     pub fn assemble(&self, mut stiffness_of: impl FnMut(usize, &Quad) -> ElementStiffness) -> Vec<f64> {
         let mut values = vec![0.0; self.pattern.entry_count()];
         for (element, nodes) in self.mesh.elements.iter().enumerate() {
-            let quad = Quad::new(&self.mesh.corners(element), self.kinematics);
+            let quad = Quad::new(&self.mesh.corners(element), self.stress_state);
             let stiffness = stiffness_of(element, &quad);
             self.add_to(&mut values, nodes, &stiffness);
         }

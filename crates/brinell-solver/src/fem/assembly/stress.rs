@@ -1,7 +1,7 @@
 //! Stresses at the Gauss points of a whole body.
 
 use super::out_of_plane;
-use crate::fem::element::{Kinematics, QUADRATURE_POINTS, Quad};
+use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::job::Deformable;
 use crate::material::PointLaw;
@@ -39,11 +39,11 @@ impl StressField {
     /// Evaluates the material law at nodal displacements `[u_x, u_y]` \[mm\].
     pub fn evaluate(
         mesh: &Mesh,
-        kinematics: Kinematics,
+        stress_state: StressState,
         material: &Deformable,
         displacement: &[[f64; 2]],
     ) -> Self {
-        let law = PointLaw::new(material, out_of_plane(kinematics));
+        let law = PointLaw::new(material, out_of_plane(stress_state));
         let mut field = Self {
             points: Vec::with_capacity(mesh.elements.len()),
             internal_force: vec![[0.0; 2]; mesh.nodes.len()],
@@ -51,7 +51,7 @@ impl StressField {
         wide(|| {
             for (element, nodes) in mesh.elements.iter().enumerate() {
                 let corners = mesh.corners(element);
-                let quad = Quad::new(&corners, kinematics);
+                let quad = Quad::new(&corners, stress_state);
                 let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
                 let dilatation = quad.mean_dilatation(&strain);
                 let mut points = [GaussPoint::default(); QUADRATURE_POINTS];

@@ -15,5 +15,5 @@
 mod quad;
 mod stiffness;
 
-pub use quad::{Kinematics, QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
+pub use quad::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState};
 pub use stiffness::{ElementStiffness, element_stiffness};

@@ -5,7 +5,7 @@ pub const QUADRATURE_POINTS: usize = 4;
 
 /// What the third direction does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kinematics {
+pub enum StressState {
     /// ε_zz = 0, unit thickness.
     PlaneStrain,
     /// σ_zz = 0, unit thickness.
@@ -29,7 +29,7 @@ pub struct Quad {
     /// Weight times Jacobian determinant times thickness \[mm² in plane analyses, mm³ in axisymmetry\].
     pub weight: PerPoint,
     /// Third direction.
-    pub kinematics: Kinematics,
+    pub stress_state: StressState,
 }
 
 /// Natural coordinates of the corners; Gauss point g lies at `corner g / √3`.
@@ -70,7 +70,7 @@ const NATURAL_GRADIENTS: [[PerPoint; 4]; 2] = {
 impl Quad {
     /// Evaluates the gradients for corner coordinates `[x, y]` \[mm\], counter-clockwise.
     #[inline(always)]
-    pub fn new(corners: &[[f64; 2]; 4], kinematics: Kinematics) -> Self {
+    pub fn new(corners: &[[f64; 2]; 4], stress_state: StressState) -> Self {
         let zero = [0.0; QUADRATURE_POINTS];
         let [along_xi, along_eta] = &NATURAL_GRADIENTS;
         // Jacobian [[x_ξ, y_ξ], [x_η, y_η]].
@@ -91,7 +91,7 @@ impl Quad {
                 gradient_y[i][g] = (x_xi[g] * along_eta[i][g] - x_eta[g] * along_xi[i][g]) / weight[g];
             }
         }
-        if kinematics == Kinematics::Axisymmetric {
+        if stress_state == StressState::Axisymmetric {
             for g in 0..QUADRATURE_POINTS {
                 let [radius, _] = Self::point(corners, g);
                 weight[g] *= 2.0 * std::f64::consts::PI * radius;
@@ -100,7 +100,7 @@ impl Quad {
                 }
             }
         }
-        Self { gradient_x, gradient_y, over_radius, weight, kinematics }
+        Self { gradient_x, gradient_y, over_radius, weight, stress_state }
     }
 
     /// Position `[x, y]` of point g \[mm\] in an element with these corners.
@@ -116,9 +116,9 @@ impl Quad {
 
     /// Area of the quadrilateral that point g stands for \[mm²\].
     pub fn area(&self, corners: &[[f64; 2]; 4], g: usize) -> f64 {
-        match self.kinematics {
-            Kinematics::PlaneStrain | Kinematics::PlaneStress => self.weight[g],
-            Kinematics::Axisymmetric => {
+        match self.stress_state {
+            StressState::PlaneStrain | StressState::PlaneStress => self.weight[g],
+            StressState::Axisymmetric => {
                 self.weight[g] / (2.0 * std::f64::consts::PI * Self::point(corners, g)[0])
             }
         }
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn linear_displacement_has_constant_strain() {
-        let quad = Quad::new(&SKEWED, Kinematics::PlaneStrain);
+        let quad = Quad::new(&SKEWED, StressState::PlaneStrain);
         let u = SKEWED.map(|[x, y]| [0.1 * x + 0.2 * y, -0.3 * x + 0.4 * y]);
         let strain = quad.strain(&u);
         for (component, expected) in strain.iter().zip([0.1, 0.4, 0.0, -0.1]) {
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn a_body_of_revolution_has_hoop_strain_and_pappus_volume() {
         let corners = SKEWED.map(|[x, y]| [x + 3.0, y]);
-        let quad = Quad::new(&corners, Kinematics::Axisymmetric);
+        let quad = Quad::new(&corners, StressState::Axisymmetric);
         let strain = quad.strain(&corners.map(|[x, _]| [0.1 * x, 0.0]));
         for component in [strain[0], strain[2]] {
             assert!(component.iter().all(|value| (value - 0.1).abs() < 1e-14));
@@ -241,12 +241,12 @@ mod tests {
                 0.5 * (p[0] * q[1] - p[1] * q[0])
             })
             .sum();
-        assert!((Quad::new(&SKEWED, Kinematics::PlaneStrain).volume() - area).abs() < 1e-14);
+        assert!((Quad::new(&SKEWED, StressState::PlaneStrain).volume() - area).abs() < 1e-14);
     }
 
     #[test]
     fn nodal_forces_do_the_work_of_the_stresses() {
-        let quad = Quad::new(&SKEWED.map(|[x, y]| [x + 1.0, y]), Kinematics::Axisymmetric);
+        let quad = Quad::new(&SKEWED.map(|[x, y]| [x + 1.0, y]), StressState::Axisymmetric);
         let u = [[0.3, -0.1], [0.2, 0.5], [-0.4, 0.1], [0.6, 0.7]];
         let stress: [[f64; 4]; 4] =
             std::array::from_fn(|c| std::array::from_fn(|g| (1.0 + c as f64) * (g as f64 - 1.2)));

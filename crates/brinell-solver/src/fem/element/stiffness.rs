@@ -1,6 +1,6 @@
 //! Stiffness matrix of one element.
 
-use super::{Kinematics, QUADRATURE_POINTS, Quad};
+use super::{QUADRATURE_POINTS, Quad, StressState};
 
 /// `stiffness[i][j]` couples node i to node j: rows `[x, y]` of i, columns `[x, y]` of j \[N/mm per mm\].
 pub type ElementStiffness = [[[[f64; 2]; 2]; 4]; 4];
@@ -22,15 +22,15 @@ pub fn element_stiffness(
 ) -> ElementStiffness {
     let mut stiffness = [[[[0.0; 2]; 2]; 4]; 4];
     let mean = quad.mean_divergence();
-    let bulk = match quad.kinematics {
-        Kinematics::PlaneStrain | Kinematics::Axisymmetric => bulk_modulus * quad.volume(),
-        Kinematics::PlaneStress => 0.0,
+    let bulk = match quad.stress_state {
+        StressState::PlaneStrain | StressState::Axisymmetric => bulk_modulus * quad.volume(),
+        StressState::PlaneStress => 0.0,
     };
     let moduli: [Moduli; QUADRATURE_POINTS] = std::array::from_fn(|g| {
         let shear = shear_moduli[g];
         Moduli {
             shear: quad.weight[g] * shear,
-            dilatational: quad.weight[g] * dilatational_modulus(quad.kinematics, bulk_modulus, shear),
+            dilatational: quad.weight[g] * dilatational_modulus(quad.stress_state, bulk_modulus, shear),
         }
     });
     for i in 0..4 {
@@ -56,10 +56,10 @@ struct Moduli {
 }
 
 /// M: `-2G/3` turns ε:ε into its deviator's; λ' is what a free thickness leaves of λ.
-fn dilatational_modulus(kinematics: Kinematics, bulk_modulus: f64, shear: f64) -> f64 {
-    match kinematics {
-        Kinematics::PlaneStrain | Kinematics::Axisymmetric => -2.0 / 3.0 * shear,
-        Kinematics::PlaneStress => {
+fn dilatational_modulus(stress_state: StressState, bulk_modulus: f64, shear: f64) -> f64 {
+    match stress_state {
+        StressState::PlaneStrain | StressState::Axisymmetric => -2.0 / 3.0 * shear,
+        StressState::PlaneStress => {
             let lame = bulk_modulus - 2.0 / 3.0 * shear;
             2.0 * shear * lame / (lame + 2.0 * shear)
         }
@@ -104,13 +104,13 @@ mod tests {
     #[test]
     fn rigid_motions_cost_nothing() {
         let rotation = SKEWED.map(|[x, y]| [-y, x]);
-        for kinematics in [Kinematics::PlaneStrain, Kinematics::PlaneStress] {
-            let quad = Quad::new(&SKEWED, kinematics);
+        for stress_state in [StressState::PlaneStrain, StressState::PlaneStress] {
+            let quad = Quad::new(&SKEWED, stress_state);
             for motion in [[[1.0, 0.0]; 4], [[0.0, 1.0]; 4], rotation] {
                 assert!(work(&quad, (175.0, 80.0), &motion).abs() < 1e-10);
             }
         }
-        let quad = Quad::new(&SKEWED, Kinematics::Axisymmetric);
+        let quad = Quad::new(&SKEWED, StressState::Axisymmetric);
         assert!(work(&quad, (175.0, 80.0), &[[0.0, 1.0]; 4]).abs() < 1e-10);
     }
 
@@ -121,23 +121,23 @@ mod tests {
         let lame: f64 = bulk - 2.0 / 3.0 * shear;
         let u = SKEWED.map(|[x, y]| [1e-3 * x + 1.5e-3 * y, 1.5e-3 * x - 2e-3 * y]);
         let in_plane = -1e-3;
-        for (kinematics, zz) in [
-            (Kinematics::PlaneStrain, 0.0),
-            (Kinematics::PlaneStress, -lame * in_plane / (lame + 2.0 * shear)),
+        for (stress_state, zz) in [
+            (StressState::PlaneStrain, 0.0),
+            (StressState::PlaneStress, -lame * in_plane / (lame + 2.0 * shear)),
         ] {
             let trace = in_plane + zz;
             let deviator = [1e-3 - trace / 3.0, -2e-3 - trace / 3.0, zz - trace / 3.0];
             let norm = deviator.iter().map(|e| e * e).sum::<f64>() + 0.5 * 3e-3f64.powi(2);
-            let quad = Quad::new(&SKEWED, kinematics);
+            let quad = Quad::new(&SKEWED, stress_state);
             let expected = quad.volume() * (bulk * trace * trace + 2.0 * shear * norm);
             let found = work(&quad, (bulk, shear), &u);
             assert!(
                 (found - expected).abs() < 1e-12 * expected.abs().max(1e-6),
-                "{kinematics:?}: {found} {expected}"
+                "{stress_state:?}: {found} {expected}"
             );
         }
         // ε_xx = ε_zz = 1e-3 in a body of revolution.
-        let quad = Quad::new(&SKEWED, Kinematics::Axisymmetric);
+        let quad = Quad::new(&SKEWED, StressState::Axisymmetric);
         let u = SKEWED.map(|[x, y]| [1e-3 * x, -2e-3 * y]);
         let expected = quad.volume() * 2.0 * shear * (6.0 * 1e-6);
         assert!((work(&quad, (bulk, shear), &u) - expected).abs() < 1e-11 * expected);

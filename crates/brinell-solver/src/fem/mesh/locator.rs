@@ -136,7 +136,7 @@ mod tests {
         Mesh::generate(&outline, zone, Refinement { growth: 1.3 }).unwrap()
     }
 
-    /// A linear field is carried exactly, but for the sagitta of the arc between two nodes of the surface.
+    /// A linear field is transferred exactly, but for the sagitta of the arc between two nodes of the surface.
     #[test]
     fn a_linear_field_is_read_exactly_at_the_nodes_of_another_mesh() {
         for symmetric in [true, false] {

@@ -5,66 +5,66 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::factor_cache::FactorCache;
-use super::former::FormerField;
-use super::iteration::{Beginning, Controls, Iteration, Outcome};
-use super::patch::ContactPatch;
-use super::phases::{Phase, PhaseTimes};
-use super::plastic_reach::{PlasticOutline, PlasticReach};
-use super::problem::Problem;
-use super::solution::CoarseFigures;
-use super::system::{Design, PerModel, System};
-use super::{Observer, SolveError, coupling};
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::job::{Coupling, SolverSettings};
 use crate::material::ReferenceModuli;
+use crate::solver::body_system::contact_patch::ContactPatch;
+use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
+use crate::solver::body_system::system::{BlockVector, Design, System};
+use crate::solver::body_system::transfer::NodalField;
+use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome};
+use crate::solver::final_check::solution::CoarseFigures;
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::problem::Problem;
+use crate::solver::{Observer, SolveError, couplings};
 
 /// What a pass is asked to do.
 #[derive(Clone, Copy)]
-pub(super) struct PassRequest<'a> {
+pub(crate) struct MeshSolveRequest<'a> {
     pub contact: &'a dyn ContactSolver,
     pub zone: ContactZone,
     pub refinement: Refinement,
-    pub plastic_reach: PlasticReach,
+    pub search_region: PlasticSearchRegion,
     /// Load of both sides of the axis together.
     pub load: ContactLoad,
     pub solver: SolverSettings,
     /// An answer on another mesh to start from, one field for each model.
-    pub former: Option<&'a [FormerField<'a>]>,
+    pub previous: Option<&'a [NodalField<'a>]>,
     /// What other jobs have left.
     pub cache: Option<&'a Arc<FactorCache>>,
 }
 
 /// A discretized problem, and the displacements that the last loads left on it.
-pub(super) struct Prepared {
+pub(crate) struct ReusableMesh {
     pub system: System,
     /// Load and displacements of the whole models, the latest last; at most two.
-    states: Vec<(f64, PerModel)>,
+    states: Vec<(f64, BlockVector)>,
     /// Displacements of all nodes under the last load, for each model; empty where nobody needs them again.
     nodal: Vec<Vec<[f64; 2]>>,
 }
 
-impl Prepared {
+impl ReusableMesh {
     /// The last answer, to start from on another mesh.
-    pub fn fields(&self) -> Vec<FormerField<'_>> {
+    pub fn fields(&self) -> Vec<NodalField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.nodal);
-        fields.map(|(body, displacement)| FormerField { mesh: &body.elastic.mesh, displacement }).collect()
+        fields.map(|(body, displacement)| NodalField { mesh: &body.elastic.mesh, displacement }).collect()
     }
 
-    /// The system, its former states, and where the load of a request starts; linearized there if the coupling wants it.
+    /// The system, its previous states, and where the load of a request starts; linearized there if the coupling wants it.
     fn resume(
         self,
-        request: &PassRequest<'_>,
+        request: &MeshSolveRequest<'_>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Resumed, SolveError> {
         let mut start = self.start(request.load.magnitude());
         let Self { mut system, states, .. } = self;
-        phases.time(Phase::Plasticity, observer, || system.watch(request.plastic_reach));
-        if let Some(former) = request.former {
-            start = Some(system.linearize_by(former, phases, observer)?);
+        phases.time(Phase::Plasticity, observer, || system.set_plastic_region(request.search_region));
+        if let Some(previous) = request.previous {
+            start = Some(system.linearize_by(previous, phases, observer)?);
         } else if request.solver.coupling == Coupling::Accelerated {
             let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
             system.linearize(at, phases, observer)?;
@@ -73,7 +73,7 @@ impl Prepared {
     }
 
     /// Displacements to start a load from: on the straight line through the last two states, or the last one.
-    fn start(&self, load: f64) -> Option<PerModel> {
+    fn start(&self, load: f64) -> Option<BlockVector> {
         match self.states.as_slice() {
             [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
                 let t = (load - last) / (last - before);
@@ -88,11 +88,11 @@ impl Prepared {
     }
 }
 
-/// A system, its former states, and where to start.
-type Resumed = (System, Vec<(f64, PerModel)>, Option<PerModel>);
+/// A system, its previous states, and where to start.
+type Resumed = (System, Vec<(f64, BlockVector)>, Option<BlockVector>);
 
 /// The state of one whole model.
-pub(super) struct ModelField {
+pub(crate) struct ModelField {
     /// Displacements by equation \[mm\].
     pub displacement: Vec<f64>,
     /// Displacements `[u_x, u_y]` of every node \[mm\].
@@ -101,7 +101,7 @@ pub(super) struct ModelField {
 }
 
 /// What came of a pass.
-pub(super) struct Pass {
+pub(crate) struct MeshSolve {
     pub system: System,
     pub outcome: Outcome,
     /// The state of each whole model; empty if it was stopped.
@@ -114,29 +114,29 @@ pub(super) struct Pass {
     pub enlargements: usize,
     /// Meshes made.
     pub meshes: usize,
-    /// States of former loads on the same mesh.
-    former_states: Vec<(f64, PerModel)>,
+    /// States of previous loads on the same mesh.
+    previous_states: Vec<(f64, BlockVector)>,
 }
 
-impl Pass {
+impl MeshSolve {
     /// Where material yields.
-    pub fn plastic_outline(&self) -> PlasticOutline {
+    pub fn yielded_envelope(&self) -> RadialEnvelope {
         let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
         let yielded = points.filter(|point| point.yielded).map(|point| point.position);
-        PlasticOutline::around(self.system.zone.centre(), yielded)
+        RadialEnvelope::around(self.system.zone.centre(), yielded)
     }
 
     /// Whether the material yields where nobody has looked.
-    fn yields_unwatched(&self) -> bool {
+    fn yields_outside_region(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);
-        bodies.any(|(body, field)| body.yields_unwatched(&field.stress))
+        bodies.any(|(body, field)| body.yields_outside_region(&field.stress))
     }
 
     /// The answer, to start from on another mesh.
-    pub fn former(&self) -> Vec<FormerField<'_>> {
+    pub fn nodal_fields(&self) -> Vec<NodalField<'_>> {
         let fields = self.system.bodies.iter().zip(&self.fields);
         fields
-            .map(|(body, field)| FormerField { mesh: &body.elastic.mesh, displacement: &field.nodal })
+            .map(|(body, field)| NodalField { mesh: &body.elastic.mesh, displacement: &field.nodal })
             .collect()
     }
 
@@ -157,14 +157,14 @@ impl Pass {
     }
 
     /// What the next load may start from.
-    pub fn into_prepared(self, load: ContactLoad) -> Prepared {
+    pub fn into_reusable(self, load: ContactLoad) -> ReusableMesh {
         let (displacement, nodal) =
             self.fields.into_iter().map(|field| (field.displacement, field.nodal)).unzip();
-        let mut states = self.former_states;
+        let mut states = self.previous_states;
         states.push((load.magnitude(), displacement));
         let surplus = states.len().saturating_sub(2);
         states.drain(..surplus);
-        Prepared { system: self.system, states, nodal }
+        ReusableMesh { system: self.system, states, nodal }
     }
 }
 
@@ -177,41 +177,41 @@ const MAX_ENLARGEMENTS: usize = 12;
 const WIDENING: f64 = 1.3;
 
 /// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond it.
-/// Where plastic flow turns up outside the part of the bodies that is watched, goes on with a larger part.
-pub(super) fn run(
+/// Where plastic flow turns up outside the part of the bodies that is searched, goes on with a larger part.
+pub(crate) fn run(
     problem: &Problem,
-    request: &PassRequest<'_>,
-    prepared: Option<Prepared>,
+    request: &MeshSolveRequest<'_>,
+    reusable: Option<ReusableMesh>,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
-) -> Result<Pass, SolveError> {
+) -> Result<MeshSolve, SolveError> {
     let mut request = *request;
-    let former = request.former;
-    let mut available = prepared;
+    let previous = request.previous;
+    let mut available = reusable;
     let (mut enlargements, mut meshes, mut widenings) = (0, 0, 0);
-    // Iterations made while less was watched.
+    // Iterations made while a smaller region was searched.
     let mut history = Vec::new();
     loop {
-        let (mut system, states, start) = if let Some(prepared) = available.take() {
-            prepared.resume(&request, phases, observer)?
+        let (mut system, states, start) = if let Some(reusable) = available.take() {
+            reusable.resume(&request, phases, observer)?
         } else {
             meshes += 1;
-            let PassRequest { zone, refinement, plastic_reach, cache, .. } = request;
-            let design = Design { zone, refinement, plastic_reach, cache };
-            let (system, start) = System::build(problem, design, former, phases, observer)?;
+            let MeshSolveRequest { zone, refinement, search_region, cache, .. } = request;
+            let design = Design { zone, refinement, search_region, cache };
+            let (system, start) = System::build(problem, design, previous, phases, observer)?;
             (system, Vec::new(), start)
         };
         let zone = system.zone;
-        let beginning =
-            Beginning { displacement: start, history: std::mem::take(&mut history), factorizations: 0 };
-        let mut outcome = iterate(&mut system, &request, beginning, phases, observer)?;
+        let initial =
+            InitialState { displacement: start, history: std::mem::take(&mut history), factorizations: 0 };
+        let mut outcome = iterate(&mut system, &request, initial, phases, observer)?;
         let fields =
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
-        let is_watched_in_part = request.plastic_reach != PlasticReach::WholeBody;
+        let is_watched_in_part = request.search_region != PlasticSearchRegion::WholeBody;
         let (patch, reaches_edge) =
-            phases.time(Phase::Output, observer, || survey(problem, &system, &outcome, &fields));
-        let mut pass = Pass {
+            phases.time(Phase::Output, observer, || find_contact(problem, &system, &outcome, &fields));
+        let mut pass = MeshSolve {
             system,
             outcome,
             fields,
@@ -219,19 +219,23 @@ pub(super) fn run(
             reaches_edge,
             enlargements,
             meshes,
-            former_states: states,
+            previous_states: states,
         };
-        let yields_unwatched = phases
-            .time(Phase::Output, observer, || !interrupted && is_watched_in_part && pass.yields_unwatched());
-        if yields_unwatched {
-            let outline = pass.plastic_outline().scaled(WIDENING);
-            request.plastic_reach =
-                if widenings == 0 { PlasticReach::Within(outline) } else { PlasticReach::WholeBody };
+        let yields_outside_region = phases.time(Phase::Output, observer, || {
+            !interrupted && is_watched_in_part && pass.yields_outside_region()
+        });
+        if yields_outside_region {
+            let outline = pass.yielded_envelope().scaled(WIDENING);
+            request.search_region = if widenings == 0 {
+                PlasticSearchRegion::Within(outline)
+            } else {
+                PlasticSearchRegion::WholeBody
+            };
             widenings += 1;
             history = std::mem::take(&mut pass.outcome.history);
-            // From here, not from the former answer.
-            request.former = None;
-            available = Some(pass.into_prepared(request.load));
+            // From here, not from the previous answer.
+            request.previous = None;
+            available = Some(pass.into_reusable(request.load));
             continue;
         }
         if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
@@ -259,12 +263,12 @@ fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -
         }
         let state = &outcome.state;
         let mut displacement = state.loads[k].clone();
-        body.elastic.press(&state.response.contact.force, &mut displacement);
+        body.elastic.add_contact_forces(&state.response.contact.force, &mut displacement);
         let factor = state.factors.as_ref().map_or(&*body.factor, |factors| &factors[k]);
         factor.solve(&mut displacement);
         let elastic = &body.elastic;
         let nodal = elastic.nodal(&displacement);
-        let stress = StressField::evaluate(&elastic.mesh, elastic.kinematics(), &body.material, &nodal);
+        let stress = StressField::evaluate(&elastic.mesh, elastic.stress_state(), &body.material, &nodal);
         fields.push(ModelField { displacement, nodal, stress });
     }
     fields
@@ -291,8 +295,8 @@ const PROGRESS: f64 = 0.5;
 /// Iterates; the accelerated coupling on stiffnesses that are linearized anew where one does not get on.
 fn iterate(
     system: &mut System,
-    request: &PassRequest<'_>,
-    mut beginning: Beginning,
+    request: &MeshSolveRequest<'_>,
+    mut initial: InitialState,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
@@ -310,8 +314,8 @@ fn iterate(
             max_iterations: request.solver.max_iterations as usize,
             renewable,
         };
-        let begun = beginning.history.len();
-        let outcome = coupling::run(Iteration::new(system, controls, beginning, observer, phases), coupling)?;
+        let begun = initial.history.len();
+        let outcome = couplings::run(Iteration::new(system, controls, initial, observer, phases), coupling)?;
         if !outcome.stalled {
             return Ok(outcome);
         }
@@ -332,12 +336,12 @@ fn iterate(
         linearizations += 1;
         let factorizations = system.bodies.len();
         let Outcome { state, history, .. } = outcome;
-        beginning = Beginning { displacement: Some(state.response.displacement), history, factorizations };
+        initial = InitialState { displacement: Some(state.response.displacement), history, factorizations };
     }
 }
 
 /// Where the contact is, and whether it goes beyond the zone.
-fn survey(
+fn find_contact(
     problem: &Problem,
     system: &System,
     outcome: &Outcome,
@@ -373,7 +377,7 @@ fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fiel
     let inward = |x: f64| -> f64 {
         surfaces
             .iter()
-            .zip(&system.multiplicity)
+            .zip(&system.bodies_represented)
             .map(|(surface, n)| *n as f64 * interpolate(surface, x))
             .sum()
     };

@@ -10,11 +10,11 @@ const DIRECTIONS: usize = 25;
 /// The outline of a plastic zone: how far it reaches from the middle of the contact \[mm\], linear in the angle between
 /// two directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PlasticOutline {
+pub(crate) struct RadialEnvelope {
     radius: [f64; DIRECTIONS],
 }
 
-impl PlasticOutline {
+impl RadialEnvelope {
     /// Nothing yields.
     pub const NONE: Self = Self { radius: [0.0; DIRECTIONS] };
 
@@ -56,9 +56,9 @@ fn direction(x: f64, y: f64) -> (usize, f64) {
 
 /// Where plastic flow is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum PlasticReach {
+pub(crate) enum PlasticSearchRegion {
     /// Within this outline, and a little beyond.
-    Within(PlasticOutline),
+    Within(RadialEnvelope),
     /// Anywhere.
     WholeBody,
 }
@@ -66,8 +66,8 @@ pub(super) enum PlasticReach {
 /// Layers of elements around the expected plastic zone that are kept ready for it to grow into.
 const SPARE_LAYERS: usize = 3;
 
-impl PlasticReach {
-    /// The elements of a mesh that are watched.
+impl PlasticSearchRegion {
+    /// The elements of a mesh that are in the plastic region.
     pub fn elements(&self, mesh: &Mesh) -> Vec<bool> {
         let Self::Within(outline) = self else { return vec![true; mesh.elements.len()] };
         let centre = mesh.zone.centre();
@@ -87,7 +87,7 @@ fn touched(mesh: &Mesh, nodes: &[bool]) -> Vec<bool> {
 }
 
 /// The nodes of elements.
-pub(super) fn nodes_of(mesh: &Mesh, elements: &[bool]) -> Vec<bool> {
+pub(crate) fn nodes_of(mesh: &Mesh, elements: &[bool]) -> Vec<bool> {
     let mut nodes = vec![false; mesh.nodes.len()];
     for (corners, _) in mesh.elements.iter().zip(elements).filter(|(_, inside)| **inside) {
         for &node in corners {
@@ -104,13 +104,13 @@ mod tests {
     #[test]
     fn it_contains_its_points_and_nothing_beyond_their_distance() {
         let points = [[1.3, -0.2], [0.9, -1.1], [-0.4, -0.7]];
-        let outline = PlasticOutline::around(0.5, points);
+        let outline = RadialEnvelope::around(0.5, points);
         let grown = outline.scaled(1.01);
         for [x, y] in points {
             assert!(grown.contains(x - 0.5, y));
             assert!(!grown.contains(1.1 * (x - 0.5), 1.1 * y));
         }
         assert!(!grown.contains(0.0, -2.0) && !grown.contains(-1.0, -1e-3));
-        assert!(!PlasticOutline::NONE.contains(1e-6, -1e-6));
+        assert!(!RadialEnvelope::NONE.contains(1e-6, -1e-6));
     }
 }

@@ -4,7 +4,7 @@ use std::mem;
 use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::elastic_body::{BodyPlan, ElasticBody};
+use crate::solver::body_system::elastic_body::{BodyKey, ElasticBody};
 use sparse_cholesky::Cholesky;
 
 /// Elastic bodies by what they are made of, each with the factors that earlier jobs left of it.
@@ -17,12 +17,12 @@ use sparse_cholesky::Cholesky;
 #[derive(Debug)]
 pub struct FactorCache {
     limit: usize,
-    shelf: Mutex<Shelf>,
+    state: Mutex<CacheState>,
 }
 
 /// What a cache has done and holds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct FactorCacheFigures {
+pub struct FactorCacheStats {
     /// Bodies that were there when a job needed them.
     pub hits: u64,
     /// Bodies that had to be made.
@@ -32,10 +32,10 @@ pub struct FactorCacheFigures {
 }
 
 #[derive(Debug, Default)]
-struct Shelf {
+struct CacheState {
     /// What has not been used for longest comes first.
     entries: Vec<Entry>,
-    figures: FactorCacheFigures,
+    stats: FactorCacheStats,
 }
 
 #[derive(Debug)]
@@ -54,56 +54,56 @@ impl Entry {
 impl FactorCache {
     /// An empty cache for so many bytes.
     pub fn new(limit: usize) -> Self {
-        Self { limit, shelf: Mutex::default() }
+        Self { limit, state: Mutex::default() }
     }
 
     /// What it has done and holds.
-    pub fn figures(&self) -> FactorCacheFigures {
-        self.shelf().figures
+    pub fn stats(&self) -> FactorCacheStats {
+        self.state().stats
     }
 
-    /// The body of a plan, if it is here.
-    pub(super) fn find(&self, plan: &BodyPlan) -> Option<Arc<ElasticBody>> {
-        let mut shelf = self.shelf();
-        let found = shelf.entries.iter().rposition(|entry| entry.body.plan == *plan);
-        let count = if found.is_some() { &mut shelf.figures.hits } else { &mut shelf.figures.misses };
+    /// The body of a key, if it is here.
+    pub(crate) fn find(&self, key: &BodyKey) -> Option<Arc<ElasticBody>> {
+        let mut state = self.state();
+        let found = state.entries.iter().rposition(|entry| entry.body.key == *key);
+        let count = if found.is_some() { &mut state.stats.hits } else { &mut state.stats.misses };
         *count += 1;
-        let entry = shelf.entries.remove(found?);
+        let entry = state.entries.remove(found?);
         let body = Arc::clone(&entry.body);
-        shelf.entries.push(entry);
+        state.entries.push(entry);
         Some(body)
     }
 
     /// The body used last of those that serve.
-    pub(super) fn find_like(&self, serves: impl Fn(&ElasticBody) -> bool) -> Option<Arc<ElasticBody>> {
-        let bodies: Vec<_> = self.shelf().entries.iter().map(|entry| Arc::clone(&entry.body)).collect();
+    pub(crate) fn find_like(&self, serves: impl Fn(&ElasticBody) -> bool) -> Option<Arc<ElasticBody>> {
+        let bodies: Vec<_> = self.state().entries.iter().map(|entry| Arc::clone(&entry.body)).collect();
         bodies.into_iter().rfind(|body| serves(body))
     }
 
-    /// Keeps a body, unless one of the same plan is here or it is too large.
-    pub(super) fn keep(&self, body: &Arc<ElasticBody>) {
-        self.change(|shelf| {
-            let is_new = shelf.entries.iter().all(|entry| entry.body.plan != body.plan);
+    /// Keeps a body, unless one of the same key is here or it is too large.
+    pub(crate) fn keep(&self, body: &Arc<ElasticBody>) {
+        self.change(|state| {
+            let is_new = state.entries.iter().all(|entry| entry.body.key != body.key);
             if is_new && body.bytes() <= self.limit {
-                shelf.entries.push(Entry { body: Arc::clone(body), factors: Vec::new() });
+                state.entries.push(Entry { body: Arc::clone(body), factors: Vec::new() });
             }
         });
     }
 
     /// A factor of some stiffness of a body; of none if no job has left one.
-    pub(super) fn lend(self: &Arc<Self>, body: &Arc<ElasticBody>) -> LentFactor {
-        let kept = self.change(|shelf| {
-            let entry = shelf.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
+    pub(crate) fn acquire(self: &Arc<Self>, body: &Arc<ElasticBody>) -> PooledFactor {
+        let kept = self.change(|state| {
+            let entry = state.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
             entry.and_then(|entry| entry.factors.pop())
         });
         let factor = kept.unwrap_or_else(|| Cholesky::empty(&body.symbolic));
-        LentFactor { factor, owner: Some((Arc::clone(self), Arc::clone(body))) }
+        PooledFactor { factor, owner: Some((Arc::clone(self), Arc::clone(body))) }
     }
 
     /// Keeps a factor while its body is here, unless it is too large.
-    fn take_back(&self, body: &Arc<ElasticBody>, factor: Cholesky) {
-        let surplus = self.change(|shelf| {
-            let entry = shelf.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
+    fn release(&self, body: &Arc<ElasticBody>, factor: Cholesky) {
+        let surplus = self.change(|state| {
+            let entry = state.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
             match entry.filter(|entry| entry.bytes() + factor.bytes() <= self.limit) {
                 Some(entry) => {
                     entry.factors.push(factor);
@@ -116,42 +116,42 @@ impl FactorCache {
     }
 
     /// Changes what is held, then makes room.
-    fn change<T>(&self, work: impl FnOnce(&mut Shelf) -> T) -> T {
-        let mut shelf = self.shelf();
-        let outcome = work(&mut shelf);
-        let mut bytes: usize = shelf.entries.iter().map(Entry::bytes).sum();
+    fn change<T>(&self, work: impl FnOnce(&mut CacheState) -> T) -> T {
+        let mut state = self.state();
+        let outcome = work(&mut state);
+        let mut bytes: usize = state.entries.iter().map(Entry::bytes).sum();
         let mut removed = 0;
         while bytes > self.limit {
-            bytes -= shelf.entries[removed].bytes();
+            bytes -= state.entries[removed].bytes();
             removed += 1;
         }
-        shelf.figures.bytes = bytes;
-        let surplus: Vec<Entry> = shelf.entries.drain(..removed).collect();
-        drop(shelf);
+        state.stats.bytes = bytes;
+        let surplus: Vec<Entry> = state.entries.drain(..removed).collect();
+        drop(state);
         // To give memory back takes its time, for which nobody has to wait.
         drop(surplus);
         outcome
     }
 
-    fn shelf(&self) -> MutexGuard<'_, Shelf> {
-        self.shelf.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, CacheState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// A factor in the hands of a job; goes back to the cache that it is from, if any, when it is dropped.
-pub(super) struct LentFactor {
+pub(crate) struct PooledFactor {
     factor: Cholesky,
     owner: Option<(Arc<FactorCache>, Arc<ElasticBody>)>,
 }
 
-impl LentFactor {
+impl PooledFactor {
     /// A factor that belongs to no cache.
     pub fn own(factor: Cholesky) -> Self {
         Self { factor, owner: None }
     }
 }
 
-impl Deref for LentFactor {
+impl Deref for PooledFactor {
     type Target = Cholesky;
 
     fn deref(&self) -> &Cholesky {
@@ -159,17 +159,17 @@ impl Deref for LentFactor {
     }
 }
 
-impl DerefMut for LentFactor {
+impl DerefMut for PooledFactor {
     fn deref_mut(&mut self) -> &mut Cholesky {
         &mut self.factor
     }
 }
 
-impl Drop for LentFactor {
+impl Drop for PooledFactor {
     fn drop(&mut self) {
         if let Some((cache, body)) = self.owner.take() {
             let none = Cholesky::empty(&body.symbolic);
-            cache.take_back(&body, mem::replace(&mut self.factor, none));
+            cache.release(&body, mem::replace(&mut self.factor, none));
         }
     }
 }
@@ -180,16 +180,16 @@ mod tests {
 
     use super::*;
     use crate::job::Support;
-    use crate::solver::elastic_body::tests;
+    use crate::solver::body_system::elastic_body::tests;
     use crate::solver::{PhaseTimes, Unobserved};
 
-    fn plan(radius: f64) -> BodyPlan {
-        tests::plan(radius, 210e3, Support::Clamped)
+    fn key(radius: f64) -> BodyKey {
+        tests::key(radius, 210e3, Support::Clamped)
     }
 
     fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
         let phases = &mut PhaseTimes::default();
-        ElasticBody::prepare(plan(radius), None, cache, phases, &mut Unobserved).unwrap()
+        ElasticBody::prepare(key(radius), None, cache, phases, &mut Unobserved).unwrap()
     }
 
     #[test]
@@ -201,31 +201,31 @@ mod tests {
         assert!(Arc::ptr_eq(&prepare(10.0, Some(&cache)), &first));
         let third = prepare(12.0, Some(&cache));
         assert!(Arc::ptr_eq(&third.symbolic, &first.symbolic), "radii do not change the structure");
-        assert!(cache.find(&plan(10.0)).is_some() && cache.find(&plan(12.0)).is_some());
-        assert!(cache.find(&plan(11.0)).is_none());
-        assert_eq!(cache.figures(), FactorCacheFigures { hits: 3, misses: 4, bytes: 2 * one });
+        assert!(cache.find(&key(10.0)).is_some() && cache.find(&key(12.0)).is_some());
+        assert!(cache.find(&key(11.0)).is_none());
+        assert_eq!(cache.stats(), FactorCacheStats { hits: 3, misses: 4, bytes: 2 * one });
     }
 
     #[test]
     fn factors_go_from_job_to_job() {
         let cache = Arc::new(FactorCache::new(1 << 20));
         let body = prepare(10.0, Some(&cache));
-        let bare = cache.figures().bytes;
+        let bare = cache.stats().bytes;
         let stiffness = body.stiffness_with(|_| [8e4; 4]);
-        let mut factor = cache.lend(&body);
+        let mut factor = cache.acquire(&body);
         factor.refactor(stiffness.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
         let size = factor.bytes();
         // Another job at the same time gets one of its own.
-        assert_eq!(cache.lend(&body).bytes(), 0);
-        assert_eq!(cache.figures().bytes, bare);
+        assert_eq!(cache.acquire(&body).bytes(), 0);
+        assert_eq!(cache.stats().bytes, bare);
         drop(factor);
-        assert_eq!(cache.figures().bytes, bare + size);
-        let again = cache.lend(&body);
-        assert_eq!((again.bytes(), cache.figures().bytes), (size, bare));
+        assert_eq!(cache.stats().bytes, bare + size);
+        let again = cache.acquire(&body);
+        assert_eq!((again.bytes(), cache.stats().bytes), (size, bare));
         // What is no longer wanted goes with its last user.
-        cache.change(|shelf| shelf.entries.clear());
+        cache.change(|state| state.entries.clear());
         drop(again);
-        assert_eq!(cache.figures().bytes, 0);
+        assert_eq!(cache.stats().bytes, 0);
     }
 
     #[test]
@@ -233,14 +233,14 @@ mod tests {
         let one = prepare(10.0, None).bytes();
         let cache = Arc::new(FactorCache::new(one));
         let body = prepare(10.0, Some(&cache));
-        assert_eq!(cache.figures().bytes, one);
-        let mut factor = cache.lend(&body);
+        assert_eq!(cache.stats().bytes, one);
+        let mut factor = cache.acquire(&body);
         factor.refactor(body.stiffness_with(|_| [8e4; 4]), None, &mut || ControlFlow::Continue(())).unwrap();
         drop(factor);
-        assert_eq!(cache.figures().bytes, one);
-        assert!(cache.find(&plan(10.0)).is_some());
+        assert_eq!(cache.stats().bytes, one);
+        assert!(cache.find(&key(10.0)).is_some());
         let smaller = FactorCache::new(one - 1);
         prepare(10.0, Some(&smaller));
-        assert_eq!(smaller.figures().bytes, 0);
+        assert_eq!(smaller.stats().bytes, 0);
     }
 }

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use super::factor_cache::FactorCache;
-use super::problem::Problem;
-use super::run::Runner;
-use super::solution::{Solution, StepSolution};
-use super::{Observer, SolveError, SolveStatus};
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
 use crate::job::Job;
 use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
+use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::final_check::solution::{Solution, StepSolution};
+use crate::solver::load_stepping::run::LoadStepper;
+use crate::solver::problem::Problem;
+use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Loads tried at most.
 const MAX_TRIALS: usize = 12;
@@ -25,7 +25,7 @@ const TOLERANCE: f64 = 2e-4;
 ///
 /// # Errors
 /// [`SolveError::NoYieldPoint`] if no body has a yield stress, and those of a solve.
-pub(super) fn run(
+pub(crate) fn run(
     problem: &Problem,
     job: &Job,
     contact: &dyn ContactSolver,
@@ -46,8 +46,8 @@ pub(super) fn run(
     let mut last: Option<(f64, f64)> = None;
     let mut trial = 1;
     loop {
-        let mut runner = Runner::new(&elastic, job, contact, cache);
-        let mut step = runner.step(ContactLoad::Force(force), None, solution, observer)?;
+        let mut stepper = LoadStepper::new(&elastic, job, contact, cache);
+        let mut step = stepper.step(ContactLoad::Force(force), None, solution, observer)?;
         let ratio = utilisation(&step, &yield_stress);
         if (ratio - 1.0).abs() <= TOLERANCE || trial == MAX_TRIALS || step.status != SolveStatus::Converged {
             if (ratio - 1.0).abs() > TOLERANCE && step.status == SolveStatus::Converged {
@@ -73,7 +73,10 @@ fn first_trial(problem: &Problem, yield_stress: &[Option<f64>; 2]) -> Result<f64
     // The smallest force whose contact can be sized, brought up to a mean pressure of about the yield stress.
     let (mut low, mut high) = (1e-9, 1e9);
     let mean = |force: f64| -> Result<f64, SolveError> {
-        let extent = super::extent::Extent::expected(problem, ContactLoad::Force(force))?;
+        let extent = crate::solver::mesh_sizing::contact_size::ContactSizeEstimate::expected(
+            problem,
+            ContactLoad::Force(force),
+        )?;
         Ok(problem.mean_pressure(force, extent.half_width))
     };
     if matches!(mean(low), Err(SolveError::Conforming)) {

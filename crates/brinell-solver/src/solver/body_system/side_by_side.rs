@@ -5,16 +5,16 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::phases::{Phase, PhaseTimes};
-use super::{Interrupt, Observer, SolveError};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::{Interrupt, Observer, SolveError};
 use sparse_cholesky::{Cores, share};
 
 /// Nodes of both bodies from which on it pays to prepare them at the same time: tens of milliseconds of work.
-pub(super) const LARGE: usize = 20_000;
+pub(crate) const LARGE: usize = 20_000;
 
 /// Does `work` for each body; returns what comes of it in their order. For the time of others' work that this thread does
 /// not fill with its own, `phases` has factorization, which most of it is.
-pub(super) fn side_by_side<T: Send, R: Send>(
+pub(crate) fn side_by_side<T: Send, R: Send>(
     bodies: Vec<T>,
     is_large: bool,
     phases: &mut PhaseTimes,
@@ -43,14 +43,14 @@ pub(super) fn side_by_side<T: Send, R: Send>(
     };
     let mut wish = None;
     let mut left = observer.elapsed();
-    let watched = RefCell::new((&mut *phases, &mut *observer));
+    let shared = RefCell::new((&mut *phases, &mut *observer));
     let own = |(k, body)| {
-        let (phases, observer) = &mut *watched.borrow_mut();
+        let (phases, observer) = &mut *shared.borrow_mut();
         note(k, work(body, phases, *observer));
         left = observer.elapsed();
     };
     let waiting = || {
-        if let ControlFlow::Break(interrupt) = watched.borrow_mut().1.on_checkpoint() {
+        if let ControlFlow::Break(interrupt) = shared.borrow_mut().1.on_checkpoint() {
             wish = Some(interrupt);
             stopped.store(true, Ordering::Relaxed);
         }

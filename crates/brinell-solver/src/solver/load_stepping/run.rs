@@ -4,18 +4,18 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::extent::{Extent, refinement};
-use super::factor_cache::FactorCache;
-use super::onset;
-use super::pass::{self, Pass, PassRequest, Prepared};
-use super::phases::{Phase, PhaseTimes};
-use super::plastic_reach::PlasticReach;
-use super::problem::Problem;
-use super::solution::{self, Solution, StepSolution};
-use super::{Interrupt, Observer, SolveError, SolveStatus};
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver, SimplexSolver};
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::job::{ContactMethod, Coupling, Job, Load, PositiveF64, SolverSettings};
+use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::final_check::solution::{self, Solution, StepSolution};
+use crate::solver::load_stepping::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
+use crate::solver::load_stepping::onset;
+use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::problem::Problem;
+use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
 use sparse_cholesky::Cores;
 
 /// Elements over a half-width in the first mesh.
@@ -26,7 +26,7 @@ const AUXILIARY_TOLERANCE: f64 = 1e-4;
 const SIZING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
-/// How far the plastic region is prepared, over how far plastic flow reached on the coarser mesh.
+/// How far the plastic region is reusable, over how far plastic flow reached on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.1;
 /// How much finer than asked a mesh is made where the loads that follow are smaller.
 const FALLING_RESERVE: f64 = 1.2;
@@ -60,7 +60,7 @@ impl Default for Options<'_> {
 /// starts from the state of the one before.
 ///
 /// # Errors
-/// [`SolveError`]. An iteration that does not converge is no error: see [`super::SolveStatus`].
+/// [`SolveError`]. An iteration that does not converge is no error: see [`crate::solver::SolveStatus`].
 pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     run_with(job, Options::default(), observer)
 }
@@ -87,9 +87,9 @@ pub fn run_with(
         solution.steps.push(step);
         return Ok(solution);
     };
-    let mut runner = Runner::new(&problem, job, contact, options.cache);
+    let mut stepper = LoadStepper::new(&problem, job, contact, options.cache);
     for (k, &load) in loads.iter().enumerate() {
-        match runner.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
+        match stepper.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
             Ok(step) => solution.steps.push(step),
             // The steps that are done are worth keeping.
             Err(SolveError::Interrupted(interrupt)) if k > 0 => solution.interrupted = Some(interrupt),
@@ -104,7 +104,7 @@ pub fn run_with(
 }
 
 /// The loads of a job in order; `None` where the load itself is sought.
-pub(super) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
+pub(crate) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
     match load {
         Load::Forces(forces) => Some(forces.iter().map(|force| ContactLoad::Force(force.get())).collect()),
         Load::Approaches(approaches) => {
@@ -115,7 +115,7 @@ pub(super) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
 }
 
 /// Solves load after load.
-pub(super) struct Runner<'a> {
+pub(crate) struct LoadStepper<'a> {
     problem: &'a Problem,
     job: &'a Job,
     contact: &'a dyn ContactSolver,
@@ -126,12 +126,12 @@ pub(super) struct Runner<'a> {
 /// What the next load of a sweep can build on.
 struct LastStep {
     load: ContactLoad,
-    extent: Extent,
-    coarse: Prepared,
-    fine: Prepared,
+    extent: ContactSizeEstimate,
+    coarse: ReusableMesh,
+    fine: ReusableMesh,
 }
 
-impl<'a> Runner<'a> {
+impl<'a> LoadStepper<'a> {
     pub fn new(
         problem: &'a Problem,
         job: &'a Job,
@@ -163,23 +163,23 @@ impl<'a> Runner<'a> {
             Some(last) if load.magnitude() > last.load.magnitude() => (None, None, Some(last.coarse)),
             _ => (None, None, None),
         };
-        let former = match (&sizing, &outgrown) {
-            (Some(pass), _) => pass.former(),
-            (None, Some(prepared)) => prepared.fields(),
+        let previous = match (&sizing, &outgrown) {
+            (Some(pass), _) => pass.nodal_fields(),
+            (None, Some(reusable)) => reusable.fields(),
             (None, None) => Vec::new(),
         };
         let elements = self.job.mesh.elements_per_half_width as usize;
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
-        request.former = (!former.is_empty()).then_some(&former);
-        let coarse = self.quietly(&request, coarse, solution, observer)?;
+        request.previous = (!previous.is_empty()).then_some(&previous);
+        let coarse = self.solve_auxiliary(&request, coarse, solution, observer)?;
         let extent = solution.phases.time(Phase::Output, observer, || extent.found_by(&coarse));
         let figures = coarse.figures();
 
-        let former = coarse.former();
+        let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
-        request.former = (self.job.solver.coupling == Coupling::Accelerated).then_some(&former);
-        let mut pass = pass::run(self.problem, &request, fine, &mut solution.phases, observer)?;
+        request.previous = (self.job.solver.coupling == Coupling::Accelerated).then_some(&previous);
+        let mut pass = mesh_solve::run(self.problem, &request, fine, &mut solution.phases, observer)?;
         solution.passes += pass.meshes;
         // Before the stresses are handed over.
         let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
@@ -189,7 +189,7 @@ impl<'a> Runner<'a> {
         // What nobody needs any more goes here, because giving memory back takes its time.
         self.last = solution.phases.time(Phase::Output, observer, move || {
             drop((sizing, outgrown));
-            let (extent, coarse, fine) = (found?, coarse.into_prepared(load), pass.into_prepared(load));
+            let (extent, coarse, fine) = (found?, coarse.into_reusable(load), pass.into_reusable(load));
             Some(LastStep { load, extent, coarse, fine })
         });
         Ok(step)
@@ -197,8 +197,8 @@ impl<'a> Runner<'a> {
 
     /// By how much the contact of an elastic body grows from one load to another.
     fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
-        let exponent = match (self.problem.kinematics, to) {
-            (Kinematics::Axisymmetric, ContactLoad::Force(_)) => 0.4,
+        let exponent = match (self.problem.stress_state, to) {
+            (StressState::Axisymmetric, ContactLoad::Force(_)) => 0.4,
             (_, ContactLoad::Force(_)) => 0.6,
             (_, ContactLoad::Approach(_)) => 0.5,
         };
@@ -206,7 +206,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Whether the meshes of the last load serve for a contact of this extent.
-    fn serves(&self, last: &LastStep, extent: Extent) -> bool {
+    fn serves(&self, last: &LastStep, extent: ContactSizeEstimate) -> bool {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let zone = &last.fine.system.zone;
         zone.half_width() >= ZONE_MARGIN * extent.half_width
@@ -219,14 +219,14 @@ impl<'a> Runner<'a> {
         load: ContactLoad,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<(Extent, Option<Pass>), SolveError> {
-        let expect = || Extent::expected(self.problem, load);
+    ) -> Result<(ContactSizeEstimate, Option<MeshSolve>), SolveError> {
+        let expect = || ContactSizeEstimate::expected(self.problem, load);
         let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {
             let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
-            request.plastic_reach = PlasticReach::WholeBody;
-            let pass = self.quietly(&request, None, solution, observer)?;
+            request.search_region = PlasticSearchRegion::WholeBody;
+            let pass = self.solve_auxiliary(&request, None, solution, observer)?;
             let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
             let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
             extent = found;
@@ -235,21 +235,24 @@ impl<'a> Runner<'a> {
                 break;
             }
             // A contact of one or two elements is not yet known to be that small.
-            extent =
-                Extent { half_width: 1.5 * extent.half_width, smallest_part: extent.half_width, ..extent };
+            extent = ContactSizeEstimate {
+                half_width: 1.5 * extent.half_width,
+                smallest_part: extent.half_width,
+                ..extent
+            };
         }
         Ok((extent, last))
     }
 
-    fn quietly(
+    fn solve_auxiliary(
         &self,
-        request: &PassRequest<'_>,
-        prepared: Option<Prepared>,
+        request: &MeshSolveRequest<'_>,
+        reusable: Option<ReusableMesh>,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<Pass, SolveError> {
-        let mut quiet = Quiet { inner: observer };
-        let pass = pass::run(self.problem, request, prepared, &mut solution.phases, &mut quiet)?;
+    ) -> Result<MeshSolve, SolveError> {
+        let mut silent = SilentObserver { inner: observer };
+        let pass = mesh_solve::run(self.problem, request, reusable, &mut solution.phases, &mut silent)?;
         solution.passes += pass.meshes;
         Ok(pass)
     }
@@ -257,26 +260,26 @@ impl<'a> Runner<'a> {
     fn request(
         &self,
         load: ContactLoad,
-        extent: Extent,
+        extent: ContactSizeEstimate,
         elements: usize,
         reserve: f64,
         solver: SolverSettings,
-    ) -> PassRequest<'a> {
+    ) -> MeshSolveRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
-        let plastic_reach = match solver.coupling {
+        let search_region = match solver.coupling {
             // It asks the law everywhere anyway, and could not go on from where flow was missed.
-            Coupling::SecantStiffness => PlasticReach::WholeBody,
-            _ => PlasticReach::Within(extent.plastic.scaled(PLASTIC_MARGIN)),
+            Coupling::SecantStiffness => PlasticSearchRegion::WholeBody,
+            _ => PlasticSearchRegion::Within(extent.plastic.scaled(PLASTIC_MARGIN)),
         };
         let zone = extent.zone(self.problem.is_symmetric(), spacing);
-        PassRequest {
+        MeshSolveRequest {
             contact: &ActiveSetSolver,
             zone,
             refinement: refinement(&zone),
-            plastic_reach,
+            search_region,
             load,
             solver,
-            former: None,
+            previous: None,
             cache: self.cache,
         }
     }
@@ -284,7 +287,7 @@ impl<'a> Runner<'a> {
 
 /// How much finer than asked a mesh is made, so that it serves for the next load too. A larger contact finds room
 /// enough as it is, in the zone that is made wider than the contact anyway.
-pub(super) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
+pub(crate) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {
     match next {
         Some(next) if next.magnitude() < load.magnitude() => FALLING_RESERVE,
         _ => 1.0,
@@ -303,11 +306,11 @@ fn auxiliary() -> SolverSettings {
 }
 
 /// Lets the auxiliary passes be stopped but not seen.
-struct Quiet<'a> {
+struct SilentObserver<'a> {
     inner: &'a mut dyn Observer,
 }
 
-impl Observer for Quiet<'_> {
+impl Observer for SilentObserver<'_> {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.inner.on_checkpoint()
     }

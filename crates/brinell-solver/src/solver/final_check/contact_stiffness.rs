@@ -7,9 +7,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iteration::State;
-use super::system::{PerModel, System};
-use super::{ContactPatch, Interrupt, Observer};
+use crate::solver::body_system::system::{BlockVector, System};
+use crate::solver::couplings::iteration::State;
+use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
 
 /// Steps at most; a factor of the elastic stiffness takes about ten, one of tangent moduli two or three.
@@ -21,7 +21,7 @@ const DIFFERENCE: f64 = 1e-6;
 
 /// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches. The observer can
 /// stop it.
-pub(super) fn contact_stiffness(
+pub(crate) fn contact_stiffness(
     system: &System,
     state: &State,
     patch: Option<ContactPatch>,
@@ -30,13 +30,13 @@ pub(super) fn contact_stiffness(
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
     let block = system.flexibility.principal_block(&active);
     let Ok(factor) = DenseCholesky::factor(active.len(), block) else { return Ok(0.0) };
-    let closing = Closing { system, active, factor };
+    let closing = ActivePairConstraint { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
     let (v, force) = closing.close();
     let mut residual = tangent.softening(&v);
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
-    let mut last: Option<(PerModel, PerModel, f64)> = None;
+    let mut last: Option<(BlockVector, BlockVector, f64)> = None;
     for _ in 0..MAX_STEPS {
         if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
             return Err(interrupt);
@@ -64,7 +64,7 @@ pub(super) fn contact_stiffness(
         last = Some((direction, load, product));
     }
     let correction = patch.map_or(1.0, |patch| edge_correction(system, &closing.active, patch));
-    Ok(system.copies() as f64 * stiffness * correction)
+    Ok(system.symmetry_factor() as f64 * stiffness * correction)
 }
 
 /// Part of an element by which active pairs reach beyond the outermost of them. With it the stiffness of elastic
@@ -109,30 +109,30 @@ fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f6
 }
 
 /// `a += factor · b`.
-fn add(a: &mut PerModel, factor: f64, b: &PerModel) {
+fn add(a: &mut BlockVector, factor: f64, b: &BlockVector) {
     for (a, b) in a.iter_mut().flatten().zip(b.iter().flatten()) {
         *a += factor * b;
     }
 }
 
 /// Solves with the active pairs tied together.
-struct Closing<'a> {
+struct ActivePairConstraint<'a> {
     system: &'a System,
     active: Vec<usize>,
     factor: DenseCholesky,
 }
 
-impl Closing<'_> {
+impl ActivePairConstraint<'_> {
     /// The contact forces that close every active pair by 1, and the displacements under them.
-    fn close(&self) -> (PerModel, Vec<f64>) {
+    fn close(&self) -> (BlockVector, Vec<f64>) {
         let force = self.forces(|_| 1.0);
         (self.system.substitute(self.system.zeros(), &force), force)
     }
 
     /// Displacements under loads, with contact forces that keep every active pair as it is.
-    fn solve(&self, loads: &PerModel) -> PerModel {
-        let (forward, growth) = self.system.eliminate(loads);
-        self.system.substitute(forward, &self.forces(|k| -growth[k]))
+    fn solve(&self, loads: &BlockVector) -> BlockVector {
+        let (forward, gap_opening) = self.system.eliminate(loads);
+        self.system.substitute(forward, &self.forces(|k| -gap_opening[k]))
     }
 
     /// Contact forces of all pairs that close each active one by so much.
@@ -150,20 +150,20 @@ impl Closing<'_> {
 /// The tangent of the initial-stress load at an answer.
 struct Tangent<'a> {
     system: &'a System,
-    displacement: &'a PerModel,
-    load: PerModel,
+    displacement: &'a BlockVector,
+    load: BlockVector,
     size: f64,
 }
 
 impl<'a> Tangent<'a> {
-    fn new(system: &'a System, displacement: &'a PerModel) -> Self {
+    fn new(system: &'a System, displacement: &'a BlockVector) -> Self {
         let mut load = system.zeros();
         system.initial_stress(displacement, &mut load);
         Self { system, displacement, load, size: system.norm(displacement) }
     }
 
     /// `(K - K_T) v`.
-    fn softening(&self, v: &PerModel) -> PerModel {
+    fn softening(&self, v: &BlockVector) -> BlockVector {
         let step = DIFFERENCE * self.size / self.system.norm(v).max(f64::MIN_POSITIVE);
         let mut beyond = self.displacement.clone();
         add(&mut beyond, step, v);

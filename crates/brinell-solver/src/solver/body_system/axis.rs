@@ -16,7 +16,7 @@ const NEEDED: usize = 16;
 
 /// Replaces the pressures at the innermost nodes, in order of the radius and evenly spaced, if the contact is wide
 /// enough.
-pub(super) fn recover(pressures: &mut [f64]) {
+pub(crate) fn recover(pressures: &mut [f64]) {
     if pressures.len() < NEEDED || pressures[..NEEDED].iter().any(|p| *p <= 0.0) {
         return;
     }

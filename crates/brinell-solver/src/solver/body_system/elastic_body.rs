@@ -3,28 +3,28 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
-use super::factor_cache::FactorCache;
-use super::phases::{Phase, PhaseTimes};
-use super::{Observer, SolveError};
 use crate::fem::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler};
-use crate::fem::element::{Kinematics, QUADRATURE_POINTS, element_stiffness};
+use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
 use crate::job::{Elastic, Support};
+use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::{Observer, SolveError};
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 
-/// What an elastic body is made of: of equal plans come equal bodies.
+/// What an elastic body is made of: of equal keys come equal bodies.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct BodyPlan {
+pub(crate) struct BodyKey {
     pub outline: Outline,
     pub zone: ContactZone,
     pub refinement: Refinement,
-    pub kinematics: Kinematics,
+    pub stress_state: StressState,
     pub constants: Elastic,
     pub support: Support,
 }
 
-impl BodyPlan {
+impl BodyKey {
     /// About how many nodes it will have.
     pub fn estimated_nodes(&self) -> usize {
         estimated_nodes(&self.outline, self.zone, self.refinement)
@@ -33,8 +33,8 @@ impl BodyPlan {
 
 /// What depends on mesh, elastic constants and supports alone.
 #[derive(Debug)]
-pub(super) struct ElasticBody {
-    pub plan: BodyPlan,
+pub(crate) struct ElasticBody {
+    pub key: BodyKey,
     pub mesh: Arc<Mesh>,
     pub equations: Arc<Equations>,
     pub symbolic: Arc<SymbolicCholesky>,
@@ -51,16 +51,16 @@ impl ElasticBody {
     /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
     /// the cache has it already.
     pub fn prepare(
-        plan: BodyPlan,
+        key: BodyKey,
         other: Option<&Arc<Self>>,
         cache: Option<&FactorCache>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Arc<Self>, SolveError> {
-        if let Some(body) = other.filter(|other| other.plan == plan) {
+        if let Some(body) = other.filter(|other| other.key == key) {
             return Ok(Arc::clone(body));
         }
-        let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&plan));
+        let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&key));
         if let Some(body) = cache.and_then(find) {
             return Ok(body);
         }
@@ -68,7 +68,7 @@ impl ElasticBody {
             let body = other.filter(|other| serves(other)).cloned();
             body.or_else(|| cache?.find_like(serves))
         };
-        let body = Arc::new(Self::new(plan, like, phases, observer)?);
+        let body = Arc::new(Self::new(key, like, phases, observer)?);
         if let Some(cache) = cache {
             phases.time(Phase::Mesh, observer, || cache.keep(&body));
         }
@@ -78,12 +78,12 @@ impl ElasticBody {
     /// Meshes a body; orders and analyses its equations, unless there is another that has the same; assembles its
     /// stiffness.
     fn new(
-        plan: BodyPlan,
+        key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
-        let BodyPlan { outline, zone, refinement, constants, support, .. } = &plan;
+        let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
         let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, *zone, *refinement))?;
         let contacts = mesh.contact_nodes.len();
         let restraint = Restraint::new(&mesh, *support);
@@ -102,7 +102,7 @@ impl ElasticBody {
             bulk_modulus: constants.bulk_modulus(),
             stiffness: Vec::new(),
             quality: OnceLock::new(),
-            plan,
+            key,
         };
         body.stiffness =
             phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
@@ -118,8 +118,8 @@ impl ElasticBody {
     }
 
     /// Third direction.
-    pub fn kinematics(&self) -> Kinematics {
-        self.plan.kinematics
+    pub fn stress_state(&self) -> StressState {
+        self.key.stress_state
     }
 
     /// Whether a mesh has the same equations, wherever its nodes may lie.
@@ -147,9 +147,9 @@ impl ElasticBody {
         observer: &mut dyn Observer,
     ) -> Result<SymmetricMatrix, SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
-        super::checkpoint(observer)?;
+        crate::solver::checkpoint(observer)?;
         phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
-        super::checkpoint(observer)?;
+        crate::solver::checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
         Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
@@ -168,7 +168,7 @@ impl ElasticBody {
     fn assembler(&self) -> StiffnessAssembler<'_> {
         StiffnessAssembler {
             mesh: &self.mesh,
-            kinematics: self.plan.kinematics,
+            stress_state: self.key.stress_state,
             equations: &self.equations,
             pattern: self.symbolic.pattern(),
         }
@@ -193,7 +193,7 @@ impl ElasticBody {
     }
 
     /// Adds contact forces that press on the body to a load vector.
-    pub fn press(&self, force: &[f64], load: &mut [f64]) {
+    pub fn add_contact_forces(&self, force: &[f64], load: &mut [f64]) {
         let start = self.equations.contact_start();
         for (entry, r) in load[start..].iter_mut().zip(force) {
             *entry -= r;
@@ -235,15 +235,15 @@ fn structure(
         let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
         (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
     });
-    super::checkpoint(observer)?;
+    crate::solver::checkpoint(observer)?;
     let symbolic =
         phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
-    super::checkpoint(observer)?;
+    crate::solver::checkpoint(observer)?;
     Ok((Arc::new(equations), symbolic))
 }
 
 /// Factorizes a stiffness in place of the last one; the observer can stop it.
-pub(super) fn refactor(
+pub(crate) fn refactor(
     factor: &mut Cholesky,
     values: Vec<f64>,
     observer: &mut dyn Observer,
@@ -261,19 +261,19 @@ pub(super) fn refactor(
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::job::{PoissonRatio, PositiveF64, Shape};
     use crate::solver::Unobserved;
 
     /// A cylinder with a contact of a hundredth of its radius.
-    pub(in crate::solver) fn plan(radius: f64, young: f64, support: Support) -> BodyPlan {
+    pub(crate) fn key(radius: f64, young: f64, support: Support) -> BodyKey {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
-        BodyPlan {
+        BodyKey {
             outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
             zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 8, symmetric: true },
             refinement: Refinement { growth: 1.3 },
-            kinematics: Kinematics::PlaneStrain,
+            stress_state: StressState::PlaneStrain,
             constants: Elastic {
                 young_modulus: positive(young),
                 poisson_ratio: PoissonRatio::new(0.3).unwrap(),
@@ -288,8 +288,8 @@ pub(super) mod tests {
         support: Support,
         other: Option<&Arc<ElasticBody>>,
     ) -> Arc<ElasticBody> {
-        let (plan, mut phases) = (plan(radius, young, support), PhaseTimes::default());
-        ElasticBody::prepare(plan, other, None, &mut phases, &mut Unobserved).unwrap()
+        let (key, mut phases) = (key(radius, young, support), PhaseTimes::default());
+        ElasticBody::prepare(key, other, None, &mut phases, &mut Unobserved).unwrap()
     }
 
     #[test]

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use super::SolveError;
-use super::pass::Pass;
-use super::plastic_reach::PlasticOutline;
-use super::problem::Problem;
 use crate::contact::ContactLoad;
-use crate::fem::element::Kinematics;
+use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
+use crate::solver::SolveError;
+use crate::solver::body_system::plastic_search_region::RadialEnvelope;
+use crate::solver::load_stepping::mesh_solve::MeshSolve;
+use crate::solver::problem::Problem;
 
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
 const MAX_HALF_WIDTH: f64 = 0.5;
@@ -28,7 +28,7 @@ const MAX_PART_RATIO: f64 = 6.0;
 
 /// Place and size of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Extent {
+pub(crate) struct ContactSizeEstimate {
     /// Middle \[mm\].
     pub centre: f64,
     /// Half of the distance from end to end \[mm\].
@@ -36,12 +36,12 @@ pub(super) struct Extent {
     /// Half-width of the smallest connected part \[mm\].
     pub smallest_part: f64,
     /// Where material yields.
-    pub plastic: PlasticOutline,
+    pub plastic: RadialEnvelope,
     /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps from \[mm\].
-    pub unit: f64,
+    pub hertz_half_width: f64,
 }
 
-impl Extent {
+impl ContactSizeEstimate {
     /// The extent that closed forms suggest for a load.
     ///
     /// The gap at ±a stands for a parabola of the same opening, of which Hertz's theory knows the force; a fully
@@ -55,14 +55,15 @@ impl Extent {
         let (left, right) = problem.span();
         // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
         let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
-        let touching = if symmetric { problem.touching.abs() } else { problem.touching };
-        let beside = right - touching;
-        let available = if symmetric { beside } else { beside.min(touching - left) };
+        let first_contact_x = if symmetric { problem.first_contact_x.abs() } else { problem.first_contact_x };
+        let beside = right - first_contact_x;
+        let available = if symmetric { beside } else { beside.min(first_contact_x - left) };
         let limit = MAX_HALF_WIDTH * available;
         if limit <= 0.0 {
             return Err(SolveError::Conforming);
         }
-        let opening = |a: f64| problem.initial_gap(touching + a) + problem.initial_gap(touching - a);
+        let opening =
+            |a: f64| problem.initial_gap(first_contact_x + a) + problem.initial_gap(first_contact_x - a);
         if opening(limit) <= 0.0 {
             return Err(SolveError::Conforming);
         }
@@ -78,8 +79,8 @@ impl Extent {
         };
         match half_width.map(|a| a.max(plastic)) {
             Some(a) if a <= limit => {
-                let unit = half_width.unwrap_or(a);
-                Ok(Self::around(touching, a, unit, symmetric))
+                let hertz_half_width = half_width.unwrap_or(a);
+                Ok(Self::around(first_contact_x, a, hertz_half_width, symmetric))
             }
             beyond => {
                 let elastic = match load {
@@ -94,13 +95,13 @@ impl Extent {
         }
     }
 
-    fn around(touching: f64, a: f64, unit: f64, symmetric: bool) -> Self {
-        let (centre, half_width) = if symmetric { (0.0, touching + a) } else { (touching, a) };
-        Self { centre, half_width, smallest_part: a, plastic: PlasticOutline::NONE, unit }
+    fn around(first_contact_x: f64, a: f64, hertz_half_width: f64, symmetric: bool) -> Self {
+        let (centre, half_width) = if symmetric { (0.0, first_contact_x + a) } else { (first_contact_x, a) };
+        Self { centre, half_width, smallest_part: a, plastic: RadialEnvelope::NONE, hertz_half_width }
     }
 
     /// The extent that a pass found; `self` where nothing touched.
-    pub fn found_by(self, pass: &Pass) -> Self {
+    pub fn found_by(self, pass: &MeshSolve) -> Self {
         let Some(patch) = pass.patch else { return self };
         let zone = &pass.system.zone;
         let own_width = |left: f64, right: f64| {
@@ -117,8 +118,8 @@ impl Extent {
             centre: 0.5 * (patch.left + patch.right),
             half_width: patch.half_width(),
             smallest_part: smallest.max(0.5 * zone.spacing()),
-            plastic: pass.plastic_outline(),
-            unit: self.unit,
+            plastic: pass.yielded_envelope(),
+            hertz_half_width: self.hertz_half_width,
         }
     }
 
@@ -129,7 +130,7 @@ impl Extent {
             half_width: factor * self.half_width,
             smallest_part: factor * self.smallest_part,
             plastic: self.plastic.scaled(factor),
-            unit: self.unit,
+            hertz_half_width: self.hertz_half_width,
         }
     }
 
@@ -138,13 +139,13 @@ impl Extent {
     ///
     /// It is a member of a geometric series about the elastic contact, so that bodies which differ in their hardening
     /// alone and touch over nearly the same width get the same mesh, and with it all that is known of it
-    /// ([`super::FactorCache`]).
+    /// ([`crate::solver::FactorCache`]).
     pub fn spacing(&self, elements: usize) -> f64 {
         let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
         let elements = elements as f64 + BEYOND_LAST;
         let step = (SIZE_STEP / elements).ln_1p();
-        let steps = (resolved / self.unit).ln() / step;
-        self.unit / elements * (step * steps.round()).exp()
+        let steps = (resolved / self.hertz_half_width).ln() / step;
+        self.hertz_half_width / elements * (step * steps.round()).exp()
     }
 
     /// A zone that covers the contact and more, with elements of a given size.
@@ -165,7 +166,7 @@ impl Extent {
 }
 
 /// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
-pub(super) fn refinement(zone: &ContactZone) -> Refinement {
+pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
     let columns = if zone.symmetric { zone.columns } else { zone.columns / 2 };
     Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns as f64 }
 }
@@ -177,15 +178,15 @@ const SEARCH_STEPS: i32 = 700;
 /// Force under which a parabola that has opened by `opening / 2` at ±a touches over the half-width a.
 fn hertz_force(problem: &Problem, a: f64, opening: f64) -> f64 {
     let modulus = problem.effective_modulus();
-    match problem.kinematics {
-        Kinematics::PlaneStrain | Kinematics::PlaneStress => 0.25 * PI * modulus * opening,
-        Kinematics::Axisymmetric => 4.0 / 3.0 * modulus * a * opening,
+    match problem.stress_state {
+        StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * modulus * opening,
+        StressState::Axisymmetric => 4.0 / 3.0 * modulus * a * opening,
     }
 }
 
 fn plastic_half_width(problem: &Problem, force: f64) -> f64 {
-    match problem.kinematics {
-        Kinematics::PlaneStrain | Kinematics::PlaneStress => force / (2.0 * problem.hardness()),
-        Kinematics::Axisymmetric => (force / (PI * problem.hardness())).sqrt(),
+    match problem.stress_state {
+        StressState::PlaneStrain | StressState::PlaneStress => force / (2.0 * problem.hardness()),
+        StressState::Axisymmetric => (force / (PI * problem.hardness())).sqrt(),
     }
 }

@@ -1,44 +1,44 @@
-//! A former answer on another mesh of the same body: where to start from on this one.
+//! A previous answer on another mesh of the same body: where to start from on this one.
 
 use crate::fem::assembly::Equations;
-use crate::fem::element::{Kinematics, QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
+use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState};
 use crate::fem::mesh::{Locator, Mesh};
 
 /// Displacements on a mesh of the same body.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct FormerField<'a> {
+pub(crate) struct NodalField<'a> {
     pub mesh: &'a Mesh,
     /// `[u_x, u_y]` of every node \[mm\].
     pub displacement: &'a [[f64; 2]],
 }
 
-/// A former field at the nodes of another mesh.
-pub(super) struct Carried {
+/// A previous field at the nodes of another mesh.
+pub(crate) struct TransferredField {
     /// `[u_x, u_y]` \[mm\].
     pub displacement: Vec<[f64; 2]>,
     /// `[ε_xx, ε_yy, ε_zz, γ_xy]`.
     strain: Vec<[f64; 4]>,
 }
 
-impl Carried {
+impl TransferredField {
     /// Carries a field to the nodes of a mesh that are wanted; zero at the others.
-    pub fn new(field: FormerField<'_>, kinematics: Kinematics, mesh: &Mesh, wanted: &[bool]) -> Self {
-        let known = nodal_strain(field, kinematics);
+    pub fn new(field: NodalField<'_>, stress_state: StressState, mesh: &Mesh, wanted: &[bool]) -> Self {
+        let known = nodal_strain(field, stress_state);
         let mut locator = Locator::new(field.mesh);
-        let mut carried =
+        let mut transferred =
             Self { displacement: vec![[0.0; 2]; mesh.nodes.len()], strain: vec![[0.0; 4]; mesh.nodes.len()] };
         for node in (0..mesh.nodes.len()).filter(|&node| wanted[node]) {
             let place = locator.locate(mesh.nodes[node]);
-            carried.displacement[node] = place.interpolate(field.displacement);
-            carried.strain[node] = place.interpolate(&known);
+            transferred.displacement[node] = place.interpolate(field.displacement);
+            transferred.strain[node] = place.interpolate(&known);
         }
-        carried
+        transferred
     }
 
     /// Strains at the Gauss points of an element with these nodes, by its shape functions.
     ///
-    /// They belong to a continuous field. The strains of the carried displacements themselves jump at every edge of the
-    /// former mesh, and moduli taken from them cost twice as many iterations.
+    /// They belong to a continuous field. The strains of the transferred displacements themselves jump at every edge of the
+    /// previous mesh, and moduli taken from them cost twice as many iterations.
     pub fn strain(&self, nodes: &[u32; 4]) -> [[f64; QUADRATURE_POINTS]; 4] {
         let mut strain = [[0.0; QUADRATURE_POINTS]; 4];
         for (&node, shape) in nodes.iter().zip(SHAPE_AT_POINTS.iter()) {
@@ -53,9 +53,9 @@ impl Carried {
     }
 
     /// Displacements by equation, on the given ones.
-    pub fn displacement_on(&self, window: &[u32], equations: &Equations) -> Vec<f64> {
+    pub fn displacement_on(&self, active_equations: &[u32], equations: &Equations) -> Vec<f64> {
         let mut displacement = vec![0.0; equations.len() + 1];
-        for &equation in window {
+        for &equation in active_equations {
             let (node, component) = equations.origin(equation);
             displacement[equation as usize] = self.displacement[node as usize][usize::from(component)];
         }
@@ -64,11 +64,11 @@ impl Carried {
 }
 
 /// At each node the mean of the strains in the middle of the elements around it.
-fn nodal_strain(field: FormerField<'_>, kinematics: Kinematics) -> Vec<[f64; 4]> {
-    let FormerField { mesh, displacement } = field;
+fn nodal_strain(field: NodalField<'_>, stress_state: StressState) -> Vec<[f64; 4]> {
+    let NodalField { mesh, displacement } = field;
     let mut sums = vec![([0.0; 4], 0u32); mesh.nodes.len()];
     for (element, nodes) in mesh.elements.iter().enumerate() {
-        let quad = Quad::new(&mesh.corners(element), kinematics);
+        let quad = Quad::new(&mesh.corners(element), stress_state);
         let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
         let middle = strain.map(|component| component.iter().sum::<f64>() / QUADRATURE_POINTS as f64);
         for &node in nodes {

@@ -1,12 +1,12 @@
 //! What a job will cost, without meshing it.
 
-use super::SolveError;
-use super::extent::{Extent, refinement};
-use super::plastic_reach::PlasticOutline;
-use super::problem::Problem;
-use super::run::{loads, resolution_reserve};
 use crate::fem::mesh::estimated_nodes;
 use crate::job::Job;
+use crate::solver::SolveError;
+use crate::solver::body_system::plastic_search_region::RadialEnvelope;
+use crate::solver::load_stepping::run::{loads, resolution_reserve};
+use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::problem::Problem;
 
 /// Bytes of factor for each equation and binary digit of their number.
 const FACTOR_BYTES: f64 = 40.0;
@@ -32,7 +32,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let mut worst = Estimate { equations: 0, bytes: 0 };
     let Some(loads) = loads(&job.load) else { return Ok(nominal(&problem, elements)) };
     for (k, &load) in loads.iter().enumerate() {
-        let extent = Extent::expected(&problem, load)?;
+        let extent = ContactSizeEstimate::expected(&problem, load)?;
         let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
         let zone = extent.zone(problem.is_symmetric(), spacing);
         let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
@@ -46,12 +46,12 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
 /// Where the load is yet to be found: a contact of a hundredth of the surface.
 fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let half_width = 0.01 * problem.span().1;
-    let extent = Extent {
+    let extent = ContactSizeEstimate {
         centre: 0.0,
         half_width,
         smallest_part: half_width,
-        plastic: PlasticOutline::NONE,
-        unit: half_width,
+        plastic: RadialEnvelope::NONE,
+        hertz_half_width: half_width,
     };
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem.is_symmetric(), spacing);

@@ -2,15 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use super::phases::{Phase, PhaseTimes};
-use super::system::{PerModel, Response, System};
-use super::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus};
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::solver::body_system::system::{BlockVector, Response, System};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus};
 use sparse_cholesky::Cholesky;
 
 /// What an iteration is run with.
 #[derive(Clone, Copy)]
-pub(super) struct Controls<'a> {
+pub(crate) struct Controls<'a> {
     pub contact: &'a dyn ContactSolver,
     /// Load of the meshed part: half of the job's force on a half model.
     pub load: ContactLoad,
@@ -21,17 +21,17 @@ pub(super) struct Controls<'a> {
 }
 
 /// The state an iteration ended in.
-pub(super) struct State {
-    /// Displacements on the windows and contact forces, in equilibrium with [`Self::loads`].
+pub(crate) struct State {
+    /// Displacements on the active equations and contact forces, in equilibrium with [`Self::loads`].
     pub response: Response,
     /// Initial-stress loads that were applied.
-    pub loads: PerModel,
+    pub loads: BlockVector,
     /// Factors of the stiffness in force, where it is not that of the system: the secant one.
     pub factors: Option<Vec<Cholesky>>,
 }
 
 /// How an iteration ended.
-pub(super) struct Outcome {
+pub(crate) struct Outcome {
     pub state: State,
     pub status: SolveStatus,
     pub history: Vec<IterationRecord>,
@@ -41,19 +41,19 @@ pub(super) struct Outcome {
 
 /// Where an iteration begins.
 #[derive(Default)]
-pub(super) struct Beginning {
+pub(crate) struct InitialState {
     /// Displacements to start from.
-    pub displacement: Option<PerModel>,
+    pub displacement: Option<BlockVector>,
     /// Iterations made before, on other linearizations.
     pub history: Vec<IterationRecord>,
     /// Factorizations made for this one, to be told with its first iteration.
     pub factorizations: usize,
 }
 
-/// Iterations on one linearization before its pace is judged.
+/// Iterations on one linearization before its rate is judged.
 const TRIAL: usize = 8;
-/// Iterations that the pace is taken from.
-const PACE_SPAN: usize = 7;
+/// Iterations that the rate is taken from.
+const RATE_SPAN: usize = 7;
 /// Iterations to go that cost about as much as another linearization.
 const MAX_REMAINING: f64 = 12.0;
 
@@ -66,17 +66,17 @@ struct Counts {
 }
 
 /// A running iteration.
-pub(super) struct Iteration<'a> {
+pub(crate) struct Iteration<'a> {
     pub system: &'a System,
     pub controls: Controls<'a>,
     pub observer: &'a mut dyn Observer,
     pub phases: &'a mut PhaseTimes,
     counts: Counts,
     history: Vec<IterationRecord>,
-    /// Length of the history at the beginning.
+    /// Length of the history at the initial.
     begun: usize,
     /// Displacements to start from.
-    start: Option<PerModel>,
+    start: Option<BlockVector>,
     /// Contact of the last iteration.
     previous: Option<ContactSolution>,
 }
@@ -85,7 +85,7 @@ impl<'a> Iteration<'a> {
     pub fn new(
         system: &'a System,
         controls: Controls<'a>,
-        beginning: Beginning,
+        initial: InitialState,
         observer: &'a mut dyn Observer,
         phases: &'a mut PhaseTimes,
     ) -> Self {
@@ -94,17 +94,17 @@ impl<'a> Iteration<'a> {
             controls,
             observer,
             phases,
-            counts: Counts { factorizations: beginning.factorizations, ..Counts::default() },
-            begun: beginning.history.len(),
-            history: beginning.history,
-            start: beginning.displacement,
+            counts: Counts { factorizations: initial.factorizations, ..Counts::default() },
+            begun: initial.history.len(),
+            history: initial.history,
+            start: initial.displacement,
             previous: None,
         }
     }
 
-    /// Displacements to start from, and the initial-stress loads that belong to them: those of a former load on the
+    /// Displacements to start from, and the initial-stress loads that belong to them: those of a previous load on the
     /// same mesh, else zero.
-    pub fn initial_state(&mut self) -> (PerModel, PerModel) {
+    pub fn initial_state(&mut self) -> (BlockVector, BlockVector) {
         let mut loads = self.system.zeros();
         match self.start.take() {
             Some(start) => {
@@ -116,17 +116,18 @@ impl<'a> Iteration<'a> {
     }
 
     /// Contact and equilibrium for given initial-stress loads, warm-started from the last contact.
-    pub fn respond(&mut self, loads: &PerModel) -> Result<Response, SolveError> {
+    pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, SolveError> {
         let Controls { contact, load, .. } = self.controls;
         let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let response = self.system.respond(loads, contact, load, warm, self.phases, self.observer)?;
+        let response =
+            self.system.solve_equilibrium(loads, contact, load, warm, self.phases, self.observer)?;
         self.counts.pivots += response.contact.pivots;
         Ok(response)
     }
 
-    /// Contact alone, for a gap that plastic flow has widened by `growth`.
-    pub fn contact(&mut self, growth: &[f64]) -> Result<ContactSolution, SolveError> {
-        let gap: Vec<f64> = self.system.initial_gap.iter().zip(growth).map(|(g, u)| g + u).collect();
+    /// Contact alone, for a gap that plastic flow has widened by `gap_opening`.
+    pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, SolveError> {
+        let gap: Vec<f64> = self.system.initial_gap.iter().zip(gap_opening).map(|(g, u)| g + u).collect();
         let load = self.controls.load;
         self.solve_contact(&ContactProblem { flexibility: &self.system.flexibility, initial_gap: &gap, load })
     }
@@ -140,21 +141,21 @@ impl<'a> Iteration<'a> {
         Ok(contact)
     }
 
-    /// `u = K⁻¹ (P_e + R)` on the windows.
-    pub fn displacement(&mut self, loads: &PerModel, force: &[f64]) -> PerModel {
+    /// `u = K⁻¹ (P_e + R)` on the active equations.
+    pub fn displacement(&mut self, loads: &BlockVector, force: &[f64]) -> BlockVector {
         let system = self.system;
         self.phases.time(Phase::Solves, self.observer, || system.displacement(loads, force))
     }
 
-    /// `‖u - u_start‖ / ‖u‖` on the windows.
-    pub fn displacement_change(&mut self, start: &PerModel, u: &PerModel) -> f64 {
+    /// `‖u - u_start‖ / ‖u‖` on the active equations.
+    pub fn displacement_change(&mut self, start: &BlockVector, u: &BlockVector) -> f64 {
         let system = self.system;
         self.phases
             .time(Phase::Plasticity, self.observer, || relative(system.distance(u, start), system.norm(u)))
     }
 
     /// Initial-stress loads of given displacements.
-    pub fn initial_stress(&mut self, displacement: &PerModel, loads: &mut PerModel) -> usize {
+    pub fn initial_stress(&mut self, displacement: &BlockVector, loads: &mut BlockVector) -> usize {
         let system = self.system;
         self.phases.time(Phase::Plasticity, self.observer, || system.initial_stress(displacement, loads))
     }
@@ -170,17 +171,17 @@ impl<'a> Iteration<'a> {
     }
 
     /// Writes down an iteration that went from the displacements `start` to a response which the plastic law
-    /// finds to be `imbalance` \[N/mm\] off balance. `Some` says that it was the last, and how it ended.
+    /// finds to be `residual_norm` \[N/mm\] off balance. `Some` says that it was the last, and how it ended.
     pub fn record(
         &mut self,
-        start: &PerModel,
+        start: &BlockVector,
         response: &Response,
         plastic_points: usize,
-        imbalance: f64,
+        residual_norm: f64,
     ) -> Option<SolveStatus> {
         let force = norm(&response.contact.force);
         let displacement_change = self.displacement_change(start, &response.displacement);
-        if !(force + displacement_change + imbalance).is_finite() {
+        if !(force + displacement_change + residual_norm).is_finite() {
             return Some(SolveStatus::NotConverged);
         }
         let force_change = self
@@ -195,8 +196,8 @@ impl<'a> Iteration<'a> {
             factorizations: counts.factorizations,
             displacement_change,
             force_change,
-            equilibrium_residual: relative(imbalance, force),
-            plastic_points: plastic_points * self.system.copies(),
+            equilibrium_residual: relative(residual_norm, force),
+            plastic_points: plastic_points * self.system.symmetry_factor(),
             contact_pairs: self.system.mirrored_count(&response.contact.active_set),
             approach: response.contact.approach,
             peak_pressure: self.system.peak_pressure(&response.contact.force),
@@ -215,7 +216,7 @@ impl<'a> Iteration<'a> {
         }
         let tolerance = self.controls.tolerance;
         let residual = record.equilibrium_residual;
-        // Without any imbalance (elastic bodies) there is nothing left to change.
+        // Without any residual_norm (elastic bodies) there is nothing left to change.
         if residual <= tolerance && (record.displacement_change <= tolerance || residual == 0.0) {
             Some(SolveStatus::Converged)
         } else if record.iteration >= self.controls.max_iterations {
@@ -225,17 +226,17 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Whether, at the pace of late, so many more iterations are needed that another linearization would pay.
+    /// Whether, at the rate of late, so many more iterations are needed that another linearization would pay.
     pub fn has_stalled(&self) -> bool {
         let residual = |k: usize| self.history[k].equilibrium_residual;
         let now = self.history.len();
         if !self.controls.renewable || now - self.begun < TRIAL {
             return false;
         }
-        let pace = (residual(now - PACE_SPAN) / residual(now - 1)).ln() / (PACE_SPAN - 1) as f64;
-        let way = (residual(now - 1) / self.controls.tolerance).ln();
-        // So does a pace of zero, or backwards.
-        way >= MAX_REMAINING * pace
+        let rate = (residual(now - RATE_SPAN) / residual(now - 1)).ln() / (RATE_SPAN - 1) as f64;
+        let remaining = (residual(now - 1) / self.controls.tolerance).ln();
+        // So does a rate of zero, or backwards.
+        remaining >= MAX_REMAINING * rate
     }
 
     /// Closes the iteration; without a status it is one that has stalled.
@@ -250,7 +251,7 @@ impl<'a> Iteration<'a> {
 }
 
 /// Euclidean norm.
-pub(super) fn norm(v: &[f64]) -> f64 {
+pub(crate) fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
@@ -259,6 +260,6 @@ fn distance(v: &[f64], w: &[f64]) -> f64 {
 }
 
 /// A quotient that is zero where there is nothing to compare.
-pub(super) fn relative(part: f64, whole: f64) -> f64 {
+pub(crate) fn relative(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole.max(f64::MIN_POSITIVE) }
 }

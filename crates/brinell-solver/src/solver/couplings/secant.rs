@@ -1,26 +1,27 @@
 //! Secant stiffness: the stiffness is reassembled with the secant moduli of the last state, factorized again
 //! and condensed to a new flexibility in every iteration. The paper's rival method.
 
-use super::SolveError;
-use super::body::BodyModel;
-use super::elastic_body::refactor;
-use super::iteration::{Iteration, Outcome, State};
-use super::phases::Phase;
-use super::system::{Response, total_flexibility};
 use crate::contact::ContactProblem;
 use crate::fem::assembly::StressField;
+use crate::solver::SolveError;
+use crate::solver::body_system::body::BodyModel;
+use crate::solver::body_system::elastic_body::refactor;
+use crate::solver::body_system::system::{Response, total_flexibility};
+use crate::solver::couplings::iteration::{Iteration, Outcome, State};
+use crate::solver::phases::Phase;
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
-pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+pub(crate) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     // The elastic factors are there already.
     let mut factors: Vec<Cholesky> = system.bodies.iter().map(|body| body.factor.clone()).collect();
     let mut start = system.zeros();
     loop {
-        let response = respond(&mut iteration, &factors)?;
+        let response = solve_equilibrium(&mut iteration, &factors)?;
         let secant = secant_state(&mut iteration, &response);
-        if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.imbalance) {
+        if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.residual_norm)
+        {
             let state = State { response, loads: system.zeros(), factors: Some(factors) };
             return Ok(iteration.finish(state, Some(status)));
         }
@@ -51,32 +52,34 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
 struct SecantState {
     fields: Vec<StressField>,
     plastic_points: usize,
-    imbalance: f64,
+    residual_norm: f64,
 }
 
 fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantState {
     let system = iteration.system;
     let (mut fields, mut plastic_points, mut squares) = (Vec::new(), 0, 0.0);
-    for ((body, x), &copies) in system.bodies.iter().zip(&response.displacement).zip(&system.multiplicity) {
+    for ((body, x), &copies) in
+        system.bodies.iter().zip(&response.displacement).zip(&system.bodies_represented)
+    {
         let nodal = body.elastic.nodal(x);
         let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
-            StressField::evaluate(&body.elastic.mesh, body.elastic.kinematics(), &body.material, &nodal)
+            StressField::evaluate(&body.elastic.mesh, body.elastic.stress_state(), &body.material, &nodal)
         });
         plastic_points += copies * field.plastic_points();
-        squares += copies as f64 * body.imbalance(&field, &response.contact.force).powi(2);
+        squares += copies as f64 * body.residual_norm(&field, &response.contact.force).powi(2);
         fields.push(field);
     }
     iteration.count_update();
-    SecantState { fields, plastic_points, imbalance: squares.sqrt() }
+    SecantState { fields, plastic_points, residual_norm: squares.sqrt() }
 }
 
 /// Contact and full displacements with the present factors.
-fn respond(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Response, SolveError> {
+fn solve_equilibrium(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Response, SolveError> {
     let system = iteration.system;
     let n = system.initial_gap.len();
     let flexibility = iteration.phases.time(Phase::Flexibility, iteration.observer, || {
         let parts: Vec<SymmetricMatrix> = factors.iter().map(|factor| factor.trailing_inverse(n)).collect();
-        total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.multiplicity)
+        total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.bodies_represented)
     });
     let problem = ContactProblem {
         flexibility: &flexibility,
@@ -87,7 +90,7 @@ fn respond(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Respon
     let displacement = iteration.phases.time(Phase::Solves, iteration.observer, || {
         let solve = |(body, factor): (&BodyModel, &Cholesky)| {
             let mut x = body.elastic.zeros();
-            body.elastic.press(&contact.force, &mut x);
+            body.elastic.add_contact_forces(&contact.force, &mut x);
             factor.solve(&mut x);
             x
         };

@@ -9,11 +9,11 @@
 //! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J. Numer. Meth.
 //! Engng 1 (1969) 275–277.
 
-use super::SolveError;
-use super::anderson::Anderson;
-use super::iteration::{Iteration, Outcome, State, norm};
-use super::phases::Phase;
-use super::system::{PerModel, Response};
+use crate::solver::SolveError;
+use crate::solver::body_system::system::{BlockVector, Response};
+use crate::solver::couplings::anderson::Anderson;
+use crate::solver::couplings::iteration::{Iteration, Outcome, State, norm};
+use crate::solver::phases::Phase;
 
 const FIRST_FACTOR: f64 = 0.3;
 const SMALLEST_FACTOR: f64 = 0.02;
@@ -27,7 +27,7 @@ const INNER_FLOOR: f64 = 0.01;
 /// Out-of-balance force over the contact force that goes with that change.
 const BALANCE: f64 = 100.0;
 
-pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+pub(crate) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let mut relaxation = Aitken::new(system.initial_gap.len());
     let (mut start, mut loads) = iteration.initial_state();
@@ -35,17 +35,17 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         let contact = iteration.contact(relaxation.value())?;
         let displacement = iteration.displacement(&loads, &contact.force);
         let mut response = Response { displacement, contact };
-        let (mut plastic_points, mut imbalance) =
+        let (mut plastic_points, mut residual_norm) =
             converge_plasticity(&mut iteration, &start, &mut response, &mut loads);
         if iteration.displacement_change(&start, &response.displacement) <= iteration.controls.tolerance {
             // The contact has answered a relaxed displacement so far; let it answer the true one before
             // anything is called converged.
-            response = iteration.respond(&loads)?;
+            response = iteration.solve_equilibrium(&loads)?;
             let mut image = system.zeros();
             plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-            imbalance = system.distance(&image, &loads);
+            residual_norm = system.distance(&image, &loads);
         }
-        if let Some(status) = iteration.record(&start, &response, plastic_points, imbalance) {
+        if let Some(status) = iteration.record(&start, &response, plastic_points, residual_norm) {
             return Ok(iteration.finish(State { response, loads, factors: None }, Some(status)));
         }
         start = response.displacement;
@@ -61,9 +61,9 @@ pub(super) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
 /// smaller a part of that may be left undone, so that Aitken's factor compares converged states.
 fn converge_plasticity(
     iteration: &mut Iteration<'_>,
-    alternation: &PerModel,
+    alternation: &BlockVector,
     response: &mut Response,
-    loads: &mut PerModel,
+    loads: &mut BlockVector,
 ) -> (usize, f64) {
     let system = iteration.system;
     let moved = iteration.displacement_change(alternation, &response.displacement);

@@ -1,0 +1,175 @@
+//! A deformable body: factorized, condensed to its contact, and searched for plastic flow where it may yield.
+
+use std::sync::Arc;
+
+use crate::fem::assembly::{InitialStressRegion, StressField};
+use crate::job::Deformable;
+use crate::material::{HardeningLaw, ReferenceModuli, UniaxialCurve};
+use crate::solver::body_system::elastic_body::ElasticBody;
+use crate::solver::body_system::factor_cache::PooledFactor;
+use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
+use crate::solver::body_system::transfer::{NodalField, TransferredField};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::{Observer, SolveError};
+use sparse_cholesky::Reach;
+use sparse_cholesky::dense::SymmetricMatrix;
+
+/// Everything about one body that outlives an iteration.
+pub(crate) struct BodyModel {
+    pub elastic: Arc<ElasticBody>,
+    pub material: Deformable,
+    pub plastic_region: PlasticRegion,
+    /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`PlasticRegion::region`] refers to.
+    pub factor: PooledFactor,
+    /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
+    pub flexibility: SymmetricMatrix,
+    /// Whether that stiffness is softer than the elastic one.
+    is_softened: bool,
+}
+
+/// The part of a body where plastic flow is taken into account.
+pub(crate) struct PlasticRegion {
+    /// Whether each element belongs to it.
+    elements: Vec<bool>,
+    /// Whether an iteration loads or reads each node: those of these elements and the contact nodes.
+    nodes: Vec<bool>,
+    /// The active_equations: the equations of these nodes.
+    pub active_equations: Vec<u32>,
+    /// Supernodes of the active equations.
+    pub reach: Reach,
+    /// What the elements make of plastic flow; `None` for a body that cannot yield.
+    pub region: Option<InitialStressRegion>,
+}
+
+impl BodyModel {
+    /// Factorizes, in place of what the factor was of, the elastic stiffness or, given a previous field, the one with the
+    /// tangent moduli there; also returns the previous displacements, transferred to the active equations.
+    pub fn new(
+        elastic: Arc<ElasticBody>,
+        mut factor: PooledFactor,
+        material: &Deformable,
+        search_region: PlasticSearchRegion,
+        previous: Option<NodalField<'_>>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
+        let (plastic_region, transferred) = phases.time(Phase::Plasticity, observer, || {
+            let mut plastic_region = PlasticRegion::new(&elastic, material, search_region);
+            let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
+            (plastic_region, transferred)
+        });
+        let flexibility = elastic.factorize(&mut factor, plastic_region.region.as_ref(), phases, observer)?;
+        let is_softened = plastic_region.is_softened();
+        Ok((
+            Self { elastic, material: material.clone(), plastic_region, factor, flexibility, is_softened },
+            transferred,
+        ))
+    }
+
+    /// Watches another part of the body. The stiffness in force is elastic again from the next linearization on.
+    pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
+        self.plastic_region = PlasticRegion::new(&self.elastic, &self.material, search_region);
+    }
+
+    /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic ones.
+    pub fn linearize(
+        &mut self,
+        at: Option<(&[f64], ReferenceModuli)>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        let ElasticBody { mesh, equations, .. } = &*self.elastic;
+        let Some(region) = &mut self.plastic_region.region else { return Ok(()) };
+        phases.time(Phase::Plasticity, observer, || match at {
+            Some((u, reference)) => region.linearize(reference, |element, quad| {
+                let nodes = mesh.elements[element];
+                quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
+            }),
+            None => region.refer_to_elastic(),
+        });
+        self.factorize(phases, observer)
+    }
+
+    /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its displacements, transferred to the
+    /// active equations.
+    pub fn linearize_by(
+        &mut self,
+        previous: NodalField<'_>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<f64>, SolveError> {
+        let Self { elastic, plastic_region, .. } = self;
+        let transferred =
+            phases.time(Phase::Plasticity, observer, || plastic_region.linearize_by(previous, elastic));
+        self.factorize(phases, observer)?;
+        Ok(transferred)
+    }
+
+    fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
+        let is_softened = self.plastic_region.is_softened();
+        if is_softened || self.is_softened {
+            let region = self.plastic_region.region.as_ref();
+            self.flexibility = self.elastic.factorize(&mut self.factor, region, phases, observer)?;
+            self.is_softened = is_softened;
+        }
+        Ok(())
+    }
+
+    /// `‖∫B̄ᵀσ dV - R‖` over the free components \[N/mm\].
+    pub fn residual_norm(&self, field: &StressField, force: &[f64]) -> f64 {
+        let equations = &self.elastic.equations;
+        let mut rest = self.elastic.zeros();
+        self.elastic.add_contact_forces(force, &mut rest);
+        for (node, internal) in (0u32..).zip(&field.internal_force) {
+            for (&k, f) in equations.of_node(node).iter().zip(internal) {
+                rest[k as usize] -= f;
+            }
+        }
+        rest[..equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
+    }
+
+    /// Whether the material yields where nobody has looked.
+    pub fn yields_outside_region(&self, field: &StressField) -> bool {
+        self.plastic_region.region.is_some()
+            && field
+                .points
+                .iter()
+                .zip(&self.plastic_region.elements)
+                .any(|(points, inside)| !inside && points.iter().any(|point| point.yielded))
+    }
+}
+
+impl PlasticRegion {
+    fn new(elastic: &ElasticBody, material: &Deformable, search_region: PlasticSearchRegion) -> Self {
+        let ElasticBody { mesh, equations, symbolic, .. } = elastic;
+        let elements = match UniaxialCurve::of(material) {
+            None => vec![false; mesh.elements.len()],
+            Some(curve) if curve.yield_stress() > 0.0 => search_region.elements(mesh),
+            // Some plastic strain is everywhere.
+            Some(_) => PlasticSearchRegion::WholeBody.elements(mesh),
+        };
+        let mut nodes = nodes_of(mesh, &elements);
+        for &node in &mesh.contact_nodes {
+            nodes[node as usize] = true;
+        }
+        let active_equations = equations.of_nodes(&nodes);
+        let reach = symbolic.reach(&active_equations);
+        let region = InitialStressRegion::new(mesh, elastic.stress_state(), equations, &elements, material);
+        Self { elements, nodes, active_equations, reach, region }
+    }
+
+    /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the active_equations, zero where
+    /// nothing yields.
+    fn linearize_by(&mut self, previous: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
+        let ElasticBody { mesh, equations, .. } = elastic;
+        let Some(region) = &mut self.region else { return elastic.zeros() };
+        let transferred = TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
+        region.linearize(ReferenceModuli::Tangent, |element, _| transferred.strain(&mesh.elements[element]));
+        let start: &[u32] = if region.refers_to_elastic() { &[] } else { &self.active_equations };
+        transferred.displacement_on(start, equations)
+    }
+
+    fn is_softened(&self) -> bool {
+        self.region.as_ref().is_some_and(|region| !region.refers_to_elastic())
+    }
+}

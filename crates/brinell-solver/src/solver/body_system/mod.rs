@@ -1,0 +1,11 @@
+//! The discretized pair of bodies: meshes, factors, the part that may yield, the contact between them.
+
+pub(crate) mod axis;
+pub(crate) mod body;
+pub(crate) mod contact_patch;
+pub(crate) mod elastic_body;
+pub(crate) mod factor_cache;
+pub(crate) mod plastic_search_region;
+pub(crate) mod side_by_side;
+pub(crate) mod system;
+pub(crate) mod transfer;

@@ -1,0 +1,4 @@
+//! How large contact and plastic zone are expected to be, and what a mesh of that size costs.
+
+pub(crate) mod contact_size;
+pub(crate) mod estimate;
