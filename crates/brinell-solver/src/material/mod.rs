@@ -1,29 +1,23 @@
-//! Deformation (total, Hencky) theory of plasticity.
+//! Constitutive models: stress from strain and from what a point has been through.
 //!
-//! Split the strain into its mean and its deviator `e`, with the equivalent strain `ε_q = √(2/3 e:e)`. The
-//! response to the mean stays elastic. The deviatoric stress is
-//!
-//! ```text
-//! s = 2 G_s e,   G_s = q / (3 ε_q),   ε_q = q / (3G) + ε_p(q)
-//! ```
-//!
-//! with the equivalent (von Mises) stress `q` and the plastic strain `ε_p(q)` of the uniaxial curve. `G_s`, the
-//! *secant* shear modulus, is what is left of `G` at that point. The *initial stress* is what the elastic law
-//! says too much, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is deviatoric.
-//!
-//! The theory knows no unloading. It is exact where all stress components grow in proportion.
-//!
-//! # Reference
-//! H. Hencky, *Zur Theorie plastischer Deformationen*, ZAMM 4 (1924) 323–334.
+//! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that goes with them;
+//! - [`HardeningLaw`] is a uniaxial curve, one file each in `hardening`;
+//! - [`ReturnMapping`] combines a curve with elasticity;
+//! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing.
 
+mod deformation;
 mod hardening;
-pub mod laws;
-mod point;
+mod model;
+mod return_mapping;
 mod tangent;
 
-pub use hardening::{HardeningLaw, UniaxialCurve};
-pub use point::{OutOfPlane, PointLaw, PointState};
-pub use tangent::{Moduli, ReferenceModuli, Softened};
+pub use deformation::DeformationPlasticity;
+pub use hardening::{
+    Bilinear, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, Voce, law_of,
+};
+pub use model::{ConstitutiveModel, ElasticModuli, OutOfPlane, PerPoint, PointResponse};
+pub use return_mapping::ReturnMapping;
+pub use tangent::{Moduli, ModuliReduction, ReferenceModuli};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 #[inline]
@@ -36,4 +30,12 @@ pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {
 pub fn von_mises(stress: [f64; 4]) -> f64 {
     let [x, y, z, t] = stress;
     (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * t * t).sqrt()
+}
+
+/// Deviator of a strain or stress.
+#[inline(always)]
+pub(crate) fn deviator(tensor: [f64; 4]) -> [f64; 4] {
+    let [x, y, z, g] = tensor;
+    let mean = (x + y + z) / 3.0;
+    [x - mean, y - mean, z - mean, g]
 }

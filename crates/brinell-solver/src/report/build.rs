@@ -51,15 +51,14 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
     // Who stops a job wants its core back, not its stresses.
     let is_stopped = step.status.is_stopped();
     let subsurface = (job.output.subsurface && !is_stopped)
-        .then(|| per_body(step, |body, _| subsurface::profile(body, step.symmetric, peak, write)));
+        .then(|| per_body(step, |body| subsurface::profile(body, step.symmetric, peak, write)));
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
     let plasticity = if is_stopped {
         PerBody { upper: None, lower: None }
     } else {
-        let bodies = [&job.upper, &job.lower];
-        per_body(step, |solution, k| plasticity_report(solution, bodies[k], step.symmetric, write))
+        per_body(step, |solution| plasticity_report(solution, step.symmetric, write))
     };
     StepReport {
         load: match step.load {
@@ -88,20 +87,19 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
 }
 
 /// What there is to say of each deformable body; once where one solution stands for both.
-fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution, usize) -> T) -> PerBody<Option<T>> {
+fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> PerBody<Option<T>> {
     let [upper, lower] = &step.bodies;
-    let of = |body: &Option<Arc<BodySolution>>, k| body.as_ref().map(|body| say(body, k));
-    let of_upper = of(upper, 0);
+    let of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body));
+    let of_upper = of(upper);
     let of_lower = match (upper, lower) {
         (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
-        _ => of(lower, 1),
+        _ => of(lower),
     };
     PerBody { upper: of_upper, lower: of_lower }
 }
 
 fn plasticity_report(
     solution: &BodySolution,
-    body: &Body,
     symmetric: bool,
     write: UnitConverter,
 ) -> PlasticityReport {
@@ -116,7 +114,7 @@ fn plasticity_report(
             (strain, position) = (point.equivalent_plastic_strain, point.position);
         }
     }
-    let zone = plastic_zone::outline(solution, body, symmetric);
+    let zone = plastic_zone::outline(solution, symmetric);
     let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded,

@@ -7,7 +7,7 @@ use super::recovery::element_mean;
 use super::units::UnitConverter;
 use crate::contact::ContactLoad;
 use crate::job::{Body, Job, Load, Material};
-use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
+use crate::material::{law_of, von_mises};
 use crate::solver::StepSolution;
 
 /// The onset of yield, found numerically for the job's own shapes.
@@ -42,8 +42,8 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
     if job.load != Load::Onset {
         return None;
     }
-    let sides = [(Side::Upper, &job.upper, &step.bodies[0]), (Side::Lower, &job.lower, &step.bodies[1])];
-    let points = sides.into_iter().filter_map(|(side, body, solution)| {
+    let sides = [Side::Upper, Side::Lower].into_iter().zip([&job.upper, &job.lower]).zip(&step.bodies);
+    let points = sides.filter_map(|((side, body), solution)| {
         let (limit, solution) = (yield_stress(body)?, solution.as_ref()?);
         // As in the search for the load: single Gauss points lie above the field.
         let means = solution.stress.points.iter().map(element_mean);
@@ -70,5 +70,5 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
 
 fn yield_stress(body: &Body) -> Option<f64> {
     let Material::Deformable(material) = &body.material else { return None };
-    Some(UniaxialCurve::of(material)?.yield_stress()).filter(|stress| *stress > 0.0)
+    Some(law_of(material)?.yield_stress()).filter(|stress| *stress > 0.0)
 }

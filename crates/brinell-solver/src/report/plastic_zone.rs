@@ -15,8 +15,6 @@ use std::collections::BTreeMap;
 
 use super::recovery::{Recovery, Values};
 use crate::analytical::Stress;
-use crate::job::{Body, Hardening, Material};
-use crate::material::{HardeningLaw, UniaxialCurve};
 use crate::solver::BodySolution;
 
 /// Most points of a polygon; a longer one is thinned.
@@ -40,8 +38,8 @@ pub(super) struct PlasticZone {
 type Corner = (u32, u32, bool);
 
 /// Outlines the zone of a body.
-pub(super) fn outline(solution: &BodySolution, body: &Body, symmetric: bool) -> PlasticZone {
-    let Some(excess) = Excess::of(&body.material) else { return PlasticZone::default() };
+pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
+    let Some(excess) = Excess::of(solution) else { return PlasticZone::default() };
     let mut recovery = Recovery::new(solution, symmetric);
     let elements = elements_near_yield(solution, &recovery);
     let mut values = BTreeMap::new();
@@ -100,13 +98,12 @@ struct Excess {
 }
 
 impl Excess {
-    fn of(material: &Material) -> Option<Self> {
-        let Material::Deformable(material) = material else { return None };
-        if let Some(Hardening::RambergOsgood { reference_stress, .. }) = material.plasticity() {
-            return Some(Self { limit: reference_stress.get(), triple_shear: 0.0 });
-        }
-        let limit = UniaxialCurve::of(material)?.yield_stress();
-        Some(Self { limit, triple_shear: 3.0 * material.elastic().shear_modulus() })
+    fn of(solution: &BodySolution) -> Option<Self> {
+        let law = solution.model.hardening()?;
+        // Without an elastic limit there is plastic strain on both sides of the boundary.
+        let triple_shear =
+            if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
+        Some(Self { limit: law.nominal_yield_stress(), triple_shear })
     }
 
     fn at(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]: Values) -> f64 {

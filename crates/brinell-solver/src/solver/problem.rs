@@ -1,11 +1,14 @@
 //! The job as mechanics sees it: two outlines with materials and supports.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
+use crate::fem::assembly::{MaterialModel, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
-use crate::job::{Analysis, Body, Deformable, Hardening, Job, Material, Support};
+use crate::job::{Analysis, Body, Deformable, Job, Material, Support};
+use crate::material::{DeformationPlasticity, HardeningLaw, OutOfPlane};
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
 pub(crate) struct Problem {
@@ -24,7 +27,17 @@ pub(crate) struct ProblemBody {
     pub outline: Outline,
     /// `None` for a rigid body.
     pub material: Option<Deformable>,
+    /// Its constitutive model.
+    pub model: Option<Arc<dyn MaterialModel>>,
     pub support: Support,
+}
+
+/// Makes the constitutive model of a material.
+pub type ModelOf = fn(&Deformable, OutOfPlane) -> Arc<dyn MaterialModel>;
+
+/// The paper's theory of plasticity.
+pub(crate) fn deformation_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
+    Arc::new(DeformationPlasticity::new(material, out_of_plane))
 }
 
 /// Samples in search of the smallest gap.
@@ -32,18 +45,27 @@ const GAP_SAMPLES: u32 = 4000;
 
 impl Problem {
     pub fn of(job: &Job) -> Self {
-        let body = |body: &Body| ProblemBody {
-            outline: Outline::of(&body.shape),
-            material: match &body.material {
-                Material::Rigid => None,
-                Material::Deformable(material) => Some(material.clone()),
-            },
-            support: body.support,
-        };
+        Self::with_models(job, deformation_theory)
+    }
+
+    /// The problem of a job with constitutive models of its materials that somebody else chooses.
+    pub fn with_models(job: &Job, model: ModelOf) -> Self {
         let stress_state = match job.analysis {
             Analysis::PlaneStrain => StressState::PlaneStrain,
             Analysis::PlaneStress => StressState::PlaneStress,
             Analysis::Axisymmetric => StressState::Axisymmetric,
+        };
+        let body = |body: &Body| {
+            let material = match &body.material {
+                Material::Rigid => None,
+                Material::Deformable(material) => Some(material.clone()),
+            };
+            ProblemBody {
+                outline: Outline::of(&body.shape),
+                model: material.as_ref().map(|material| model(material, out_of_plane(stress_state))),
+                material,
+                support: body.support,
+            }
         };
         let mut problem = Self {
             stress_state,
@@ -58,10 +80,15 @@ impl Problem {
 
     /// The same bodies without their hardening curves.
     pub fn without_plasticity(&self) -> Self {
-        let elastic = |body: &ProblemBody| ProblemBody {
-            outline: body.outline.clone(),
-            material: body.material.as_ref().map(Deformable::without_plasticity),
-            support: body.support,
+        let out_of_plane = out_of_plane(self.stress_state);
+        let elastic = |body: &ProblemBody| {
+            let material = body.material.as_ref().map(Deformable::without_plasticity);
+            ProblemBody {
+                outline: body.outline.clone(),
+                model: material.as_ref().map(|material| deformation_theory(material, out_of_plane)),
+                material,
+                support: body.support,
+            }
         };
         Self { bodies: self.bodies.each_ref().map(elastic), ..*self }
     }
@@ -156,21 +183,19 @@ impl Problem {
 
     /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for elastic bodies.
     pub fn hardness(&self) -> f64 {
-        let hardness = |body: &ProblemBody| Some(2.6 * flow_stress(body.material.as_ref()?.plasticity()?));
+        let hardness = |body: &ProblemBody| Some(2.6 * body.hardening()?.flow_stress());
         self.bodies.iter().filter_map(hardness).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// A stress at which the material flows noticeably \[MPa\].
-fn flow_stress(law: &Hardening) -> f64 {
-    match law {
-        Hardening::Bilinear { yield_stress, .. }
-        | Hardening::Swift { yield_stress, .. }
-        | Hardening::Ludwik { yield_stress, .. } => 1.2 * yield_stress.get(),
-        Hardening::Voce { yield_stress, saturation_stress, .. } => {
-            0.5 * (yield_stress.get() + saturation_stress.get())
-        }
-        Hardening::RambergOsgood { reference_stress, .. } => 1.5 * reference_stress.get(),
-        Hardening::Table { points } => points.as_slice().last().map_or(f64::INFINITY, |point| point[1]),
+impl ProblemBody {
+    /// The hardening law of a body that can yield.
+    pub fn hardening(&self) -> Option<&dyn HardeningLaw> {
+        self.model.as_ref()?.hardening()
+    }
+
+    /// Stress at which it begins to yield \[MPa\]; `None` if it cannot, or does from the first load on.
+    pub fn yield_stress(&self) -> Option<f64> {
+        Some(self.hardening()?.yield_stress()).filter(|stress| *stress > 0.0)
     }
 }

@@ -3,7 +3,6 @@
 use crate::analytical::{HertzLine, HertzPoint, YieldOnset};
 use crate::fem::element::StressState;
 use crate::job::Job;
-use crate::material::{HardeningLaw, UniaxialCurve};
 use crate::solver::problem::{Problem, ProblemBody};
 
 /// Hertz's contact and the onset of yield.
@@ -62,7 +61,7 @@ fn contact(stress_state: StressState, force: f64, radius: f64, modulus: f64) -> 
 /// Force and depth at which a body begins to yield.
 fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
     let material = body.material.as_ref()?;
-    let yield_stress = UniaxialCurve::of(material)?.yield_stress();
+    let yield_stress = body.hardening()?.yield_stress();
     if yield_stress <= 0.0 {
         return None;
     }

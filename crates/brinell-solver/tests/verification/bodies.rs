@@ -1,11 +1,14 @@
 //! Single bodies under nodal forces: the core without contact, put together by hand.
 
+use std::sync::Arc;
+
 use brinell_solver::fem::assembly::{
-    Equations, InitialStressRegion, Restraint, StiffnessAssembler, StressField,
+    Equations, MaterialModel, Restraint, StiffnessAssembler, StressField, out_of_plane,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh};
 use brinell_solver::job::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
+use brinell_solver::material::DeformationPlasticity;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
 
 pub fn positive(value: f64) -> PositiveF64 {
@@ -63,8 +66,11 @@ pub fn load(
         element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
     });
     let factor = Cholesky::factor(&symbolic, &values).unwrap();
+    let model: Arc<dyn MaterialModel> =
+        Arc::new(DeformationPlasticity::new(material, out_of_plane(stress_state)));
+    let everywhere = vec![true; mesh.elements.len()];
     let region =
-        InitialStressRegion::new(mesh, stress_state, &equations, &vec![true; mesh.elements.len()], material);
+        model.hardening().map(|_| Arc::clone(&model).points(mesh, stress_state, &equations, &everywhere));
 
     let mut external = vec![0.0; equations.len() + 1];
     for (node, f) in (0u32..).zip(force) {
@@ -91,6 +97,6 @@ pub fn load(
     }
     let displacement: Vec<[f64; 2]> =
         (0u32..).take(mesh.nodes.len()).map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
-    let field = StressField::evaluate(mesh, stress_state, material, &displacement);
+    let field = model.stress_field(mesh, stress_state, &displacement);
     Loaded { displacement, field, iterations }
 }

@@ -1,8 +1,8 @@
 //! From elements to equations: numbering, stiffness, initial-stress loads and stresses.
 
 mod equations;
-mod initial_stress;
-mod softening;
+mod moduli_reduction;
+mod plastic_points;
 mod stiffness;
 mod stress;
 
@@ -10,14 +10,14 @@ use crate::fem::element::StressState;
 use crate::material::OutOfPlane;
 
 pub use equations::{Equations, Restraint};
-pub use initial_stress::InitialStressRegion;
+pub use plastic_points::{MaterialModel, PlasticPoints};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 
-/// What the stress_state know of the out-of-plane direction.
-fn out_of_plane(stress_state: StressState) -> OutOfPlane {
+/// What the stress state tells of the out-of-plane direction.
+pub fn out_of_plane(stress_state: StressState) -> OutOfPlane {
     match stress_state {
         StressState::PlaneStrain | StressState::Axisymmetric => OutOfPlane::Strained,
-        StressState::PlaneStress => OutOfPlane::Free,
+        StressState::PlaneStress => OutOfPlane::PlaneStress,
     }
 }

@@ -1,10 +1,8 @@
 //! Stresses at the Gauss points of a whole body.
 
-use super::out_of_plane;
-use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
+use crate::fem::element::{StressState, QUADRATURE_POINTS, Quad};
 use crate::fem::mesh::Mesh;
-use crate::job::Deformable;
-use crate::material::PointLaw;
+use crate::material::{ConstitutiveModel, OutOfPlane};
 use sparse_cholesky::wide;
 
 /// State of one Gauss point.
@@ -35,52 +33,55 @@ pub struct StressField {
     pub internal_force: Vec<[f64; 2]>,
 }
 
-impl StressField {
-    /// Evaluates the material law at nodal displacements `[u_x, u_y]` \[mm\].
-    pub fn evaluate(
-        mesh: &Mesh,
-        stress_state: StressState,
-        material: &Deformable,
-        displacement: &[[f64; 2]],
-    ) -> Self {
-        let law = PointLaw::new(material, out_of_plane(stress_state));
-        let mut field = Self {
-            points: Vec::with_capacity(mesh.elements.len()),
-            internal_force: vec![[0.0; 2]; mesh.nodes.len()],
-        };
-        wide(|| {
-            for (element, nodes) in mesh.elements.iter().enumerate() {
-                let corners = mesh.corners(element);
-                let quad = Quad::new(&corners, stress_state);
-                let strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
-                let dilatation = quad.mean_dilatation(&strain);
-                let mut points = [GaussPoint::default(); QUADRATURE_POINTS];
-                let mut stress = [[0.0; QUADRATURE_POINTS]; 4];
-                for (g, point) in points.iter_mut().enumerate() {
-                    let state = law.respond(strain.map(|component| component[g]), dilatation);
-                    for (component, value) in stress.iter_mut().zip(state.stress) {
-                        component[g] = value;
-                    }
-                    *point = GaussPoint {
-                        position: Quad::point(&corners, g),
-                        weight: quad.weight[g],
-                        area: quad.area(&corners, g),
-                        stress: state.stress,
-                        equivalent_plastic_strain: state.equivalent_plastic_strain,
-                        secant_shear: state.secant_shear,
-                        yielded: state.yielded,
-                    };
-                }
-                for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
-                    let total = &mut field.internal_force[*node as usize];
-                    *total = [total[0] + force[0], total[1] + force[1]];
-                }
-                field.points.push(points);
+/// Evaluates a model at nodal displacements `[u_x, u_y]` \[mm\], from the states of the points of each element.
+pub(super) fn evaluate<M: ConstitutiveModel>(
+    model: &M,
+    mesh: &Mesh,
+    stress_state: StressState,
+    displacement: &[[f64; 2]],
+    states: impl Fn(usize) -> [M::State; QUADRATURE_POINTS],
+) -> StressField {
+    let mut field = StressField {
+        points: Vec::with_capacity(mesh.elements.len()),
+        internal_force: vec![[0.0; 2]; mesh.nodes.len()],
+    };
+    wide(|| {
+        for (element, nodes) in mesh.elements.iter().enumerate() {
+            let corners = mesh.corners(element);
+            let quad = Quad::new(&corners, stress_state);
+            let mut strain = quad.strain(&nodes.map(|node| displacement[node as usize]));
+            if model.out_of_plane() == OutOfPlane::Strained {
+                quad.average_dilatation(&mut strain);
             }
-        });
-        field
-    }
+            let states = states(element);
+            let mut points = [GaussPoint::default(); QUADRATURE_POINTS];
+            let mut stress = [[0.0; QUADRATURE_POINTS]; 4];
+            for (g, point) in points.iter_mut().enumerate() {
+                let (response, _) = model.update(strain.map(|component| component[g]), &states[g]);
+                for (component, value) in stress.iter_mut().zip(response.stress) {
+                    component[g] = value;
+                }
+                *point = GaussPoint {
+                    position: Quad::point(&corners, g),
+                    weight: quad.weight[g],
+                    area: quad.area(&corners, g),
+                    stress: response.stress,
+                    equivalent_plastic_strain: response.equivalent_plastic_strain,
+                    secant_shear: response.secant_shear,
+                    yielded: response.yielded,
+                };
+            }
+            for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {
+                let total = &mut field.internal_force[*node as usize];
+                *total = [total[0] + force[0], total[1] + force[1]];
+            }
+            field.points.push(points);
+        }
+    });
+    field
+}
 
+impl StressField {
     /// Gauss points beyond yield.
     pub fn plastic_points(&self) -> usize {
         self.points.iter().flatten().filter(|point| point.yielded).count()

@@ -164,6 +164,18 @@ impl Quad {
         weighted.sum::<f64>() / self.volume()
     }
 
+    /// Replaces the dilatation at every point by that of the element (B-bar).
+    #[inline(always)]
+    pub fn average_dilatation(&self, strain: &mut [PerPoint; 4]) {
+        let mean = self.mean_dilatation(strain);
+        for g in 0..QUADRATURE_POINTS {
+            let shift = (mean - (strain[0][g] + strain[1][g] + strain[2][g])) / 3.0;
+            for normal in &mut strain[..3] {
+                normal[g] += shift;
+            }
+        }
+    }
+
     /// Nodal forces `∫ Bᵀ σ dV` of stresses `[σ_xx, σ_yy, σ_zz, τ_xy][g]`.
     ///
     /// `B` is the plain strain matrix. For a deviatoric stress it gives what B-bar would, because the two

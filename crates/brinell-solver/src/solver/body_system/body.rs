@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::fem::assembly::{InitialStressRegion, StressField};
-use crate::job::Deformable;
-use crate::material::{HardeningLaw, ReferenceModuli, UniaxialCurve};
+use crate::fem::assembly::{MaterialModel, PlasticPoints, StressField};
+use crate::material::ReferenceModuli;
 use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
@@ -17,9 +16,9 @@ use sparse_cholesky::dense::SymmetricMatrix;
 /// Everything about one body that outlives an iteration.
 pub(crate) struct BodyModel {
     pub elastic: Arc<ElasticBody>,
-    pub material: Deformable,
+    pub model: Arc<dyn MaterialModel>,
     pub plastic_region: PlasticRegion,
-    /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`PlasticRegion::region`] refers to.
+    /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`PlasticRegion::points`] refers to.
     pub factor: PooledFactor,
     /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
     pub flexibility: SymmetricMatrix,
@@ -37,8 +36,8 @@ pub(crate) struct PlasticRegion {
     pub active_equations: Vec<u32>,
     /// Supernodes of the active equations.
     pub reach: Reach,
-    /// What the elements make of plastic flow; `None` for a body that cannot yield.
-    pub region: Option<InitialStressRegion>,
+    /// The Gauss points of these elements; `None` for a body that cannot yield.
+    pub points: Option<Box<dyn PlasticPoints>>,
 }
 
 impl BodyModel {
@@ -47,28 +46,26 @@ impl BodyModel {
     pub fn new(
         elastic: Arc<ElasticBody>,
         mut factor: PooledFactor,
-        material: &Deformable,
+        model: &Arc<dyn MaterialModel>,
         search_region: PlasticSearchRegion,
         previous: Option<NodalField<'_>>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
         let (plastic_region, transferred) = phases.time(Phase::Plasticity, observer, || {
-            let mut plastic_region = PlasticRegion::new(&elastic, material, search_region);
+            let mut plastic_region = PlasticRegion::new(&elastic, model, search_region);
             let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
             (plastic_region, transferred)
         });
-        let flexibility = elastic.factorize(&mut factor, plastic_region.region.as_ref(), phases, observer)?;
+        let flexibility = elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
         let is_softened = plastic_region.is_softened();
-        Ok((
-            Self { elastic, material: material.clone(), plastic_region, factor, flexibility, is_softened },
-            transferred,
-        ))
+        let model = Arc::clone(model);
+        Ok((Self { elastic, model, plastic_region, factor, flexibility, is_softened }, transferred))
     }
 
     /// Watches another part of the body. The stiffness in force is elastic again from the next linearization on.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
-        self.plastic_region = PlasticRegion::new(&self.elastic, &self.material, search_region);
+        self.plastic_region = PlasticRegion::new(&self.elastic, &self.model, search_region);
     }
 
     /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic ones.
@@ -79,13 +76,13 @@ impl BodyModel {
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
         let ElasticBody { mesh, equations, .. } = &*self.elastic;
-        let Some(region) = &mut self.plastic_region.region else { return Ok(()) };
+        let Some(points) = &mut self.plastic_region.points else { return Ok(()) };
         phases.time(Phase::Plasticity, observer, || match at {
-            Some((u, reference)) => region.linearize(reference, |element, quad| {
+            Some((u, reference)) => points.linearize(reference, &mut |element, quad| {
                 let nodes = mesh.elements[element];
                 quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
             }),
-            None => region.refer_to_elastic(),
+            None => points.refer_to_elastic(),
         });
         self.factorize(phases, observer)
     }
@@ -108,11 +105,20 @@ impl BodyModel {
     fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
         let is_softened = self.plastic_region.is_softened();
         if is_softened || self.is_softened {
-            let region = self.plastic_region.region.as_ref();
-            self.flexibility = self.elastic.factorize(&mut self.factor, region, phases, observer)?;
+            let points = self.plastic_region.points.as_deref();
+            self.flexibility = self.elastic.factorize(&mut self.factor, points, phases, observer)?;
             self.is_softened = is_softened;
         }
         Ok(())
+    }
+
+    /// Stresses in the whole body at displacements of all nodes.
+    pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
+        let mesh = &self.elastic.mesh;
+        match &self.plastic_region.points {
+            Some(points) => points.stress_field(mesh, nodal),
+            None => self.model.stress_field(mesh, self.elastic.stress_state(), nodal),
+        }
     }
 
     /// `‖∫B̄ᵀσ dV - R‖` over the free components \[N/mm\].
@@ -130,7 +136,7 @@ impl BodyModel {
 
     /// Whether the material yields where nobody has looked.
     pub fn yields_outside_region(&self, field: &StressField) -> bool {
-        self.plastic_region.region.is_some()
+        self.plastic_region.points.is_some()
             && field
                 .points
                 .iter()
@@ -140,11 +146,15 @@ impl BodyModel {
 }
 
 impl PlasticRegion {
-    fn new(elastic: &ElasticBody, material: &Deformable, search_region: PlasticSearchRegion) -> Self {
+    fn new(
+        elastic: &ElasticBody,
+        model: &Arc<dyn MaterialModel>,
+        search_region: PlasticSearchRegion,
+    ) -> Self {
         let ElasticBody { mesh, equations, symbolic, .. } = elastic;
-        let elements = match UniaxialCurve::of(material) {
+        let elements = match model.hardening() {
             None => vec![false; mesh.elements.len()],
-            Some(curve) if curve.yield_stress() > 0.0 => search_region.elements(mesh),
+            Some(law) if law.yield_stress() > 0.0 => search_region.elements(mesh),
             // Some plastic strain is everywhere.
             Some(_) => PlasticSearchRegion::WholeBody.elements(mesh),
         };
@@ -154,22 +164,24 @@ impl PlasticRegion {
         }
         let active_equations = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&active_equations);
-        let region = InitialStressRegion::new(mesh, elastic.stress_state(), equations, &elements, material);
-        Self { elements, nodes, active_equations, reach, region }
+        let points = model
+            .hardening()
+            .map(|_| Arc::clone(model).points(mesh, elastic.stress_state(), equations, &elements));
+        Self { elements, nodes, active_equations, reach, points }
     }
 
     /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the active_equations, zero where
     /// nothing yields.
     fn linearize_by(&mut self, previous: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;
-        let Some(region) = &mut self.region else { return elastic.zeros() };
+        let Some(points) = &mut self.points else { return elastic.zeros() };
         let transferred = TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
-        region.linearize(ReferenceModuli::Tangent, |element, _| transferred.strain(&mesh.elements[element]));
-        let start: &[u32] = if region.refers_to_elastic() { &[] } else { &self.active_equations };
+        points.linearize(ReferenceModuli::Tangent, &mut |element, _| transferred.strain(&mesh.elements[element]));
+        let start: &[u32] = if points.refers_to_elastic() { &[] } else { &self.active_equations };
         transferred.displacement_on(start, equations)
     }
 
     fn is_softened(&self) -> bool {
-        self.region.as_ref().is_some_and(|region| !region.refers_to_elastic())
+        self.points.as_ref().is_some_and(|points| !points.refers_to_elastic())
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
-use crate::fem::assembly::{Equations, InitialStressRegion, Restraint, StiffnessAssembler};
+use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
 use crate::job::{Elastic, Support};
@@ -137,16 +137,16 @@ impl ElasticBody {
         self.assembler().assemble(|element, quad| element_stiffness(quad, bulk, &shear(element)))
     }
 
-    /// Factorizes the elastic stiffness, softened where a region says so, in place of what the factor was of. Returns the
+    /// Factorizes the elastic stiffness, softened where plastic points say so, in place of what the factor was of. Returns the
     /// contact flexibility that belongs to it.
     pub fn factorize(
         &self,
         factor: &mut Cholesky,
-        region: Option<&InitialStressRegion>,
+        points: Option<&dyn PlasticPoints>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<SymmetricMatrix, SolveError> {
-        let values = phases.time(Phase::Assembly, observer, || self.softened_by(region));
+        let values = phases.time(Phase::Assembly, observer, || self.softened_by(points));
         crate::solver::checkpoint(observer)?;
         phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
         crate::solver::checkpoint(observer)?;
@@ -154,13 +154,11 @@ impl ElasticBody {
         Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
 
-    fn softened_by(&self, region: Option<&InitialStressRegion>) -> Vec<f64> {
+    fn softened_by(&self, points: Option<&dyn PlasticPoints>) -> Vec<f64> {
         let mut values = self.stiffness.clone();
-        if let Some(region) = region {
+        if let Some(points) = points {
             let assembler = self.assembler();
-            for (element, addition) in region.softened_elements() {
-                assembler.add(&mut values, element, &addition);
-            }
+            points.reduced_elements(&mut |element, addition| assembler.add(&mut values, element, addition));
         }
         values
     }

@@ -4,10 +4,9 @@ use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::fem::assembly::InitialStressRegion;
+use crate::fem::assembly::MaterialModel;
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
-use crate::job::Deformable;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::axis;
 use crate::solver::body_system::body::BodyModel;
@@ -72,11 +71,11 @@ impl System {
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<BlockVector>), SolveError> {
         let Design { zone, refinement, search_region, cache } = design;
-        let mut models: Vec<(BodyKey, &Deformable)> = Vec::new();
+        let mut models: Vec<(BodyKey, &Arc<dyn MaterialModel>)> = Vec::new();
         let mut bodies_represented: Vec<usize> = Vec::new();
         let mut model_of = [None; 2];
         for (side, body) in problem.bodies.iter().enumerate() {
-            let Some(material) = &body.material else { continue };
+            let (Some(material), Some(model)) = (&body.material, &body.model) else { continue };
             if side == 1 && problem.bodies_are_equal() {
                 bodies_represented[0] = 2;
                 model_of[1] = model_of[0];
@@ -91,7 +90,7 @@ impl System {
                 support: body.support,
             };
             model_of[side] = Some(models.len());
-            models.push((key, material));
+            models.push((key, model));
             bodies_represented.push(1);
         }
         let nodes: usize = models.iter().map(|(key, _)| key.estimated_nodes()).sum();
@@ -100,7 +99,7 @@ impl System {
         let other = || ready.lock().unwrap_or_else(PoisonError::into_inner);
         let models = models.into_iter().enumerate().collect();
         let built = side_by_side(models, nodes >= LARGE, phases, observer, |model, phases, observer| {
-            let (k, (key, material)): (usize, (BodyKey, &Deformable)) = model;
+            let (k, (key, law)): (usize, (BodyKey, &Arc<dyn MaterialModel>)) = model;
             let first = other().clone();
             let elastic =
                 ElasticBody::prepare(key, first.as_ref(), cache.map(|cache| &**cache), phases, observer)?;
@@ -109,7 +108,7 @@ impl System {
             let factor = phases
                 .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
-            BodyModel::new(elastic, factor, material, search_region, previous, phases, observer)
+            BodyModel::new(elastic, factor, law, search_region, previous, phases, observer)
         })?;
         let (bodies, transferred): (Vec<BodyModel>, Vec<Option<Vec<f64>>>) = built.into_iter().unzip();
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
@@ -183,7 +182,7 @@ impl System {
     /// Whether the stiffness in force is the elastic one.
     pub fn is_elastic(&self) -> bool {
         self.bodies.iter().all(|body| {
-            body.plastic_region.region.as_ref().is_none_or(InitialStressRegion::refers_to_elastic)
+            body.plastic_region.points.as_ref().is_none_or(|points| points.refers_to_elastic())
         })
     }
 
@@ -302,9 +301,9 @@ impl System {
         let evaluate = |(k, body): (usize, &BodyModel)| {
             let points = body
                 .plastic_region
-                .region
+                .points
                 .as_ref()
-                .map_or(0, |region| region.evaluate(&displacement[k], &mut loads[k]));
+                .map_or(0, |points| points.evaluate(&displacement[k], &mut loads[k]));
             points * self.bodies_represented[k]
         };
         self.bodies.iter().enumerate().map(evaluate).sum()

@@ -63,7 +63,7 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantSta
     {
         let nodal = body.elastic.nodal(x);
         let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
-            StressField::evaluate(&body.elastic.mesh, body.elastic.stress_state(), &body.material, &nodal)
+            body.stress_field(&nodal)
         });
         plastic_points += copies * field.plastic_points();
         squares += copies as f64 * body.residual_norm(&field, &response.contact.force).powi(2);

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
-use crate::fem::assembly::StressField;
+use crate::fem::assembly::{MaterialModel, StressField};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{Mesh, Quality};
 use crate::solver::body_system::contact_patch::ContactPatch;
-use crate::solver::body_system::elastic_body::ElasticBody;
+use crate::solver::body_system::body::BodyModel;
 use crate::solver::couplings::iteration::{norm, relative};
 use crate::solver::final_check::contact_stiffness::contact_stiffness;
 use crate::solver::load_stepping::mesh_solve::MeshSolve;
@@ -87,7 +87,7 @@ pub struct PairState {
 }
 
 /// Fields of one body, in its own frame (contact at the origin, y outward).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct BodySolution {
     /// Mesh.
     pub mesh: Arc<Mesh>,
@@ -99,6 +99,8 @@ pub struct BodySolution {
     pub stress: StressField,
     /// Equations solved.
     pub equations: usize,
+    /// Constitutive model of the material.
+    pub model: Arc<dyn MaterialModel>,
 }
 
 impl StepSolution {
@@ -109,13 +111,15 @@ impl StepSolution {
 }
 
 impl BodySolution {
-    fn of(elastic: &ElasticBody, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+    fn of(body: &BodyModel, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+        let elastic = &body.elastic;
         Self {
             mesh: Arc::clone(&elastic.mesh),
             quality: elastic.quality(),
             displacement,
             stress,
             equations: elastic.equations.len(),
+            model: Arc::clone(&body.model),
         }
     }
 
@@ -202,7 +206,7 @@ fn from_fields(pass: &mut MeshSolve) -> Final {
         for (g, w) in unloaded_gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
             *g += copies * w;
         }
-        bodies.push(Arc::new(BodySolution::of(&body.elastic, nodal, stress)));
+        bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
     }
     let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force));
     Final { unloaded_gap, equilibrium_residual, bodies }
@@ -217,7 +221,7 @@ fn from_iteration(pass: &MeshSolve) -> Final {
         unloaded_gap: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
         equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
         bodies: bodies
-            .map(|body| Arc::new(BodySolution::of(&body.elastic, Vec::new(), StressField::default())))
+            .map(|body| Arc::new(BodySolution::of(body, Vec::new(), StressField::default())))
             .collect(),
     }
 }

@@ -268,7 +268,7 @@ fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -
         factor.solve(&mut displacement);
         let elastic = &body.elastic;
         let nodal = elastic.nodal(&displacement);
-        let stress = StressField::evaluate(&elastic.mesh, elastic.stress_state(), &body.material, &nodal);
+        let stress = body.stress_field(&nodal);
         fields.push(ModelField { displacement, nodal, stress });
     }
     fields

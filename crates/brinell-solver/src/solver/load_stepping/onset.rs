@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
 use crate::job::Job;
-use crate::material::{HardeningLaw, UniaxialCurve, von_mises};
+use crate::material::von_mises;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::final_check::solution::{Solution, StepSolution};
 use crate::solver::load_stepping::run::LoadStepper;
-use crate::solver::problem::Problem;
+use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Loads tried at most.
@@ -34,10 +34,7 @@ pub(crate) fn run(
     observer: &mut dyn Observer,
 ) -> Result<StepSolution, SolveError> {
     let elastic = problem.without_plasticity();
-    let yield_stress = problem.bodies.each_ref().map(|body| {
-        let stress = UniaxialCurve::of(body.material.as_ref()?)?.yield_stress();
-        (stress > 0.0).then_some(stress)
-    });
+    let yield_stress = problem.bodies.each_ref().map(ProblemBody::yield_stress);
     if yield_stress.iter().all(Option::is_none) {
         return Err(SolveError::NoYieldPoint);
     }

@@ -1,10 +1,7 @@
 //! Moduli by which the reference stiffness of an element falls short of the elastic one.
 
 use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad};
-use crate::material::Moduli;
-
-/// One value for each Gauss point.
-type PerPoint = [f64; QUADRATURE_POINTS];
+use crate::material::{Moduli, PerPoint};
 
 /// Pairs of components `[ε_xx, ε_yy, ε_zz, γ_xy]` in the upper triangle, row by row.
 const PAIRS: [(usize, usize); 10] =
@@ -12,11 +9,11 @@ const PAIRS: [(usize, usize); 10] =
 
 /// `C = D_e - D` at the points of one element: upper triangle, point by point innermost \[MPa\].
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct ModuliReduction {
+pub(super) struct ElementReduction {
     moduli: [PerPoint; 10],
 }
 
-impl ModuliReduction {
+impl ElementReduction {
     /// Collects the moduli of all points; `None` where every point is elastic.
     pub fn new(points: &[Option<Moduli>; QUADRATURE_POINTS]) -> Option<Self> {
         if points.iter().all(Option::is_none) {
@@ -43,7 +40,7 @@ impl ModuliReduction {
         stress
     }
 
-    /// What the softening adds to the stiffness of its element, `-∫ Bᵀ C B dV`.
+    /// What the reduction adds to the stiffness of its element, `-∫ Bᵀ C B dV`.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "i and j address a block and its mirror image")]
     pub fn stiffness(&self, quad: &Quad) -> ElementStiffness {
@@ -81,9 +78,9 @@ mod tests {
     use super::*;
     use crate::fem::element::{StressState, element_stiffness};
 
-    /// Softened by `2 (G - G') dev`, the stiffness with G is that with G'.
+    /// Reduced by `2 (G - G') dev`, the stiffness with G is that with G'.
     #[test]
-    fn softening_by_a_smaller_shear_modulus_is_the_stiffness_with_that_modulus() {
+    fn reduced_to_a_smaller_shear_modulus_the_stiffness_is_that_with_this_modulus() {
         let corners = [[1.0, 0.0], [3.0, 0.3], [3.4, 1.9], [0.8, 1.5]];
         let (bulk, whole, left) = (175.0, 80.0, 30.0);
         let isotropic = |i: usize, j: usize| match (i, j) {
@@ -95,7 +92,7 @@ mod tests {
         for stress_state in [StressState::PlaneStrain, StressState::Axisymmetric] {
             let quad = Quad::new(&corners, stress_state);
             let elastic = element_stiffness(&quad, bulk, &[whole; 4]);
-            let addition = ModuliReduction::new(&[Some(moduli); 4]).unwrap().stiffness(&quad);
+            let addition = ElementReduction::new(&[Some(moduli); 4]).unwrap().stiffness(&quad);
             let expected = element_stiffness(&quad, bulk, &[left; 4]);
             let entries = |k: &ElementStiffness| k.as_flattened().as_flattened().as_flattened().to_vec();
             let sum = entries(&elastic).into_iter().zip(entries(&addition)).map(|(a, b)| a + b);

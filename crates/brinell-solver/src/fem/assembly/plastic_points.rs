@@ -1,0 +1,282 @@
+//! The part of a body that may yield, and the initial-stress load of its plastic flow.
+//!
+//! ```text
+//! P_e = Σ_elements ∫ Bᵀ σ_0 dV,   σ_0 = D_e ε - σ = 2 (G - G_s) e,   K_e u = R + P_e
+//! ```
+//!
+//! The paper prints its eq. (2.1) with a minus sign; with its own (2.3) only the plus satisfies equilibrium.
+//!
+//! The stiffness need not be the elastic one. With any moduli `D = D_e - C` in its place the same holds for the load
+//!
+//! ```text
+//! P = Σ ∫ Bᵀ (D ε - σ) dV = P_e - Σ ∫ Bᵀ C ε dV,   K u = R + P
+//! ```
+//!
+//! and the closer D is to the tangent of the law at the answer, the less P changes on the way there.
+//!
+//! # Reference
+//! Jiang Jinqing, Shang Shiying, *A total initial-stress method for elasto-plastic contact problems*,
+//! eqs. (2.1)–(2.5).
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use super::moduli_reduction::ElementReduction;
+use super::{Equations, StressField, stress};
+use crate::fem::element::{ElementStiffness, StressState, QUADRATURE_POINTS, Quad};
+use crate::fem::mesh::Mesh;
+use crate::material::{ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, ReferenceModuli};
+use sparse_cholesky::wide;
+
+/// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of its meshes.
+pub trait MaterialModel: Debug + Send + Sync {
+    /// Elastic moduli.
+    fn elastic(&self) -> ElasticModuli;
+
+    /// The isotropic hardening law; `None` for a material that cannot yield.
+    fn hardening(&self) -> Option<&dyn HardeningLaw>;
+
+    /// The elements of a mesh that are `inside`, at rest.
+    fn points(
+        self: Arc<Self>,
+        mesh: &Mesh,
+        stress_state: StressState,
+        equations: &Equations,
+        inside: &[bool],
+    ) -> Box<dyn PlasticPoints>;
+
+    /// Stresses at nodal displacements `[u_x, u_y]` \[mm\] that were reached from rest.
+    fn stress_field(&self, mesh: &Mesh, stress_state: StressState, displacement: &[[f64; 2]]) -> StressField;
+}
+
+impl<M: ConstitutiveModel> MaterialModel for M {
+    fn elastic(&self) -> ElasticModuli {
+        ConstitutiveModel::elastic(self)
+    }
+
+    fn hardening(&self) -> Option<&dyn HardeningLaw> {
+        ConstitutiveModel::hardening(self)
+    }
+
+    fn points(
+        self: Arc<Self>,
+        mesh: &Mesh,
+        stress_state: StressState,
+        equations: &Equations,
+        inside: &[bool],
+    ) -> Box<dyn PlasticPoints> {
+        let mut region =
+            Region { model: self, stress_state, elements: Vec::new(), states: Vec::new(), reductions: Vec::new() };
+        region.extend(mesh, equations, inside, &[]);
+        Box::new(region)
+    }
+
+    fn stress_field(&self, mesh: &Mesh, stress_state: StressState, displacement: &[[f64; 2]]) -> StressField {
+        stress::evaluate(self, mesh, stress_state, displacement, |_| [M::State::default(); QUADRATURE_POINTS])
+    }
+}
+
+/// The Gauss points of a body that may yield: their geometry, their law, and the states of the last accepted increment.
+pub trait PlasticPoints: Debug + Send + Sync {
+    /// Refers the load to a stiffness with the tangent moduli at the strains `[ε_xx, ε_yy, ε_zz, γ_xy]` that `strain`
+    /// gives for the points of each element of the region, from its index in the mesh and its quadrilateral; to the
+    /// elastic stiffness where none of these strains is beyond yield.
+    fn linearize(
+        &mut self,
+        reference: ReferenceModuli,
+        strain: &mut dyn FnMut(usize, &Quad) -> [PerPoint; 4],
+    );
+
+    /// Refers the load to the elastic stiffness again.
+    fn refer_to_elastic(&mut self);
+
+    /// Whether the load refers to the elastic stiffness.
+    fn refers_to_elastic(&self) -> bool;
+
+    /// Shows the elements whose stiffness is reduced, by their index in the mesh, and what that adds to it.
+    fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness));
+
+    /// Overwrites `load` by the initial-stress load \[N/mm\] of the displacements `u` \[mm\]. Both are addressed
+    /// by equation number and have one entry more than there are equations, for the held components; that entry
+    /// of `load` is left zero. Returns the Gauss points beyond yield.
+    fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize;
+
+    /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are from now on those that
+    /// everything else begins from.
+    fn commit(&mut self, u: &[f64]);
+
+    /// Takes in the elements that are `inside` and not in the region yet. They have been elastic so far, on the straight way
+    /// to the displacements `u` of the last accepted increment; empty before the first one.
+    fn extend(&mut self, mesh: &Mesh, equations: &Equations, inside: &[bool], u: &[f64]);
+
+    /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from the last accepted
+    /// increment; elements outside of the region are taken from rest.
+    fn stress_field(&self, mesh: &Mesh, displacement: &[[f64; 2]]) -> StressField;
+}
+
+/// The region of one model.
+#[derive(Debug)]
+struct Region<M: ConstitutiveModel> {
+    model: Arc<M>,
+    stress_state: StressState,
+    elements: Vec<RegionElement>,
+    /// One for each element.
+    states: Vec<[M::State; QUADRATURE_POINTS]>,
+    /// What [`RegionElement::reduction`] points to.
+    reductions: Vec<ElementReduction>,
+}
+
+#[derive(Debug, Clone)]
+struct RegionElement {
+    quad: Quad,
+    equations: [[u32; 2]; 4],
+    /// Index in the mesh.
+    index: usize,
+    /// Where the moduli are by which its reference stiffness is reduced, if it is.
+    reduction: Option<usize>,
+}
+
+impl RegionElement {
+    #[inline(always)]
+    fn strain(&self, u: &[f64]) -> [PerPoint; 4] {
+        self.quad.strain(&self.equations.map(|e| e.map(|k| u[k as usize])))
+    }
+}
+
+impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
+    fn linearize(
+        &mut self,
+        reference: ReferenceModuli,
+        strain: &mut dyn FnMut(usize, &Quad) -> [PerPoint; 4],
+    ) {
+        self.reductions.clear();
+        let mut is_beyond_yield = false;
+        for (element, states) in self.elements.iter_mut().zip(&self.states) {
+            let strain = strain(element.index, &element.quad);
+            let reduced: [_; QUADRATURE_POINTS] = std::array::from_fn(|g| {
+                self.model.tangent(strain.map(|component| component[g]), &states[g], reference)
+            });
+            is_beyond_yield |= reduced.iter().flatten().any(|point| point.is_beyond_yield);
+            element.reduction = ElementReduction::new(&reduced.map(|point| Some(point?.moduli))).map(|reduction| {
+                self.reductions.push(reduction);
+                self.reductions.len() - 1
+            });
+        }
+        if !is_beyond_yield {
+            self.refer_to_elastic();
+        }
+    }
+
+    fn refer_to_elastic(&mut self) {
+        self.reductions.clear();
+        for element in &mut self.elements {
+            element.reduction = None;
+        }
+    }
+
+    fn refers_to_elastic(&self) -> bool {
+        self.reductions.is_empty()
+    }
+
+    fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness)) {
+        for element in &self.elements {
+            if let Some(k) = element.reduction {
+                visit(element.index, &wide(|| self.reductions[k].stiffness(&element.quad)));
+            }
+        }
+    }
+
+    fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize {
+        load.fill(0.0);
+        let mut plastic_points = 0;
+        wide(|| {
+            for (element, states) in self.elements.iter().zip(&self.states) {
+                plastic_points += self.add_element(element, states, u, load);
+            }
+        });
+        if let Some(held) = load.last_mut() {
+            *held = 0.0;
+        }
+        plastic_points
+    }
+
+    fn commit(&mut self, u: &[f64]) {
+        for (element, states) in self.elements.iter().zip(&mut self.states) {
+            let strain = element.strain(u);
+            for (g, state) in states.iter_mut().enumerate() {
+                *state = self.model.update(strain.map(|component| component[g]), state).1;
+            }
+        }
+    }
+
+    fn extend(&mut self, mesh: &Mesh, equations: &Equations, inside: &[bool], u: &[f64]) {
+        let mut is_new = inside.to_vec();
+        for element in &self.elements {
+            is_new[element.index] = false;
+        }
+        for index in (0..mesh.elements.len()).filter(|&element| is_new[element]) {
+            let element = RegionElement {
+                quad: Quad::new(&mesh.corners(index), self.stress_state),
+                equations: mesh.elements[index].map(|node| equations.of_node(node)),
+                index,
+                reduction: None,
+            };
+            let mut states = [M::State::default(); QUADRATURE_POINTS];
+            if !u.is_empty() {
+                let strain = element.strain(u);
+                for (g, state) in states.iter_mut().enumerate() {
+                    *state = self.model.update(strain.map(|component| component[g]), state).1;
+                }
+            }
+            self.elements.push(element);
+            self.states.push(states);
+        }
+    }
+
+    fn stress_field(&self, mesh: &Mesh, displacement: &[[f64; 2]]) -> StressField {
+        let mut place = vec![None; mesh.elements.len()];
+        for (k, element) in self.elements.iter().enumerate() {
+            place[element.index] = Some(k);
+        }
+        stress::evaluate(&*self.model, mesh, self.stress_state, displacement, |element| {
+            place[element].map_or_else(Default::default, |k: usize| self.states[k])
+        })
+    }
+}
+
+impl<M: ConstitutiveModel> Region<M> {
+    #[inline(always)]
+    fn add_element(
+        &self,
+        element: &RegionElement,
+        states: &[M::State; QUADRATURE_POINTS],
+        u: &[f64],
+        load: &mut [f64],
+    ) -> usize {
+        let mut stress = element.strain(u);
+        let reduced = element.reduction.map(|k| self.reductions[k].stress(&stress));
+        let yielded = self.model.initial_stress(&mut stress, states);
+        match (yielded, reduced) {
+            (None, None) => return 0,
+            (Some(_), None) => {}
+            (None, Some(reduced)) => stress = reduced.map(|component| component.map(|s| -s)),
+            (Some(_), Some(reduced)) => subtract(&mut stress, &reduced),
+        }
+        let forces = element.quad.nodal_forces(&stress);
+        for (equations, force) in element.equations.iter().zip(forces) {
+            for (&k, f) in equations.iter().zip(force) {
+                load[k as usize] += f;
+            }
+        }
+        yielded.unwrap_or(0)
+    }
+}
+
+#[inline(always)]
+fn subtract(a: &mut [PerPoint; 4], b: &[PerPoint; 4]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        for g in 0..QUADRATURE_POINTS {
+            a[g] -= b[g];
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! Deformation (total, Hencky) theory of plasticity.
+//!
+//! Split the strain into its mean and its deviator `e`, with the equivalent strain `ε_q = √(2/3 e:e)`. The
+//! response to the mean stays elastic. The deviatoric stress is
+//!
+//! ```text
+//! s = 2 G_s e,   G_s = q / (3 ε_q),   ε_q = q / (3G) + ε_p(q)
+//! ```
+//!
+//! with the equivalent (von Mises) stress `q` and the plastic strain `ε_p(q)` of the uniaxial curve. `G_s`, the
+//! *secant* shear modulus, is what is left of `G` at that point. The *initial stress* is what the elastic law
+//! says too much, `σ_0 = D_e ε - σ = 2 (G - G_s) e`; it is deviatoric.
+//!
+//! The theory knows no unloading. It is exact where all stress components grow in proportion.
+//!
+//! # Reference
+//! H. Hencky, *Zur Theorie plastischer Deformationen*, ZAMM 4 (1924) 323–334.
+
+use super::model::PerPoint;
+use super::tangent::reduction;
+use super::{
+    ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
+    ReferenceModuli, ReturnMapping, deviator, equivalent_strain, law_of,
+};
+use crate::job::Deformable;
+
+/// Stress as a function of strain alone.
+#[derive(Debug, Clone)]
+pub struct DeformationPlasticity {
+    elastic: ElasticModuli,
+    mapping: Option<ReturnMapping>,
+    /// Infinite for a material that cannot yield \[MPa\].
+    yield_stress: f64,
+    out_of_plane: OutOfPlane,
+}
+
+/// How far from elastic a point is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Secant {
+    shear: f64,
+    plastic_strain: f64,
+    yielded: bool,
+}
+
+impl DeformationPlasticity {
+    /// The law of a material; an elastic one if it has no hardening curve.
+    pub fn new(material: &Deformable, out_of_plane: OutOfPlane) -> Self {
+        let elastic = ElasticModuli::from(material.elastic());
+        let mapping = law_of(material).map(|law| ReturnMapping::new(law, elastic.shear));
+        Self {
+            elastic,
+            yield_stress: mapping.as_ref().map_or(f64::INFINITY, ReturnMapping::yield_stress),
+            mapping,
+            out_of_plane,
+        }
+    }
+
+    #[inline(always)]
+    fn secant(&self, equivalent_strain: f64) -> Secant {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let elastic = triple_shear * equivalent_strain;
+        match &self.mapping {
+            Some(mapping) if elastic > self.yield_stress => {
+                let q = mapping.stress(equivalent_strain);
+                let plastic_strain = (elastic - q) / triple_shear;
+                Secant {
+                    shear: q / (3.0 * equivalent_strain),
+                    plastic_strain,
+                    yielded: mapping.has_yielded(q, plastic_strain),
+                }
+            }
+            _ => Secant { shear: self.elastic.shear, plastic_strain: 0.0, yielded: false },
+        }
+    }
+
+    #[inline(always)]
+    fn response(&self, strain: [f64; 4], secant: Secant) -> PointResponse {
+        let pressure = self.elastic.bulk * (strain[0] + strain[1] + strain[2]);
+        let [x, y, z, g] = deviator(strain).map(|e| 2.0 * secant.shear * e);
+        PointResponse {
+            stress: [pressure + x, pressure + y, pressure + z, 0.5 * g],
+            secant_shear: secant.shear,
+            equivalent_plastic_strain: secant.plastic_strain,
+            yielded: secant.yielded,
+        }
+    }
+
+    /// The ε_zz that leaves σ_zz = 0, and the state with it.
+    ///
+    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`; the G_s that this strain
+    /// implies falls short of or exceeds the assumed one, and the two are made equal by the false-position method
+    /// of Illinois between 0 and G.
+    fn in_plane_stress(&self, strain: [f64; 4]) -> ([f64; 4], Secant) {
+        let ElasticModuli { bulk, shear: whole } = self.elastic;
+        let in_plane = strain[0] + strain[1];
+        let completed = |shear: f64| {
+            let zz = -(bulk - 2.0 / 3.0 * shear) * in_plane / (bulk + 4.0 / 3.0 * shear);
+            let full = [strain[0], strain[1], zz, strain[3]];
+            (full, self.secant(equivalent_strain(deviator(full))))
+        };
+        let mut answer = completed(whole);
+        if answer.1.plastic_strain == 0.0 {
+            return answer;
+        }
+        // Implied minus assumed modulus: not negative at 0, not positive at G.
+        let (mut low, mut high) = (0.0, whole);
+        let mut at_low = completed(low).1.shear;
+        let mut at_high = answer.1.shear - high;
+        let mut last_side = 0;
+        for _ in 0..60 {
+            let middle = (low * at_high - high * at_low) / (at_high - at_low);
+            answer = completed(middle);
+            let rest = answer.1.shear - middle;
+            if rest.abs() <= 1e-14 * whole {
+                break;
+            }
+            if rest > 0.0 {
+                (low, at_low) = (middle, rest);
+                at_high *= if last_side == 1 { 0.5 } else { 1.0 };
+                last_side = 1;
+            } else {
+                (high, at_high) = (middle, rest);
+                at_low *= if last_side == -1 { 0.5 } else { 1.0 };
+                last_side = -1;
+            }
+        }
+        answer
+    }
+}
+
+impl ConstitutiveModel for DeformationPlasticity {
+    type State = ();
+
+    fn elastic(&self) -> ElasticModuli {
+        self.elastic
+    }
+
+    #[inline(always)]
+    fn out_of_plane(&self) -> OutOfPlane {
+        self.out_of_plane
+    }
+
+    fn hardening(&self) -> Option<&dyn HardeningLaw> {
+        self.mapping.as_ref().map(ReturnMapping::law)
+    }
+
+    #[inline]
+    fn update(&self, strain: [f64; 4], (): &()) -> (PointResponse, ()) {
+        let response = match self.out_of_plane {
+            OutOfPlane::Strained => {
+                self.response(strain, self.secant(equivalent_strain(deviator(strain))))
+            }
+            OutOfPlane::PlaneStress => {
+                let (strain, secant) = self.in_plane_stress(strain);
+                let mut response = self.response(strain, secant);
+                response.stress[2] = 0.0;
+                response
+            }
+        };
+        (response, ())
+    }
+
+    fn tangent(&self, strain: [f64; 4], (): &(), reference: ReferenceModuli) -> Option<ModuliReduction> {
+        let mapping = self.mapping.as_ref()?;
+        let strain = match self.out_of_plane {
+            OutOfPlane::Strained => strain,
+            OutOfPlane::PlaneStress => self.in_plane_stress(strain).0,
+        };
+        let trial = deviator(strain);
+        let equivalent = equivalent_strain(trial);
+        let stress = |factor: f64| mapping.stress(factor * equivalent);
+        reduction(self.elastic, self.out_of_plane, trial, self.yield_stress, stress, reference)
+    }
+
+    #[inline(always)]
+    fn initial_stress(&self, strain: &mut [PerPoint; 4], states: &[(); 4]) -> Option<usize> {
+        if self.out_of_plane == OutOfPlane::PlaneStress {
+            return self.initial_stress_point_by_point(strain, states);
+        }
+        let limit = self.yield_stress / (3.0 * self.elastic.shear);
+        let squares = make_deviatoric(strain);
+        // Comparing squares spares the root where nothing happens.
+        if squares.iter().all(|&square| square <= limit * limit) {
+            return None;
+        }
+        let mut yielded = 0;
+        for (g, &square) in squares.iter().enumerate() {
+            let secant = self.secant(square.sqrt());
+            let factor = 2.0 * (self.elastic.shear - secant.shear);
+            yielded += usize::from(secant.yielded);
+            for component in strain.iter_mut() {
+                component[g] *= factor;
+            }
+            strain[3][g] *= 0.5;
+        }
+        Some(yielded)
+    }
+}
+
+/// Takes the mean off the normal strains and returns `ε_q²` at each point.
+#[inline(always)]
+pub(super) fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
+    let [x, y, z, shear] = strain;
+    std::array::from_fn(|g| {
+        let mean = (x[g] + y[g] + z[g]) / 3.0;
+        x[g] -= mean;
+        y[g] -= mean;
+        z[g] -= mean;
+        2.0 / 3.0 * (x[g] * x[g] + y[g] * y[g] + z[g] * z[g] + 0.5 * shear[g] * shear[g])
+    })
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::job::{Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
+
+    /// Steel with a straight hardening curve.
+    pub(in crate::material) fn steel() -> Deformable {
+        let positive = |value| PositiveF64::new(value).unwrap();
+        let elastic =
+            Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+        let hardening = Hardening::Bilinear {
+            yield_stress: positive(500.0),
+            tangent_modulus: NonNegativeF64::new(10_500.0).unwrap(),
+        };
+        Deformable::new(elastic, Some(hardening)).unwrap()
+    }
+
+    pub(in crate::material) fn law(out_of_plane: OutOfPlane) -> DeformationPlasticity {
+        DeformationPlasticity::new(&steel(), out_of_plane)
+    }
+
+    #[test]
+    fn uniaxial_tension_in_plane_stress_follows_the_uniaxial_curve() {
+        let law = law(OutOfPlane::PlaneStress);
+        let modulus = 10_500.0 / (1.0 - 0.05);
+        for stress in [200.0, 499.0, 510.0, 700.0, 1500.0] {
+            let plastic = f64::max(0.0, (stress - 500.0) / modulus);
+            let along = stress / 210_000.0 + plastic;
+            let across = -0.3 * stress / 210_000.0 - 0.5 * plastic;
+            let (response, ()) = law.update([along, across, 0.0, 0.0], &());
+            assert!((response.stress[0] - stress).abs() < 1e-8 * stress, "{stress}: {response:?}");
+            assert!(response.stress[1].abs() < 1e-8 * stress && response.stress[2] == 0.0);
+            assert!((response.equivalent_plastic_strain - plastic).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn initial_stress_is_elastic_less_actual_stress() {
+        let strain = [4e-3, -1e-3, 5e-4, 3e-3];
+        for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
+            let law = law(out_of_plane);
+            let (response, ()) = law.update(strain, &());
+            assert!(response.yielded);
+            let mut initial = strain.map(|component| [component; 4]);
+            assert_eq!(law.initial_stress(&mut initial, &[(); 4]), Some(4));
+            let elastic = law.elastic().stress(strain, out_of_plane);
+            for k in 0..4 {
+                assert!((elastic[k] - response.stress[k] - initial[k][2]).abs() < 1e-8, "component {k}");
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Ramberg and Osgood's power law.
+
+use super::{HardeningLaw, Inverse};
+
+/// `ε_p = a (σ_0/E) (q/σ_0)^m`.
+///
+/// # Reference
+/// W. Ramberg, W. R. Osgood, *Description of stress-strain curves by three parameters*, NACA TN 902 (1943).
+#[derive(Debug, Clone, PartialEq)]
+pub struct RambergOsgood {
+    /// σ_0 \[MPa\].
+    pub reference_stress: f64,
+    /// `a σ_0 / E`.
+    pub reference_strain: f64,
+    /// m.
+    pub exponent: f64,
+}
+
+impl HardeningLaw for RambergOsgood {
+    fn yield_stress(&self) -> f64 {
+        0.0
+    }
+
+    /// The reference stress, by convention.
+    fn nominal_yield_stress(&self) -> f64 {
+        self.reference_stress
+    }
+
+    fn flow_stress(&self) -> f64 {
+        1.5 * self.reference_stress
+    }
+
+    fn stress(&self, plastic_strain: f64) -> f64 {
+        self.reference_stress * (plastic_strain / self.reference_strain).powf(self.exponent.recip())
+    }
+
+    /// Infinite at zero plastic strain unless `m = 1`.
+    fn slope(&self, plastic_strain: f64) -> f64 {
+        if plastic_strain <= 0.0 && self.exponent > 1.0 {
+            return f64::INFINITY;
+        }
+        if self.exponent == 1.0 {
+            return self.reference_stress / self.reference_strain;
+        }
+        self.stress(plastic_strain) / (self.exponent * plastic_strain)
+    }
+
+    /// Given directly; the curve itself has an infinite slope at the origin.
+    fn inverse(&self, stress: f64) -> Option<Inverse> {
+        if stress <= 0.0 {
+            let slope = if self.exponent > 1.0 { 0.0 } else { self.reference_strain / self.reference_stress };
+            return Some(Inverse { plastic_strain: 0.0, slope });
+        }
+        let plastic_strain = self.reference_strain * (stress / self.reference_stress).powf(self.exponent);
+        Some(Inverse { plastic_strain, slope: self.exponent * plastic_strain / stress })
+    }
+}

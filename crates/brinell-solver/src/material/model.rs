@@ -1,0 +1,135 @@
+//! The seam between the solver and the laws of its materials.
+
+use std::fmt::Debug;
+
+use super::{HardeningLaw, ModuliReduction, ReferenceModuli};
+use crate::job::Elastic;
+
+/// One value for each Gauss point of an element; the innermost index, so that loops over it vectorize.
+pub type PerPoint = [f64; 4];
+
+/// What is known of the out-of-plane direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutOfPlane {
+    /// The strain ε_zz is given (zero in plane strain, hoop strain in axisymmetry).
+    Strained,
+    /// The stress σ_zz is zero and the strain follows.
+    PlaneStress,
+}
+
+/// Isotropic linear elasticity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticModuli {
+    /// K \[MPa\].
+    pub bulk: f64,
+    /// G \[MPa\].
+    pub shear: f64,
+}
+
+impl From<&Elastic> for ElasticModuli {
+    fn from(elastic: &Elastic) -> Self {
+        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
+    }
+}
+
+impl ElasticModuli {
+    /// Lamé's `λ = K - 2G/3` \[MPa\].
+    pub fn lame(&self) -> f64 {
+        self.bulk - 2.0 / 3.0 * self.shear
+    }
+
+    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not looked at.
+    pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
+        let [x, y, z, g] = strain;
+        let (lame, double_shear) = (self.lame(), 2.0 * self.shear);
+        match out_of_plane {
+            OutOfPlane::Strained => {
+                let mean = lame * (x + y + z);
+                [mean + double_shear * x, mean + double_shear * y, mean + double_shear * z, self.shear * g]
+            }
+            OutOfPlane::PlaneStress => {
+                let mean = double_shear * lame / (lame + double_shear) * (x + y);
+                [mean + double_shear * x, mean + double_shear * y, 0.0, self.shear * g]
+            }
+        }
+    }
+}
+
+/// The answer of a material point to a strain.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PointResponse {
+    /// `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\], tensile positive.
+    pub stress: [f64; 4],
+    /// Secant shear modulus G_s \[MPa\]; the elastic one for a law with a memory.
+    pub secant_shear: f64,
+    /// Equivalent plastic strain, accumulated over the history.
+    pub equivalent_plastic_strain: f64,
+    /// Whether the point counts as yielded.
+    pub yielded: bool,
+}
+
+/// Stress as a function of strain and of what the point has been through.
+///
+/// The state is that of the last accepted increment. Every iterate of an increment starts from it, and it is replaced
+/// once, when the increment is accepted; so an iteration cannot drift, and one that fails leaves nothing behind.
+pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
+    /// What a point remembers; the default is a point that has seen nothing.
+    type State: Copy + Default + Debug + Send + Sync + 'static;
+
+    /// Elastic moduli.
+    fn elastic(&self) -> ElasticModuli;
+
+    /// What is known of the out-of-plane direction.
+    fn out_of_plane(&self) -> OutOfPlane;
+
+    /// The isotropic hardening law; `None` for a material that cannot yield.
+    fn hardening(&self) -> Option<&dyn HardeningLaw>;
+
+    /// Stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the last accepted increment. In
+    /// plane stress ε_zz is not looked at.
+    fn update(&self, strain: [f64; 4], state: &Self::State) -> (PointResponse, Self::State);
+
+    /// Moduli near `dσ/dε`, for the stiffness that an iteration refers to, as what they fall short of the elastic ones;
+    /// `None` where they are elastic. They decide how fast an iteration ends, not where.
+    fn tangent(
+        &self,
+        strain: [f64; 4],
+        state: &Self::State,
+        reference: ReferenceModuli,
+    ) -> Option<ModuliReduction> {
+        let _ = (strain, state, reference);
+        None
+    }
+
+    /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\]; returns the points that
+    /// count as yielded, or `None` where all initial stresses are zero (the strains are then left in any state).
+    ///
+    /// For a given ε_zz initial stresses are deviatoric, so that the dilatation of the strains does not matter.
+    #[inline(always)]
+    fn initial_stress(&self, strain: &mut [PerPoint; 4], states: &[Self::State; 4]) -> Option<usize> {
+        self.initial_stress_point_by_point(strain, states)
+    }
+
+    /// The same by [`Self::update`], for models without a faster way.
+    #[inline(always)]
+    fn initial_stress_point_by_point(
+        &self,
+        strain: &mut [PerPoint; 4],
+        states: &[Self::State; 4],
+    ) -> Option<usize> {
+        let mut yielded = 0;
+        let mut is_loaded = false;
+        for (g, state) in states.iter().enumerate() {
+            let at_point = strain.map(|component| component[g]);
+            let (response, _) = self.update(at_point, state);
+            let elastic = self.elastic().stress(at_point, self.out_of_plane());
+            yielded += usize::from(response.yielded);
+            let is_plastic = response.equivalent_plastic_strain > 0.0;
+            is_loaded |= is_plastic;
+            for (component, (elastic, stress)) in strain.iter_mut().zip(elastic.into_iter().zip(response.stress)) {
+                component[g] = if is_plastic { elastic - stress } else { 0.0 };
+            }
+        }
+        is_loaded.then_some(yielded)
+    }
+}

@@ -1,0 +1,321 @@
+//! The radial return: where a trial state ends on the hardening curve.
+//!
+//! ```text
+//! q + 3G ε_p = 3G ε,   q = q(ε_p)        ε = q_tr / (3G) + ε_p,n
+//! ```
+//!
+//! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. Loaded from rest, ε is the equivalent
+//! strain, and the answer that of deformation theory.
+//!
+//! Piecewise linear laws have a closed form. For the others q(ε) is known beforehand at strains in geometric sequence:
+//! the cubic between two of them is right to about 1e-8, and one Newton step takes that to rounding. So an evaluation
+//! costs one power or exponential, wherever on the curve it is.
+
+use std::sync::{Arc, OnceLock};
+
+use super::HardeningLaw;
+
+/// A hardening law beside an elastic shear modulus, prepared for evaluation.
+#[derive(Debug, Clone)]
+pub struct ReturnMapping {
+    law: Arc<dyn HardeningLaw>,
+    triple_shear: f64,
+    yield_stress: f64,
+    form: Form,
+}
+
+#[derive(Debug, Clone)]
+enum Form {
+    /// One slope `dq/dε` \[MPa\] beyond yield.
+    Line(f64),
+    /// Corners `[ε, q]`, the last of them the end of hardening.
+    Polyline(Vec<[f64; 2]>),
+    /// Anything else.
+    Curve(OnceLock<Vec<Cubic>>),
+}
+
+/// `q(x_0 + t) = Σ c_k t^k`.
+#[derive(Debug, Clone, Copy)]
+struct Cubic([f64; 4]);
+
+/// Pieces of the curve for each doubling of `ε - σ_y/(3G)`, as a power of two.
+const PIECES_LOG2: u32 = 4;
+/// Binary exponents of the smallest and largest of these strains; beyond them the equation is solved from scratch.
+const SMALLEST: i32 = -40;
+const LARGEST: i32 = 4;
+/// Newton step, relative to the unknown, behind which nothing but rounding is left.
+const LAST_STEP: f64 = 1e-7;
+
+impl ReturnMapping {
+    /// Prepares a law beside a shear modulus \[MPa\].
+    pub fn new(law: Arc<dyn HardeningLaw>, shear_modulus: f64) -> Self {
+        let triple_shear = 3.0 * shear_modulus;
+        let yield_stress = law.yield_stress();
+        let form = match law.polyline() {
+            Some(corners) if corners.len() == 1 => {
+                let plastic = law.slope(0.0);
+                Form::Line(triple_shear * plastic / (triple_shear + plastic))
+            }
+            Some(corners) => Form::Polyline(corners.iter().map(|[p, q]| [q / triple_shear + p, *q]).collect()),
+            None => Form::Curve(OnceLock::new()),
+        };
+        Self { law, triple_shear, yield_stress, form }
+    }
+
+    /// The law.
+    pub fn law(&self) -> &dyn HardeningLaw {
+        &*self.law
+    }
+
+    /// Whether a point counts as yielded ([`HardeningLaw::has_yielded`]).
+    #[inline]
+    pub fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
+        match self.form {
+            // Innermost loops ask this; a law with a yield point needs no call.
+            Form::Line(_) => plastic_strain > 0.0,
+            _ => self.law.has_yielded(stress, plastic_strain),
+        }
+    }
+
+    /// σ_y \[MPa\].
+    pub fn yield_stress(&self) -> f64 {
+        self.yield_stress
+    }
+
+    /// The stress q \[MPa\] that solves `q/(3G) + ε_p(q) = ε` for `ε >= 0`; never above `3G ε`.
+    #[inline]
+    pub fn stress(&self, strain: f64) -> f64 {
+        let trial = self.triple_shear * strain;
+        if trial <= self.yield_stress {
+            return trial;
+        }
+        match &self.form {
+            Form::Line(slope) => {
+                trial.min(self.yield_stress + slope * (strain - self.yield_stress / self.triple_shear))
+            }
+            Form::Polyline(corners) => along(corners, strain),
+            Form::Curve(pieces) => self.on_curve(pieces.get_or_init(|| self.pieces()), strain),
+        }
+    }
+
+    #[inline(never)]
+    fn on_curve(&self, pieces: &[Cubic], strain: f64) -> f64 {
+        let beyond = strain - self.yield_stress / self.triple_shear;
+        let Some((piece, t)) = find(pieces, beyond) else { return self.solve(strain, None) };
+        let [c0, c1, c2, c3] = piece.0;
+        self.solve(strain, Some(c0 + t * (c1 + t * (c2 + t * c3))))
+    }
+
+    /// Newton's method from a stress nearby, if one is known.
+    fn solve(&self, strain: f64, near: Option<f64>) -> f64 {
+        let trial = self.triple_shear * strain;
+        let q = if self.law.inverse(0.0).is_some() {
+            self.solve_for_stress(strain, near)
+        } else {
+            let near = near.map(|q| strain - q / self.triple_shear).filter(|p| *p > 0.0);
+            self.solve_for_strain(trial, near)
+        };
+        q.min(trial)
+    }
+
+    /// `f(q) = q/(3G) + ε_p(q) - ε` is convex and rising: started above the root Newton's method falls to it without
+    /// overshoot, and its first step from below leads there. Without a start it is the elastic answer that lies above; where
+    /// that is far above, half of it does until it no longer does.
+    fn solve_for_stress(&self, strain: f64, near: Option<f64>) -> f64 {
+        let excess = |q: f64| {
+            let inverse = self.law.inverse(q)?;
+            Some((q / self.triple_shear + inverse.plastic_strain - strain, inverse.slope))
+        };
+        let mut q = near.unwrap_or_else(|| {
+            let mut q = self.triple_shear * strain;
+            while excess(0.5 * q).is_some_and(|(rest, _)| rest > 0.0) {
+                q *= 0.5;
+            }
+            q
+        });
+        for _ in 0..60 {
+            let Some((rest, slope)) = excess(q) else { break };
+            let step = rest / (self.triple_shear.recip() + slope);
+            q = (q - step).max(0.0);
+            if step.abs() <= LAST_STEP * q {
+                break;
+            }
+        }
+        q
+    }
+
+    /// `f(p) = q(p) + 3G p - 3G ε` is concave and rising. Newton's method in the bracket `[0, (3G ε - σ_y)/3G]`; a step that
+    /// leaves it (an infinite slope at zero) is replaced by bisection.
+    fn solve_for_strain(&self, trial: f64, near: Option<f64>) -> f64 {
+        let (mut low, mut high) = (0.0, (trial - self.yield_stress) / self.triple_shear);
+        let mut strain: f64 = near.map_or(high, |near| near.min(high));
+        let mut stress = trial;
+        for _ in 0..100 {
+            let (q, slope) = self.law.stress_and_slope(strain);
+            let rest = q + self.triple_shear * strain - trial;
+            if rest > 0.0 {
+                high = strain;
+            } else {
+                low = strain;
+            }
+            let step = -rest / (slope + self.triple_shear);
+            let newton = strain + step;
+            if newton > low && newton < high || rest == 0.0 {
+                // The tangent at the last point. `trial - 3G p` would lose digits at large strains.
+                stress = q + slope * step;
+                strain = newton;
+                if step.abs() <= LAST_STEP * strain {
+                    break;
+                }
+            } else if high - low <= 1e-15 * high || step.abs() <= 1e-15 * high {
+                stress = q;
+                break;
+            } else {
+                strain = 0.5 * (low + high);
+            }
+        }
+        stress
+    }
+
+    /// The curve between strains in geometric sequence, each piece with the right values and slopes at both ends.
+    fn pieces(&self) -> Vec<Cubic> {
+        let onset = self.yield_stress / self.triple_shear;
+        let knots: Vec<[f64; 3]> = (0..=piece_count())
+            .map(|k| {
+                let beyond = knot(k);
+                let q = self.solve(onset + beyond, None);
+                [beyond, q, self.slope_at(onset + beyond, q)]
+            })
+            .collect();
+        let cubic = |pair: &[[f64; 3]]| {
+            let ([x, q, s], [next_x, next_q, next_s]) = (pair[0], pair[1]);
+            let h = next_x - x;
+            let secant = (next_q - q) / h;
+            Cubic([q, s, (3.0 * secant - 2.0 * s - next_s) / h, (s + next_s - 2.0 * secant) / (h * h)])
+        };
+        knots.windows(2).map(cubic).collect()
+    }
+
+    /// `dq/dε` where q is the answer for ε.
+    fn slope_at(&self, strain: f64, stress: f64) -> f64 {
+        if let Some(inverse) = self.law.inverse(stress) {
+            return (self.triple_shear.recip() + inverse.slope).recip();
+        }
+        let plastic = self.law.slope((strain - stress / self.triple_shear).max(0.0));
+        if plastic.is_finite() {
+            self.triple_shear * plastic / (self.triple_shear + plastic)
+        } else {
+            self.triple_shear
+        }
+    }
+}
+
+/// On the segment in which a strain lies, found by bisection; constant beyond the last corner.
+fn along(corners: &[[f64; 2]], strain: f64) -> f64 {
+    let beyond = corners.partition_point(|corner| corner[0] <= strain);
+    let from = beyond.checked_sub(1).map_or([0.0, 0.0], |k| corners[k]);
+    match corners.get(beyond) {
+        Some(to) => from[1] + (strain - from[0]) * (to[1] - from[1]) / (to[0] - from[0]),
+        None => from[1],
+    }
+}
+
+/// Bits of a number that tell its piece: the exponent and the first digits of the fraction.
+const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - PIECES_LOG2;
+
+fn piece_count() -> u64 {
+    u64::from(LARGEST.abs_diff(SMALLEST)) << PIECES_LOG2
+}
+
+/// Where a piece begins.
+fn knot(k: u64) -> f64 {
+    f64::from_bits(((2f64.powi(SMALLEST).to_bits() >> SHIFT) + k) << SHIFT)
+}
+
+/// The piece that holds a strain, and how far into it that is.
+fn find(pieces: &[Cubic], beyond: f64) -> Option<(&Cubic, f64)> {
+    let k = (beyond.to_bits() >> SHIFT).checked_sub(2f64.powi(SMALLEST).to_bits() >> SHIFT)?;
+    Some((pieces.get(usize::try_from(k).ok()?)?, beyond - knot(k)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
+
+    fn mapping(law: Arc<dyn HardeningLaw>) -> ReturnMapping {
+        ReturnMapping::new(law, TRIPLE_SHEAR / 3.0)
+    }
+
+    #[test]
+    fn it_meets_the_uniaxial_curve_of_every_law() {
+        for law in laws() {
+            let mapping = mapping(Arc::clone(&law));
+            for plastic_strain in [1e-14, 1e-9, 1e-6, 3e-5, 1e-3, 5e-3, 0.02, 0.3, 4.0, 90.0] {
+                let q = law.stress(plastic_strain);
+                let found = mapping.stress(q / TRIPLE_SHEAR + plastic_strain);
+                assert!((found - q).abs() < 2e-12 * q, "{law:?} at {plastic_strain}: {found} instead of {q}");
+            }
+        }
+    }
+
+    /// At any strain, not only where a plastic strain is round.
+    #[test]
+    fn the_prepared_curve_is_the_solved_one() {
+        for law in laws() {
+            let mapping = mapping(Arc::clone(&law));
+            for k in 0..4000 {
+                let strain = 1e-13 * 1.01f64.powi(k);
+                let (q, solved) = (mapping.stress(strain), mapping.solve(strain, None));
+                if strain * TRIPLE_SHEAR > mapping.yield_stress() && law.polyline().is_none() {
+                    assert!((q - solved).abs() < 1e-12 * solved, "{law:?} at {strain}: {q} instead of {solved}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn below_yield_it_is_elastic() {
+        for law in laws() {
+            let limit = law.yield_stress();
+            for q in [0.0, 0.5 * limit, 0.999 * limit] {
+                assert!((mapping(Arc::clone(&law)).stress(q / TRIPLE_SHEAR) - q).abs() <= 1e-12 * limit);
+            }
+        }
+    }
+
+    #[test]
+    fn stress_never_falls_with_strain_nor_exceeds_the_elastic_one() {
+        for law in laws() {
+            let mapping = mapping(Arc::clone(&law));
+            let mut last = 0.0;
+            for k in 0..2000 {
+                let strain = 1e-7 * 1.01f64.powi(k);
+                let q = mapping.stress(strain);
+                assert!(q >= last * (1.0 - 1e-12) && q <= TRIPLE_SHEAR * strain * (1.0 + 1e-12), "{law:?}");
+                last = q;
+            }
+        }
+    }
+
+    /// Extreme exponents: nearly linear, nearly perfectly plastic.
+    #[test]
+    fn sharp_and_flat_power_laws_are_met() {
+        use crate::material::hardening::RambergOsgood;
+        for exponent in [1.0, 1.5, 20.0, 200.0] {
+            let law = Arc::new(RambergOsgood {
+                reference_stress: 500.0,
+                reference_strain: 0.3 * 500.0 / YOUNG,
+                exponent,
+            });
+            let mapping = mapping(law.clone());
+            for q in [1.0, 100.0, 400.0, 499.0, 501.0, 520.0, 900.0_f64] {
+                let Some(inverse) = law.inverse(q) else { continue };
+                if inverse.plastic_strain < 50.0 {
+                    let found = mapping.stress(q / TRIPLE_SHEAR + inverse.plastic_strain);
+                    assert!((found - q).abs() < 1e-12 * q, "m {exponent}: {found} instead of {q}");
+                }
+            }
+        }
+    }
+}
