@@ -32,12 +32,12 @@ impl HardeningLaw for Ludwik {
 
     fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
         let hardening = self.coefficient * plastic_strain.powf(self.exponent);
-        let slope = if self.exponent == 1.0 {
-            self.coefficient
-        } else if plastic_strain > 0.0 {
+        let slope = if plastic_strain > 0.0 {
             self.exponent * hardening / plastic_strain
-        } else {
+        } else if self.exponent < 1.0 {
             f64::INFINITY
+        } else {
+            self.coefficient
         };
         (self.yield_stress + hardening, slope)
     }

@@ -36,13 +36,13 @@ impl HardeningLaw for RambergOsgood {
 
     /// Infinite at zero plastic strain unless `m = 1`.
     fn slope(&self, plastic_strain: f64) -> f64 {
-        if plastic_strain <= 0.0 && self.exponent > 1.0 {
-            return f64::INFINITY;
+        if plastic_strain > 0.0 {
+            self.stress(plastic_strain) / (self.exponent * plastic_strain)
+        } else if self.exponent > 1.0 {
+            f64::INFINITY
+        } else {
+            self.reference_stress / self.reference_strain
         }
-        if self.exponent == 1.0 {
-            return self.reference_stress / self.reference_strain;
-        }
-        self.stress(plastic_strain) / (self.exponent * plastic_strain)
     }
 
     /// Given directly; the curve itself has an infinite slope at the origin.
