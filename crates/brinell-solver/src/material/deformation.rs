@@ -147,9 +147,7 @@ impl ConstitutiveModel for DeformationPlasticity {
     #[inline]
     fn update(&self, strain: [f64; 4], (): &()) -> (PointResponse, ()) {
         let response = match self.out_of_plane {
-            OutOfPlane::Strained => {
-                self.response(strain, self.secant(equivalent_strain(deviator(strain))))
-            }
+            OutOfPlane::Strained => self.response(strain, self.secant(equivalent_strain(deviator(strain)))),
             OutOfPlane::PlaneStress => {
                 let (strain, secant) = self.in_plane_stress(strain);
                 let mut response = self.response(strain, secant);

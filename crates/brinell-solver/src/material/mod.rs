@@ -12,9 +12,7 @@ mod return_mapping;
 mod tangent;
 
 pub use deformation::DeformationPlasticity;
-pub use hardening::{
-    Bilinear, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, Voce, law_of,
-};
+pub use hardening::{Bilinear, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, Voce, law_of};
 pub use model::{ConstitutiveModel, ElasticModuli, OutOfPlane, PerPoint, PointResponse};
 pub use return_mapping::ReturnMapping;
 pub use tangent::{Moduli, ModuliReduction, ReferenceModuli};

@@ -126,7 +126,9 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
             yielded += usize::from(response.yielded);
             let is_plastic = response.equivalent_plastic_strain > 0.0;
             is_loaded |= is_plastic;
-            for (component, (elastic, stress)) in strain.iter_mut().zip(elastic.into_iter().zip(response.stress)) {
+            for (component, (elastic, stress)) in
+                strain.iter_mut().zip(elastic.into_iter().zip(response.stress))
+            {
                 component[g] = if is_plastic { elastic - stress } else { 0.0 };
             }
         }

@@ -56,7 +56,9 @@ impl ReturnMapping {
                 let plastic = law.slope(0.0);
                 Form::Line(triple_shear * plastic / (triple_shear + plastic))
             }
-            Some(corners) => Form::Polyline(corners.iter().map(|[p, q]| [q / triple_shear + p, *q]).collect()),
+            Some(corners) => {
+                Form::Polyline(corners.iter().map(|[p, q]| [q / triple_shear + p, *q]).collect())
+            }
             None => Form::Curve(OnceLock::new()),
         };
         Self { law, triple_shear, yield_stress, form }
@@ -268,7 +270,10 @@ mod tests {
                 let strain = 1e-13 * 1.01f64.powi(k);
                 let (q, solved) = (mapping.stress(strain), mapping.solve(strain, None));
                 if strain * TRIPLE_SHEAR > mapping.yield_stress() && law.polyline().is_none() {
-                    assert!((q - solved).abs() < 1e-12 * solved, "{law:?} at {strain}: {q} instead of {solved}");
+                    assert!(
+                        (q - solved).abs() < 1e-12 * solved,
+                        "{law:?} at {strain}: {q} instead of {solved}"
+                    );
                 }
             }
         }

@@ -98,11 +98,7 @@ fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> 
     PerBody { upper: of_upper, lower: of_lower }
 }
 
-fn plasticity_report(
-    solution: &BodySolution,
-    symmetric: bool,
-    write: UnitConverter,
-) -> PlasticityReport {
+fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {
     let copies = if symmetric { 2.0 } else { 1.0 };
     let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
     for point in solution.stress.points.iter().flatten() {

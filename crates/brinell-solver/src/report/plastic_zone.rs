@@ -101,8 +101,7 @@ impl Excess {
     fn of(solution: &BodySolution) -> Option<Self> {
         let law = solution.model.hardening()?;
         // Without an elastic limit there is plastic strain on both sides of the boundary.
-        let triple_shear =
-            if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
+        let triple_shear = if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
         Some(Self { limit: law.nominal_yield_stress(), triple_shear })
     }
 

@@ -23,7 +23,7 @@ use std::sync::Arc;
 
 use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
-use crate::fem::element::{ElementStiffness, StressState, QUADRATURE_POINTS, Quad};
+use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, ReferenceModuli};
 use sparse_cholesky::wide;
@@ -65,8 +65,13 @@ impl<M: ConstitutiveModel> MaterialModel for M {
         equations: &Equations,
         inside: &[bool],
     ) -> Box<dyn PlasticPoints> {
-        let mut region =
-            Region { model: self, stress_state, elements: Vec::new(), states: Vec::new(), reductions: Vec::new() };
+        let mut region = Region {
+            model: self,
+            stress_state,
+            elements: Vec::new(),
+            states: Vec::new(),
+            reductions: Vec::new(),
+        };
         region.extend(mesh, equations, inside, &[]);
         Box::new(region)
     }
@@ -157,10 +162,11 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
                 self.model.tangent(strain.map(|component| component[g]), &states[g], reference)
             });
             is_beyond_yield |= reduced.iter().flatten().any(|point| point.is_beyond_yield);
-            element.reduction = ElementReduction::new(&reduced.map(|point| Some(point?.moduli))).map(|reduction| {
-                self.reductions.push(reduction);
-                self.reductions.len() - 1
-            });
+            element.reduction =
+                ElementReduction::new(&reduced.map(|point| Some(point?.moduli))).map(|reduction| {
+                    self.reductions.push(reduction);
+                    self.reductions.len() - 1
+                });
         }
         if !is_beyond_yield {
             self.refer_to_elastic();

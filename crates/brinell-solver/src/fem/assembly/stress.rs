@@ -1,6 +1,6 @@
 //! Stresses at the Gauss points of a whole body.
 
-use crate::fem::element::{StressState, QUADRATURE_POINTS, Quad};
+use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{ConstitutiveModel, OutOfPlane};
 use sparse_cholesky::wide;

@@ -57,7 +57,8 @@ impl BodyModel {
             let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
             (plastic_region, transferred)
         });
-        let flexibility = elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
+        let flexibility =
+            elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
         let is_softened = plastic_region.is_softened();
         let model = Arc::clone(model);
         Ok((Self { elastic, model, plastic_region, factor, flexibility, is_softened }, transferred))
@@ -176,7 +177,9 @@ impl PlasticRegion {
         let ElasticBody { mesh, equations, .. } = elastic;
         let Some(points) = &mut self.points else { return elastic.zeros() };
         let transferred = TransferredField::new(previous, elastic.stress_state(), mesh, &self.nodes);
-        points.linearize(ReferenceModuli::Tangent, &mut |element, _| transferred.strain(&mesh.elements[element]));
+        points.linearize(ReferenceModuli::Tangent, &mut |element, _| {
+            transferred.strain(&mesh.elements[element])
+        });
         let start: &[u32] = if points.refers_to_elastic() { &[] } else { &self.active_equations };
         transferred.displacement_on(start, equations)
     }

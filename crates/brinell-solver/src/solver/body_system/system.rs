@@ -181,9 +181,9 @@ impl System {
 
     /// Whether the stiffness in force is the elastic one.
     pub fn is_elastic(&self) -> bool {
-        self.bodies.iter().all(|body| {
-            body.plastic_region.points.as_ref().is_none_or(|points| points.refers_to_elastic())
-        })
+        self.bodies
+            .iter()
+            .all(|body| body.plastic_region.points.as_ref().is_none_or(|points| points.refers_to_elastic()))
     }
 
     /// Whether its bodies are worth to be worked on at the same time.

@@ -62,9 +62,8 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantSta
         system.bodies.iter().zip(&response.displacement).zip(&system.bodies_represented)
     {
         let nodal = body.elastic.nodal(x);
-        let field = iteration.phases.time(Phase::Plasticity, iteration.observer, || {
-            body.stress_field(&nodal)
-        });
+        let field =
+            iteration.phases.time(Phase::Plasticity, iteration.observer, || body.stress_field(&nodal));
         plastic_points += copies * field.plastic_points();
         squares += copies as f64 * body.residual_norm(&field, &response.contact.force).powi(2);
         fields.push(field);
