@@ -7,7 +7,6 @@ use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembl
 use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
 use crate::job::{Elastic, Support};
-use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::{Observer, SolveError};
 use sparse_cholesky::dense::SymmetricMatrix;
@@ -48,36 +47,9 @@ pub(crate) struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
-    /// the cache has it already.
-    pub fn prepare(
-        key: BodyKey,
-        other: Option<&Arc<Self>>,
-        cache: Option<&FactorCache>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
-    ) -> Result<Arc<Self>, SolveError> {
-        if let Some(body) = other.filter(|other| other.key == key) {
-            return Ok(Arc::clone(body));
-        }
-        let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&key));
-        if let Some(body) = cache.and_then(find) {
-            return Ok(body);
-        }
-        let like = |serves: &dyn Fn(&Self) -> bool| {
-            let body = other.filter(|other| serves(other)).cloned();
-            body.or_else(|| cache?.find_like(serves))
-        };
-        let body = Arc::new(Self::new(key, like, phases, observer)?);
-        if let Some(cache) = cache {
-            phases.time(Phase::Mesh, observer, || cache.keep(&body));
-        }
-        Ok(body)
-    }
-
     /// Meshes a body; orders and analyses its equations, unless there is another that has the same; assembles its
     /// stiffness.
-    fn new(
+    pub fn new(
         key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
         phases: &mut PhaseTimes,
@@ -147,9 +119,9 @@ impl ElasticBody {
         observer: &mut dyn Observer,
     ) -> Result<SymmetricMatrix, SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(points));
-        crate::solver::checkpoint(observer)?;
+        crate::solver::error::checkpoint(observer)?;
         phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
-        crate::solver::checkpoint(observer)?;
+        crate::solver::error::checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
         Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
@@ -233,10 +205,10 @@ fn structure(
         let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
         (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
     });
-    crate::solver::checkpoint(observer)?;
+    crate::solver::error::checkpoint(observer)?;
     let symbolic =
         phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
-    crate::solver::checkpoint(observer)?;
+    crate::solver::error::checkpoint(observer)?;
     Ok((Arc::new(equations), symbolic))
 }
 
@@ -262,7 +234,6 @@ pub(crate) fn refactor(
 pub(crate) mod tests {
     use super::*;
     use crate::job::{PoissonRatio, PositiveF64, Shape};
-    use crate::solver::Unobserved;
 
     /// A cylinder with a contact of a hundredth of its radius.
     pub(crate) fn key(radius: f64, young: f64, support: Support) -> BodyKey {
@@ -278,33 +249,5 @@ pub(crate) mod tests {
             },
             support,
         }
-    }
-
-    fn cylinder(
-        radius: f64,
-        young: f64,
-        support: Support,
-        other: Option<&Arc<ElasticBody>>,
-    ) -> Arc<ElasticBody> {
-        let (key, mut phases) = (key(radius, young, support), PhaseTimes::default());
-        ElasticBody::prepare(key, other, None, &mut phases, &mut Unobserved).unwrap()
-    }
-
-    #[test]
-    fn an_equal_plan_needs_nothing_new() {
-        let body = cylinder(20.0, 210e3, Support::Clamped, None);
-        assert!(Arc::ptr_eq(&body, &cylinder(20.0, 210e3, Support::Clamped, Some(&body))));
-        assert!(!Arc::ptr_eq(&body, &cylinder(20.0, 70e3, Support::Clamped, Some(&body))));
-    }
-
-    #[test]
-    fn another_material_or_size_needs_no_other_analysis() {
-        let body = cylinder(20.0, 210e3, Support::Clamped, None);
-        let shares = |radius: f64, young: f64, support: Support| {
-            let other = cylinder(radius, young, support, Some(&body));
-            Arc::ptr_eq(&other.symbolic, &body.symbolic) && Arc::ptr_eq(&other.equations, &body.equations)
-        };
-        assert!(shares(20.0, 70e3, Support::Clamped) && shares(40.0, 210e3, Support::Clamped));
-        assert!(!shares(20.0, 210e3, Support::Roller));
     }
 }

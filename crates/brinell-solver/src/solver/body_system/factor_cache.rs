@@ -180,7 +180,7 @@ mod tests {
 
     use super::*;
     use crate::job::Support;
-    use crate::solver::body_system::elastic_body::tests;
+    use crate::solver::body_system::{elastic_body::tests, preparation};
     use crate::solver::{PhaseTimes, Unobserved};
 
     fn key(radius: f64) -> BodyKey {
@@ -189,7 +189,7 @@ mod tests {
 
     fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
         let phases = &mut PhaseTimes::default();
-        ElasticBody::prepare(key(radius), None, cache, phases, &mut Unobserved).unwrap()
+        preparation::prepare(key(radius), None, cache, phases, &mut Unobserved).unwrap()
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::elastic_body::{BodyKey, ElasticBody};
 use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::body_system::preparation::prepare;
 use crate::solver::body_system::side_by_side::{LARGE, side_by_side};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::phases::{Phase, PhaseTimes};
@@ -101,8 +102,7 @@ impl System {
         let built = side_by_side(models, nodes >= LARGE, phases, observer, |model, phases, observer| {
             let (k, (key, law)): (usize, (BodyKey, &Arc<dyn MaterialModel>)) = model;
             let first = other().clone();
-            let elastic =
-                ElasticBody::prepare(key, first.as_ref(), cache.map(|cache| &**cache), phases, observer)?;
+            let elastic = prepare(key, first.as_ref(), cache.map(|cache| &**cache), phases, observer)?;
             other().get_or_insert_with(|| Arc::clone(&elastic));
             let own = || PooledFactor::own(Cholesky::empty(&elastic.symbolic));
             let factor = phases

@@ -10,24 +10,46 @@
 //!
 //! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`.
 
-pub(crate) mod anderson;
+//!
+//! A coupling is one file with a type that implements [`Coupling`], and a line in [`of`].
+
+mod anderson;
 pub(crate) mod iteration;
 mod secant;
 mod strong;
 mod weak;
 
-use anderson::Anderson;
 use iteration::{Iteration, Outcome};
 
-use crate::job::Coupling;
+use crate::job;
 use crate::solver::SolveError;
 
-/// Runs the coupling that the job asks for.
-pub(crate) fn run(iteration: Iteration<'_>, coupling: Coupling) -> Result<Outcome, SolveError> {
-    match coupling {
-        Coupling::Strong => strong::run(iteration, None),
-        Coupling::Accelerated => strong::run(iteration, Some(Anderson::default())),
-        Coupling::Weak => weak::run(iteration),
-        Coupling::SecantStiffness => secant::run(iteration),
+/// A way to alternate contact and plasticity.
+pub(crate) trait Coupling {
+    /// Iterates until the state is in equilibrium, or the iteration says that it ends.
+    ///
+    /// # Errors
+    /// Those of a contact solve or a factorization.
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError>;
+
+    /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where the iteration stalls.
+    fn uses_tangent_moduli(&self) -> bool {
+        false
+    }
+
+    /// Whether plastic flow has to be evaluated in the whole body, because the iteration cannot go on from a state that
+    /// missed some of it.
+    fn needs_whole_body(&self) -> bool {
+        false
+    }
+}
+
+/// The coupling that a job names.
+pub(crate) fn of(name: job::Coupling) -> &'static dyn Coupling {
+    match name {
+        job::Coupling::Strong => &strong::Strong,
+        job::Coupling::Accelerated => &strong::Accelerated,
+        job::Coupling::Weak => &weak::Weak,
+        job::Coupling::SecantStiffness => &secant::SecantStiffness,
     }
 }

@@ -1,6 +1,7 @@
 //! Secant stiffness: the stiffness is reassembled with the secant moduli of the last state, factorized again
 //! and condensed to a new flexibility in every iteration. The paper's rival method.
 
+use super::Coupling;
 use crate::contact::ContactProblem;
 use crate::fem::assembly::StressField;
 use crate::solver::SolveError;
@@ -12,7 +13,20 @@ use crate::solver::phases::Phase;
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
-pub(crate) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+/// The stiffness takes the secant moduli of each iterate.
+pub(crate) struct SecantStiffness;
+
+impl Coupling for SecantStiffness {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+        run(iteration)
+    }
+
+    fn needs_whole_body(&self) -> bool {
+        true
+    }
+}
+
+fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     // The elastic factors are there already.
     let mut factors: Vec<Cholesky> = system.bodies.iter().map(|body| body.factor.clone()).collect();

@@ -1,9 +1,32 @@
 //! Strong coupling, with Anderson acceleration or without.
 
+use super::Coupling;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, Outcome, State};
 use crate::solver::SolveError;
 use crate::solver::phases::Phase;
+
+/// The paper's choice: the next loads are those that the plastic law answers with.
+pub(crate) struct Strong;
+
+/// Strong coupling with tangent moduli and Anderson acceleration.
+pub(crate) struct Accelerated;
+
+impl Coupling for Strong {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+        run(iteration, None)
+    }
+}
+
+impl Coupling for Accelerated {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+        run(iteration, Some(Anderson::default()))
+    }
+
+    fn uses_tangent_moduli(&self) -> bool {
+        true
+    }
+}
 
 /// Strong coupling: one contact solve, one initial-stress update, repeat.
 ///
@@ -11,10 +34,7 @@ use crate::solver::phases::Phase;
 /// itself; with acceleration the next loads are the combination of past answers that Anderson's method chooses. The
 /// contact is solved inside the map, so that it is exact in every iteration. What is combined is what is judged: the
 /// residual of the map is the true out-of-balance force.
-pub(crate) fn run(
-    mut iteration: Iteration<'_>,
-    mut anderson: Option<Anderson>,
-) -> Result<Outcome, SolveError> {
+fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();
     loop {

@@ -9,6 +9,7 @@
 //! B. M. Irons, R. C. Tuck, *A version of the Aitken accelerator for computer iteration*, Int. J. Numer. Meth.
 //! Engng 1 (1969) 275–277.
 
+use super::Coupling;
 use crate::solver::SolveError;
 use crate::solver::body_system::system::{BlockVector, Response};
 use crate::solver::couplings::anderson::Anderson;
@@ -27,7 +28,16 @@ const INNER_FLOOR: f64 = 0.01;
 /// Out-of-balance force over the contact force that goes with that change.
 const BALANCE: f64 = 100.0;
 
-pub(crate) fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+/// Plasticity is converged between contact solves.
+pub(crate) struct Weak;
+
+impl Coupling for Weak {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+        run(iteration)
+    }
+}
+
+fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let mut relaxation = Aitken::new(system.initial_gap.len());
     let (mut start, mut loads) = iteration.initial_state();

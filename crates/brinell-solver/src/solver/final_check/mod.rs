@@ -1,4 +1,171 @@
-//! The final state, checked afresh, and what is handed over of it.
+//! The final state, checked afresh by the full displacement fields and the material law everywhere.
 
-pub(crate) mod contact_stiffness;
-pub(crate) mod solution;
+mod contact_stiffness;
+
+use std::sync::Arc;
+
+use contact_stiffness::contact_stiffness;
+
+use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
+use crate::fem::assembly::StressField;
+use crate::solver::body_system::system::System;
+use crate::solver::couplings::iteration::{norm, relative};
+use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::observer::{Observer, SolveStatus};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::solution::{BodySolution, PairState, StepSolution};
+
+/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
+/// a converged state may have. Rounding leaves about 1e-12.
+const CONTACT_TOLERANCE: f64 = 1e-8;
+/// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
+const RESIDUAL_SLACK: f64 = 1.5;
+/// Rounding floor of the residual.
+const RESIDUAL_FLOOR: f64 = 1e-9;
+
+/// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
+/// believed is taken over. Takes stresses and nodal displacements out of the pass.
+pub(crate) fn finish(
+    pass: &mut MeshSolve,
+    load: ContactLoad,
+    tolerance: f64,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> StepSolution {
+    let contact_stiffness = if pass.outcome.status.is_stopped() {
+        0.0
+    } else {
+        let MeshSolve { system, outcome, patch, .. } = &*pass;
+        match phases.time_observed(Phase::Solves, observer, |observer| {
+            contact_stiffness(system, &outcome.state, *patch, observer)
+        }) {
+            Ok(stiffness) => stiffness,
+            Err(interrupt) => {
+                pass.outcome.status = interrupt.into();
+                pass.fields.clear();
+                0.0
+            }
+        }
+    };
+    phases.time(Phase::Output, observer, || final_check(pass, contact_stiffness, load, tolerance))
+}
+
+/// The final state, as far as it is judged.
+struct Final {
+    /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
+    unloaded_gap: Vec<f64>,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖`.
+    equilibrium_residual: f64,
+    /// One for each model.
+    bodies: Vec<Arc<BodySolution>>,
+}
+
+/// By the fields.
+fn from_fields(pass: &mut MeshSolve) -> Final {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let mut squares = 0.0;
+    let mut unloaded_gap = system.initial_gap.clone();
+    let mut bodies = Vec::with_capacity(system.bodies.len());
+    for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.bodies_represented)
+    {
+        let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
+        let copies = copies as f64;
+        squares += copies * body.residual_norm(&stress, &contact.force).powi(2);
+        for (g, w) in unloaded_gap.iter_mut().zip(body.elastic.contact_displacement(&field.displacement)) {
+            *g += copies * w;
+        }
+        bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
+    }
+    let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force));
+    Final { unloaded_gap, equilibrium_residual, bodies }
+}
+
+/// By what the iteration believes, for there are no fields of one that was stopped.
+fn from_iteration(pass: &MeshSolve) -> Final {
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let bodies = system.bodies.iter();
+    Final {
+        unloaded_gap: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
+        equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
+        bodies: bodies
+            .map(|body| Arc::new(BodySolution::of(body, Vec::new(), StressField::default())))
+            .collect(),
+    }
+}
+
+fn final_check(
+    pass: &mut MeshSolve,
+    contact_stiffness: f64,
+    load: ContactLoad,
+    tolerance: f64,
+) -> StepSolution {
+    let Final { unloaded_gap, equilibrium_residual, bodies } =
+        if pass.outcome.status.is_stopped() { from_iteration(pass) } else { from_fields(pass) };
+    let (system, outcome) = (&pass.system, &pass.outcome);
+    let contact = &outcome.state.response.contact;
+    let contact_check =
+        check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
+    let sound = contact_check.passes(CONTACT_TOLERANCE)
+        && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let status = match outcome.status {
+        SolveStatus::Converged if !sound => SolveStatus::NotConverged,
+        status => status,
+    };
+    let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach);
+    StepSolution {
+        status,
+        load,
+        approach: contact.approach,
+        symmetric: system.zone.symmetric,
+        stress_state: system.stress_state,
+        smallest_gap: system.smallest_gap,
+        spacing: system.zone.spacing(),
+        peak_pressure: system.peak_pressure(&contact.force),
+        pairs,
+        patch: pass.patch,
+        parts: pass.parts(),
+        contact_stiffness,
+        bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
+        history: outcome.history.clone(),
+        contact_check,
+        equilibrium_residual,
+        contact_is_sound: contact_check.passes(CONTACT_TOLERANCE),
+        reaches_edge: pass.reaches_edge,
+        enlargements: pass.enlargements,
+        coarse: None,
+    }
+}
+
+/// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.
+fn check_contact(
+    system: &System,
+    unloaded_gap: &[f64],
+    force: &[f64],
+    approach: f64,
+    load: ContactLoad,
+) -> KktReport {
+    let elastic = (0..force.len())
+        .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
+    let equivalent: Vec<f64> =
+        unloaded_gap.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
+    let problem = ContactProblem { flexibility: &system.flexibility, initial_gap: &equivalent, load };
+    kkt::check(&problem, force, approach)
+}
+
+fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {
+    let pressures = system.pressures(force);
+    (0..force.len())
+        .map(|k| {
+            let on_axis = k == 0 && system.symmetry_factor() == 2;
+            PairState {
+                x: system.zone.abscissa(k),
+                pressure: pressures[k],
+                force: force[k] * if on_axis { 2.0 } else { 1.0 },
+                // In contact the gap is zero by definition; what rounding leaves there is judged, not shown.
+                gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach },
+            }
+        })
+        .collect()
+}

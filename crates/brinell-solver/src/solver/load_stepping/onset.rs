@@ -7,9 +7,9 @@ use crate::fem::assembly::GaussPoint;
 use crate::job::Job;
 use crate::material::von_mises;
 use crate::solver::body_system::factor_cache::FactorCache;
-use crate::solver::final_check::solution::{Solution, StepSolution};
-use crate::solver::load_stepping::run::LoadStepper;
+use crate::solver::load_stepping::load_stepper::LoadStepper;
 use crate::solver::problem::{Problem, ProblemBody};
+use crate::solver::solution::{Solution, StepSolution};
 use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Loads tried at most.

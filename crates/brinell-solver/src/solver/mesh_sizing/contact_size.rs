@@ -7,7 +7,7 @@ use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
-use crate::solver::load_stepping::mesh_solve::MeshSolve;
+use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
 
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.

@@ -4,7 +4,7 @@ use crate::fem::mesh::estimated_nodes;
 use crate::job::Job;
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
-use crate::solver::load_stepping::run::{loads, resolution_reserve};
+use crate::solver::loads::{loads, resolution_reserve};
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
 use crate::solver::problem::Problem;
 

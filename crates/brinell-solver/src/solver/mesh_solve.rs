@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
 use crate::fem::mesh::{ContactZone, Refinement};
-use crate::job::{Coupling, SolverSettings};
+use crate::job::SolverSettings;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::factor_cache::FactorCache;
@@ -16,9 +16,9 @@ use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, Rad
 use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome};
-use crate::solver::final_check::solution::CoarseFigures;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
+use crate::solver::solution::CoarseFigures;
 use crate::solver::{Observer, SolveError, couplings};
 
 /// What a pass is asked to do.
@@ -65,7 +65,7 @@ impl ReusableMesh {
         phases.time(Phase::Plasticity, observer, || system.set_plastic_region(request.search_region));
         if let Some(previous) = request.previous {
             start = Some(system.linearize_by(previous, phases, observer)?);
-        } else if request.solver.coupling == Coupling::Accelerated {
+        } else if couplings::of(request.solver.coupling).uses_tangent_moduli() {
             let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
             system.linearize(at, phases, observer)?;
         }
@@ -300,13 +300,13 @@ fn iterate(
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
-    let coupling = request.solver.coupling;
+    let coupling = couplings::of(request.solver.coupling);
     let mut linearizations = 0;
     let mut reference = ReferenceModuli::Tangent;
     // Residual where the last stiffness led.
     let mut reached = f64::INFINITY;
     loop {
-        let renewable = coupling == Coupling::Accelerated && linearizations < MAX_LINEARIZATIONS;
+        let renewable = coupling.uses_tangent_moduli() && linearizations < MAX_LINEARIZATIONS;
         let controls = Controls {
             contact: request.contact,
             load: system.part_of(request.load),
@@ -315,7 +315,7 @@ fn iterate(
             renewable,
         };
         let begun = initial.history.len();
-        let outcome = couplings::run(Iteration::new(system, controls, initial, observer, phases), coupling)?;
+        let outcome = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
         if !outcome.stalled {
             return Ok(outcome);
         }

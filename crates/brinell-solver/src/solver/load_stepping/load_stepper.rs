@@ -1,0 +1,235 @@
+//! Load after load, each on three meshes, each sized by the one before.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver};
+use crate::fem::element::StressState;
+use crate::job::{ContactMethod, Coupling, Job, PositiveF64, SolverSettings};
+use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::loads::resolution_reserve;
+use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
+use crate::solver::phases::Phase;
+use crate::solver::problem::Problem;
+use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::{Interrupt, Observer, SolveError, couplings, final_check};
+use sparse_cholesky::Cores;
+
+/// Elements over a half-width in the first mesh.
+const SIZING_ELEMENTS: usize = 6;
+/// Tolerance of the auxiliary passes. It leaves their figures wrong by a few hundredths of the mesh's own error.
+const AUXILIARY_TOLERANCE: f64 = 1e-4;
+/// Sizing passes at most; each is made on the answer of the one before.
+const SIZING_PASSES: usize = 5;
+/// Part of the expected half-width that a sizing pass must find in contact to be trusted.
+const SIZING_TRUST: f64 = 0.4;
+/// How far the plastic region is reusable, over how far plastic flow reached on the coarser mesh.
+const PLASTIC_MARGIN: f64 = 1.1;
+/// Least width of the zone over that of the contact for which a mesh is used again.
+const ZONE_MARGIN: f64 = 1.12;
+/// Elements that a mesh used again may be short of those asked for.
+const RESOLUTION_SLACK: f64 = 1.05;
+
+/// Solves load after load.
+pub(crate) struct LoadStepper<'a> {
+    problem: &'a Problem,
+    job: &'a Job,
+    contact: &'a dyn ContactSolver,
+    cache: Option<&'a Arc<FactorCache>>,
+    last: Option<LastStep>,
+}
+
+/// What the next load of a sweep can build on.
+struct LastStep {
+    load: ContactLoad,
+    extent: ContactSizeEstimate,
+    coarse: ReusableMesh,
+    fine: ReusableMesh,
+}
+
+impl<'a> LoadStepper<'a> {
+    pub fn new(
+        problem: &'a Problem,
+        job: &'a Job,
+        contact: &'a dyn ContactSolver,
+        cache: Option<&'a Arc<FactorCache>>,
+    ) -> Self {
+        Self { problem, job, contact, cache, last: None }
+    }
+
+    /// One load; `next` is the one after it, for which the mesh may be made to serve as well.
+    pub fn step(
+        &mut self,
+        load: ContactLoad,
+        next: Option<ContactLoad>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<StepSolution, SolveError> {
+        let reserve = resolution_reserve(load, next);
+        let last = self.last.take();
+        let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
+        let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, extent));
+        let (extent, sizing) = match predicted {
+            Some(extent) => (extent, None),
+            None => self.size(load, solution, observer)?,
+        };
+        let (coarse, fine, outgrown) = match last {
+            Some(last) if serves => (Some(last.coarse), Some(last.fine), None),
+            // Moduli of a larger load would be too soft.
+            Some(last) if load.magnitude() > last.load.magnitude() => (None, None, Some(last.coarse)),
+            _ => (None, None, None),
+        };
+        let previous = match (&sizing, &outgrown) {
+            (Some(pass), _) => pass.nodal_fields(),
+            (None, Some(reusable)) => reusable.fields(),
+            (None, None) => Vec::new(),
+        };
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
+        request.previous = (!previous.is_empty()).then_some(&previous);
+        let coarse = self.solve_auxiliary(&request, coarse, solution, observer)?;
+        let extent = solution.phases.time(Phase::Output, observer, || extent.found_by(&coarse));
+        let figures = coarse.figures();
+
+        let previous = coarse.nodal_fields();
+        let mut request = self.request(load, extent, elements, reserve, self.job.solver);
+        request.contact = self.contact;
+        request.previous = couplings::of(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
+        let mut pass = mesh_solve::run(self.problem, &request, fine, &mut solution.phases, observer)?;
+        solution.passes += pass.meshes;
+        // Before the stresses are handed over.
+        let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
+        let tolerance = request.solver.tolerance.get();
+        let mut step = final_check::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
+        step.coarse = figures;
+        // What nobody needs any more goes here, because giving memory back takes its time.
+        self.last = solution.phases.time(Phase::Output, observer, move || {
+            drop((sizing, outgrown));
+            let (extent, coarse, fine) = (found?, coarse.into_reusable(load), pass.into_reusable(load));
+            Some(LastStep { load, extent, coarse, fine })
+        });
+        Ok(step)
+    }
+
+    /// By how much the contact of an elastic body grows from one load to another.
+    fn growth(&self, from: ContactLoad, to: ContactLoad) -> f64 {
+        let exponent = match (self.problem.stress_state, to) {
+            (StressState::Axisymmetric, ContactLoad::Force(_)) => 0.4,
+            (_, ContactLoad::Force(_)) => 0.6,
+            (_, ContactLoad::Approach(_)) => 0.5,
+        };
+        (to.magnitude() / from.magnitude()).powf(exponent)
+    }
+
+    /// Whether the meshes of the last load serve for a contact of this extent.
+    fn serves(&self, last: &LastStep, extent: ContactSizeEstimate) -> bool {
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let zone = &last.fine.system.zone;
+        zone.half_width() >= ZONE_MARGIN * extent.half_width
+            && zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements)
+    }
+
+    /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
+    fn size(
+        &self,
+        load: ContactLoad,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(ContactSizeEstimate, Option<MeshSolve>), SolveError> {
+        let expect = || ContactSizeEstimate::expected(self.problem, load);
+        let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
+        let mut last = None;
+        for _ in 0..SIZING_PASSES {
+            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
+            request.search_region = PlasticSearchRegion::WholeBody;
+            let pass = self.solve_auxiliary(&request, None, solution, observer)?;
+            let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
+            let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
+            extent = found;
+            last = Some(pass);
+            if is_confirmed {
+                break;
+            }
+            // A contact of one or two elements is not yet known to be that small.
+            extent = ContactSizeEstimate {
+                half_width: 1.5 * extent.half_width,
+                smallest_part: extent.half_width,
+                ..extent
+            };
+        }
+        Ok((extent, last))
+    }
+
+    fn solve_auxiliary(
+        &self,
+        request: &MeshSolveRequest<'_>,
+        reusable: Option<ReusableMesh>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<MeshSolve, SolveError> {
+        let mut silent = SilentObserver { inner: observer };
+        let pass = mesh_solve::run(self.problem, request, reusable, &mut solution.phases, &mut silent)?;
+        solution.passes += pass.meshes;
+        Ok(pass)
+    }
+
+    fn request(
+        &self,
+        load: ContactLoad,
+        extent: ContactSizeEstimate,
+        elements: usize,
+        reserve: f64,
+        solver: SolverSettings,
+    ) -> MeshSolveRequest<'a> {
+        let spacing = extent.spacing(elements) / reserve;
+        let search_region = if couplings::of(solver.coupling).needs_whole_body() {
+            PlasticSearchRegion::WholeBody
+        } else {
+            PlasticSearchRegion::Within(extent.plastic.scaled(PLASTIC_MARGIN))
+        };
+        let zone = extent.zone(self.problem.is_symmetric(), spacing);
+        MeshSolveRequest {
+            contact: &ActiveSetSolver,
+            zone,
+            refinement: refinement(&zone),
+            search_region,
+            load,
+            solver,
+            previous: None,
+            cache: self.cache,
+        }
+    }
+}
+
+/// How the auxiliary passes are iterated, whatever the job asks for.
+fn auxiliary() -> SolverSettings {
+    let default = SolverSettings::default();
+    SolverSettings {
+        coupling: Coupling::Accelerated,
+        contact: ContactMethod::ActiveSet,
+        tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
+        max_iterations: 200,
+    }
+}
+
+/// Lets the auxiliary passes be stopped but not seen.
+struct SilentObserver<'a> {
+    inner: &'a mut dyn Observer,
+}
+
+impl Observer for SilentObserver<'_> {
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.inner.on_checkpoint()
+    }
+
+    fn cores(&self) -> Option<Arc<Cores>> {
+        self.inner.cores()
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.inner.elapsed()
+    }
+}

@@ -1,0 +1,144 @@
+//! What a solve hands over.
+
+use std::sync::Arc;
+
+use crate::contact::{ContactLoad, KktReport};
+use crate::fem::assembly::{MaterialModel, StressField};
+use crate::fem::element::StressState;
+use crate::fem::mesh::{Mesh, Quality};
+use crate::solver::body_system::body::BodyModel;
+use crate::solver::body_system::contact_patch::ContactPatch;
+use crate::solver::observer::{Interrupt, IterationRecord, SolveStatus};
+use crate::solver::phases::PhaseTimes;
+
+/// The answer to a job.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// One for each load.
+    pub steps: Vec<StepSolution>,
+    /// Time by phase.
+    pub phases: PhaseTimes,
+    /// Mesh passes made.
+    pub passes: usize,
+    /// Why loads at the end are missing.
+    pub interrupted: Option<Interrupt>,
+}
+
+/// The answer to one load. Half models are not mirrored here.
+#[derive(Debug, Clone)]
+pub struct StepSolution {
+    /// How the iteration ended, the final checks included.
+    pub status: SolveStatus,
+    /// What was prescribed, for both sides of the axis.
+    pub load: ContactLoad,
+    /// Approach α \[mm\].
+    pub approach: f64,
+    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is here.
+    pub symmetric: bool,
+    /// Third direction.
+    pub stress_state: StressState,
+    /// The smallest gap of the outlines as they are given, in whose place the gaps and the approach begin \[mm\].
+    pub smallest_gap: f64,
+    /// Tangential spacing of the candidate pairs \[mm\].
+    pub spacing: f64,
+    /// The candidate pairs in order of x.
+    pub pairs: Vec<PairState>,
+    /// Ends of the contact; `None` where nothing touches.
+    pub patch: Option<ContactPatch>,
+    /// Its connected parts, from outermost node to outermost node.
+    pub parts: Vec<ContactPatch>,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; 0 for a step that was
+    /// stopped \[N/mm per mm\].
+    pub contact_stiffness: f64,
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Upper and lower body; `None` for a rigid one.
+    pub bodies: [Option<Arc<BodySolution>>; 2],
+    /// Every iteration.
+    pub history: Vec<IterationRecord>,
+    /// The contact conditions, judged on the displacement field of both whole bodies.
+    pub contact_check: KktReport,
+    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
+    pub equilibrium_residual: f64,
+    /// Whether those conditions hold.
+    pub contact_is_sound: bool,
+    /// Whether the contact still reaches the edge of the candidate zone.
+    pub reaches_edge: bool,
+    /// Times the candidate zone was widened.
+    pub enlargements: usize,
+    /// The same figures on a mesh of half the density, for error estimates.
+    pub coarse: Option<CoarseFigures>,
+}
+
+/// One candidate pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairState {
+    /// Abscissa \[mm\].
+    pub x: f64,
+    /// Contact pressure \[MPa\].
+    pub pressure: f64,
+    /// Contact force, both sides of the axis for a pair on it \[N/mm\].
+    pub force: f64,
+    /// Gap after loading \[mm\].
+    pub gap: f64,
+}
+
+/// Fields of one body, in its own frame (contact at the origin, y outward).
+#[derive(Debug, Clone)]
+pub struct BodySolution {
+    /// Mesh.
+    pub mesh: Arc<Mesh>,
+    /// Mesh quality.
+    pub quality: Quality,
+    /// Displacements of the nodes \[mm\]; none in a step that was stopped.
+    pub displacement: Vec<[f64; 2]>,
+    /// Stresses; none in a step that was stopped.
+    pub stress: StressField,
+    /// Equations solved.
+    pub equations: usize,
+    /// Constitutive model of the material.
+    pub model: Arc<dyn MaterialModel>,
+}
+
+impl StepSolution {
+    /// Whether the meshed half stands for two: a plane half model, not a body of revolution.
+    pub fn is_mirrored(&self) -> bool {
+        self.symmetric && self.stress_state != StressState::Axisymmetric
+    }
+}
+
+impl BodySolution {
+    pub(crate) fn of(body: &BodyModel, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
+        let elastic = &body.elastic;
+        Self {
+            mesh: Arc::clone(&elastic.mesh),
+            quality: elastic.quality(),
+            displacement,
+            stress,
+            equations: elastic.equations.len(),
+            model: Arc::clone(&body.model),
+        }
+    }
+
+    /// Largest equivalent plastic strain at a Gauss point.
+    pub fn max_plastic_strain(&self) -> f64 {
+        let strains = self.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain);
+        strains.fold(0.0, f64::max)
+    }
+
+    /// Depth of the lowest node below the contact \[mm\].
+    pub fn depth(&self) -> f64 {
+        -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)
+    }
+}
+
+/// Headline figures of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoarseFigures {
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Half-width \[mm\].
+    pub half_width: f64,
+    /// Approach \[mm\].
+    pub approach: f64,
+}
