@@ -16,7 +16,7 @@
 //!
 //! Everything after that one factorization of each body is forward and back substitution over the small
 //! part of the factor that the contact and the plastic zone can reach. Contact and plasticity alternate until
-//! the state is in equilibrium, and a judge that shares no code with the solvers has the last word.
+//! the state is in equilibrium, and a check that shares no code with the solvers decides whether it has converged.
 //! `docs/theory.md` in the repository has every equation.
 //!
 //! # Example

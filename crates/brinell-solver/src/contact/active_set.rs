@@ -16,7 +16,7 @@ const STEP_LIMIT: usize = 60;
 /// ```text
 /// A' = { k in A : R_k > 0 }  ∪  { k not in A : δ_k < 0 }
 /// ```
-/// which is a semismooth Newton step for `min(R, δ) = 0`. `δ_k < 0` is judged against the rounding of its own
+/// which is a semismooth Newton step for `min(R, δ) = 0`. `δ_k < 0` is compared with the rounding error of its own
 /// terms, so pairs that just touch stay outside and cannot flicker. A step costs |A|³/6 + n |A| multiply-adds;
 /// started from the neighbouring iteration's set it takes one or two, from nothing five to ten.
 ///

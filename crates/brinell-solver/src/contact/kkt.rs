@@ -1,4 +1,4 @@
-//! The judge: is a set of forces the answer to a contact problem?
+//! Independent check: does a set of forces solve a contact problem?
 //!
 //! Kept apart from both solvers on purpose: it recomputes `δ = g + F R - α e` from the data by its own loops and
 //! trusts nothing but the forces and the approach it is handed.

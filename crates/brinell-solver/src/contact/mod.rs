@@ -12,7 +12,7 @@
 //! `min ½ RᵀF R + gᵀR` over `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution
 //! exists and is unique.
 //!
-//! Two solvers, one judge:
+//! Two solvers, one independent check:
 //! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a pivot;
 //! - [`ActiveSetSolver`], Newton's method on the same conditions: a few steps, warm-started in one or two;
 //! - [`kkt::check`] recomputes every condition from the data and shares no code with either.

@@ -43,7 +43,7 @@ pub enum SolveError {
     Interrupted(Interrupt),
 }
 
-/// Passes on an observer's wish to stop.
+/// Asks the observer whether to stop.
 pub(crate) fn checkpoint(observer: &mut dyn Observer) -> Result<(), SolveError> {
     match observer.on_checkpoint() {
         ControlFlow::Continue(()) => Ok(()),

@@ -42,7 +42,7 @@ pub(crate) struct ReusableMesh {
     pub system: System,
     /// Load and displacements of the whole models, the latest last; at most two.
     states: Vec<(f64, BlockVector)>,
-    /// Displacements of all nodes under the last load, for each model; empty where nobody needs them again.
+    /// Displacements of all nodes under the last load, for each model; empty where they are not needed again.
     nodal: Vec<Vec<[f64; 2]>>,
 }
 
@@ -126,7 +126,7 @@ impl MeshSolve {
         RadialEnvelope::around(self.system.zone.centre(), yielded)
     }
 
-    /// Whether the material yields where nobody has looked.
+    /// Whether the material yields outside the plastic region.
     fn yields_outside_region(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);
         bodies.any(|(body, field)| body.yields_outside_region(&field.stress))
@@ -251,7 +251,7 @@ pub(crate) fn run(
 }
 
 /// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
-/// iteration that was stopped, or is now, for who stops a job wants the core back.
+/// iteration that was stopped or is stopped here.
 fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
     let mut fields = Vec::with_capacity(system.bodies.len());
     for (k, body) in system.bodies.iter().enumerate() {
@@ -327,7 +327,7 @@ fn iterate(
         let moduli = if gets_on { Some(reference) } else { reference.stiffer() };
         reference = moduli.unwrap_or_default();
         match system.linearize(moduli.map(|moduli| (displacement, moduli)), phases, observer) {
-            // What has been iterated is worth keeping.
+            // The iterations so far are kept.
             Err(SolveError::Interrupted(interrupt)) => {
                 return Ok(Outcome { status: interrupt.into(), ..outcome });
             }

@@ -6,7 +6,7 @@
 //! fine:      the mesh that was asked for, sized by the coarse one
 //!   factorize  K = L Lᵀ of each body, once; contact flexibility F from the last block of L
 //!   repeat     contact (R, α) → displacements → plastic law → initial-stress load
-//! judge:     full displacement fields; contact conditions and equilibrium from scratch
+//! check:     full displacement fields; contact conditions and equilibrium from scratch
 //! ```
 
 mod body_system;

@@ -96,7 +96,7 @@ pub trait Observer {
         None
     }
 
-    /// Time since the job started; zero where nobody measures.
+    /// Time since the job started; zero without a clock.
     fn elapsed(&self) -> Duration {
         Duration::ZERO
     }

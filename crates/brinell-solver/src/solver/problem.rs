@@ -48,7 +48,7 @@ impl Problem {
         Self::with_models(job, deformation_theory)
     }
 
-    /// The problem of a job with constitutive models of its materials that somebody else chooses.
+    /// The problem of a job with other constitutive models than those of its materials.
     pub fn with_models(job: &Job, model: ModelOf) -> Self {
         let stress_state = match job.analysis {
             Analysis::PlaneStrain => StressState::PlaneStrain,

@@ -1,4 +1,4 @@
-//! What a solve hands over.
+//! The result of a solve.
 
 use std::sync::Arc;
 
@@ -56,7 +56,7 @@ pub struct StepSolution {
     pub bodies: [Option<Arc<BodySolution>>; 2],
     /// Every iteration.
     pub history: Vec<IterationRecord>,
-    /// The contact conditions, judged on the displacement field of both whole bodies.
+    /// The contact conditions, checked on the displacement field of both whole bodies.
     pub contact_check: KktReport,
     /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
     pub equilibrium_residual: f64,

@@ -11,7 +11,7 @@ use crate::fem::mesh::Mesh;
 use sparse_cholesky::SymmetricPattern;
 
 /// Sums element stiffnesses into the entries of a pattern, always in the order of the elements, so that the
-/// result does not depend on who assembles or when.
+/// sums are the same in every run.
 #[derive(Debug, Clone, Copy)]
 pub struct StiffnessAssembler<'a> {
     /// Mesh of the body.

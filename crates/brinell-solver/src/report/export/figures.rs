@@ -8,7 +8,7 @@ use crate::analytical::HertzLine;
 use crate::job::{Analysis, Body, Job, Material, Quantity};
 use crate::report::{HertzReport, Report, StepReport, SubsurfaceReport};
 
-// Okabe and Ito's colours, told apart by everybody.
+// Okabe and Ito's palette, distinguishable with every kind of colour vision.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
 const GREEN: RGBColor = RGBColor(0, 158, 115);

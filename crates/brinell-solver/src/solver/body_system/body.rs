@@ -18,7 +18,7 @@ pub(crate) struct BodyModel {
     pub elastic: Arc<ElasticBody>,
     pub model: Arc<dyn MaterialModel>,
     pub plastic_region: PlasticRegion,
-    /// Factor of the stiffness in force: elastic, or with the tangent moduli that [`PlasticRegion::points`] refers to.
+    /// Factor of the present stiffness: elastic, or with the tangent moduli that [`PlasticRegion::points`] refers to.
     pub factor: PooledFactor,
     /// Inward normal displacement of the contact nodes under unit forces that press on them \[mm/N\].
     pub flexibility: SymmetricMatrix,
@@ -64,7 +64,7 @@ impl BodyModel {
         Ok((Self { elastic, model, plastic_region, factor, flexibility, is_softened }, transferred))
     }
 
-    /// Watches another part of the body. The stiffness in force is elastic again from the next linearization on.
+    /// Chooses another plastic region. The stiffness becomes elastic again at the next linearization.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         self.plastic_region = PlasticRegion::new(&self.elastic, &self.model, search_region);
     }
@@ -135,7 +135,7 @@ impl BodyModel {
         rest[..equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
-    /// Whether the material yields where nobody has looked.
+    /// Whether the material yields outside the plastic region.
     pub fn yields_outside_region(&self, field: &StressField) -> bool {
         self.plastic_region.points.is_some()
             && field

@@ -7,13 +7,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::solver::body_system::elastic_body::{BodyKey, ElasticBody};
 use sparse_cholesky::Cholesky;
 
-/// Elastic bodies by what they are made of, each with the factors that earlier jobs left of it.
+/// Elastic bodies by their key, each with the factors that earlier jobs returned.
 ///
 /// A job whose bodies are here already is neither meshed nor ordered nor analysed again, and of its stiffness only what
 /// differs from the one that the factor is of is factorized. No answer depends on what is kept: it is bit for bit the
 /// one of a job alone.
 ///
-/// Holds at most so many bytes; what has not been used for longest goes first. What jobs have in hand does not count.
+/// Holds at most so many bytes; the least recently used entry is evicted first. Factors that jobs are using do not count.
 #[derive(Debug)]
 pub struct FactorCache {
     limit: usize,
@@ -41,7 +41,7 @@ struct CacheState {
 #[derive(Debug)]
 struct Entry {
     body: Arc<ElasticBody>,
-    /// Factors that no job has in hand.
+    /// Factors that no job is using.
     factors: Vec<Cholesky>,
 }
 
@@ -90,7 +90,7 @@ impl FactorCache {
         });
     }
 
-    /// A factor of some stiffness of a body; of none if no job has left one.
+    /// A factor of this body, ready to be refactored; empty if the cache holds none.
     pub(crate) fn acquire(self: &Arc<Self>, body: &Arc<ElasticBody>) -> PooledFactor {
         let kept = self.change(|state| {
             let entry = state.entries.iter_mut().find(|entry| Arc::ptr_eq(&entry.body, body));
@@ -128,7 +128,7 @@ impl FactorCache {
         state.stats.bytes = bytes;
         let surplus: Vec<Entry> = state.entries.drain(..removed).collect();
         drop(state);
-        // To give memory back takes its time, for which nobody has to wait.
+        // Freeing memory takes milliseconds; the lock is not held meanwhile.
         drop(surplus);
         outcome
     }
@@ -138,7 +138,7 @@ impl FactorCache {
     }
 }
 
-/// A factor in the hands of a job; goes back to the cache that it is from, if any, when it is dropped.
+/// A factor that a job is using; dropping it returns it to its cache, if it has one.
 pub(crate) struct PooledFactor {
     factor: Cholesky,
     owner: Option<(Arc<FactorCache>, Arc<ElasticBody>)>,
@@ -222,7 +222,7 @@ mod tests {
         assert_eq!(cache.stats().bytes, bare + size);
         let again = cache.acquire(&body);
         assert_eq!((again.bytes(), cache.stats().bytes), (size, bare));
-        // What is no longer wanted goes with its last user.
+        // A factor whose body was evicted is freed when it is dropped.
         cache.change(|state| state.entries.clear());
         drop(again);
         assert_eq!(cache.stats().bytes, 0);

@@ -42,7 +42,7 @@ impl RadialEnvelope {
     }
 }
 
-/// The direction before that of a point, and how far it is on the way to the next.
+/// Index of the sampled direction at or before that of a point, and the fraction of the step to the next one.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -179,7 +179,7 @@ impl System {
         }
     }
 
-    /// Whether the stiffness in force is the elastic one.
+    /// Whether the present stiffness is the elastic one.
     pub fn is_elastic(&self) -> bool {
         self.bodies
             .iter()

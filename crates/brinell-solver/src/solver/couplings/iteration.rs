@@ -26,7 +26,7 @@ pub(crate) struct State {
     pub response: Response,
     /// Initial-stress loads that were applied.
     pub loads: BlockVector,
-    /// Factors of the stiffness in force, where it is not that of the system: the secant one.
+    /// Factors of the present stiffness where it differs from that of the system (secant stiffness).
     pub factors: Option<Vec<Cholesky>>,
 }
 
@@ -46,11 +46,11 @@ pub(crate) struct InitialState {
     pub displacement: Option<BlockVector>,
     /// Iterations made before, on other linearizations.
     pub history: Vec<IterationRecord>,
-    /// Factorizations made for this one, to be told with its first iteration.
+    /// Factorizations made for this iteration, recorded with its first step.
     pub factorizations: usize,
 }
 
-/// Iterations on one linearization before its rate is judged.
+/// Iterations on one linearization before its convergence rate is estimated.
 const TRIAL: usize = 8;
 /// Iterations that the rate is taken from.
 const RATE_SPAN: usize = 7;
@@ -171,7 +171,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// Writes down an iteration that went from the displacements `start` to a response which the plastic law
-    /// finds to be `residual_norm` \[N/mm\] off balance. `Some` says that it was the last, and how it ended.
+    /// leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the status of an iteration that ends here.
     pub fn record(
         &mut self,
         start: &BlockVector,
@@ -216,7 +216,7 @@ impl<'a> Iteration<'a> {
         }
         let tolerance = self.controls.tolerance;
         let residual = record.equilibrium_residual;
-        // Without any residual_norm (elastic bodies) there is nothing left to change.
+        // A residual of zero (elastic bodies) cannot change any more.
         if residual <= tolerance && (record.displacement_change <= tolerance || residual == 0.0) {
             Some(SolveStatus::Converged)
         } else if record.iteration >= self.controls.max_iterations {
@@ -226,7 +226,7 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Whether, at the rate of late, so many more iterations are needed that another linearization would pay.
+    /// Whether, at the present convergence rate, the iterations left cost more than another linearization.
     pub fn has_stalled(&self) -> bool {
         let residual = |k: usize| self.history[k].equilibrium_residual;
         let now = self.history.len();
@@ -235,7 +235,7 @@ impl<'a> Iteration<'a> {
         }
         let rate = (residual(now - RATE_SPAN) / residual(now - 1)).ln() / (RATE_SPAN - 1) as f64;
         let remaining = (residual(now - 1) / self.controls.tolerance).ln();
-        // So does a rate of zero, or backwards.
+        // True as well for a rate of zero or below.
         remaining >= MAX_REMAINING * rate
     }
 

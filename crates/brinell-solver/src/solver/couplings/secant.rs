@@ -43,13 +43,13 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
-            // Whole, as in the paper: what is compared are methods, not what this factorization knows from last time.
+            // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
             factor.forget();
             let refactored = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
                 refactor(factor, values, observer)
             });
             match refactored {
-                // What has been iterated is worth keeping.
+                // The iterations so far are kept.
                 Err(SolveError::Interrupted(interrupt)) => {
                     let state = State { response, loads: system.zeros(), factors: None };
                     return Ok(iteration.finish(state, Some(interrupt.into())));

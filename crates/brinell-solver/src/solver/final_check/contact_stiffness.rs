@@ -75,7 +75,7 @@ const OVERHANG: f64 = 0.25;
 /// pairs.
 ///
 /// The stiffness grows in steps as pair after pair comes into contact. Between two steps it is interpolated, by how it
-/// would change with one pair more or less; for that the flexibility in force is near enough.
+/// would change with one pair more or less; for that the present flexibility is accurate enough.
 fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f64 {
     let stiffness = |pairs: &[usize]| -> Option<f64> {
         let factor = DenseCholesky::factor(pairs.len(), system.flexibility.principal_block(pairs)).ok()?;

@@ -24,7 +24,7 @@ const RESIDUAL_SLACK: f64 = 1.5;
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
-/// believed is taken over. Takes stresses and nodal displacements out of the pass.
+/// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
     pass: &mut MeshSolve,
     load: ContactLoad,
@@ -50,7 +50,7 @@ pub(crate) fn finish(
     phases.time(Phase::Output, observer, || final_check(pass, contact_stiffness, load, tolerance))
 }
 
-/// The final state, as far as it is judged.
+/// The quantities of the final state that are checked.
 struct Final {
     /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
     unloaded_gap: Vec<f64>,
@@ -81,7 +81,7 @@ fn from_fields(pass: &mut MeshSolve) -> Final {
     Final { unloaded_gap, equilibrium_residual, bodies }
 }
 
-/// By what the iteration believes, for there are no fields of one that was stopped.
+/// From the last iterate: an iteration that was stopped has no fields.
 fn from_iteration(pass: &MeshSolve) -> Final {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
@@ -163,7 +163,7 @@ fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f
                 x: system.zone.abscissa(k),
                 pressure: pressures[k],
                 force: force[k] * if on_axis { 2.0 } else { 1.0 },
-                // In contact the gap is zero by definition; what rounding leaves there is judged, not shown.
+                // In contact the gap is zero by definition; the rounding error there is checked, not reported.
                 gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach },
             }
         })

@@ -105,7 +105,7 @@ impl<'a> LoadStepper<'a> {
         let tolerance = request.solver.tolerance.get();
         let mut step = final_check::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
         step.coarse = figures;
-        // What nobody needs any more goes here, because giving memory back takes its time.
+        // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
             drop((sizing, outgrown));
             let (extent, coarse, fine) = (found?, coarse.into_reusable(load), pass.into_reusable(load));
