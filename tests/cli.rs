@@ -98,8 +98,8 @@ fn the_table_says_what_matters() {
     let output = brinell(&["solve", EXAMPLE, "--format", "table"], "");
     let table = stdout(&output);
     for expected in [
-        "upper  cylinder R 20",
-        "lower  cylinder R 20",
+        "upper  Cylinder R 20",
+        "lower  Cylinder R 20",
         "force 612.6106 N/mm",
         "converged in",
         "peak pressure",

@@ -12,27 +12,27 @@ from brinell_client.api.theory import post_hertz, post_validate
 from brinell_client.models import (
     Analysis,
     Bilinear,
-    Body,
+    ContactBody,
     Cylinder,
     Deformable,
     ForceLoad,
-    Job,
+    ContactJob,
     JobState,
     Problem,
     SolveStatus,
 )
 
 
-def reference_problem() -> Job:
+def reference_problem() -> ContactJob:
     """Two steel cylinders of 20 mm radius at three times their yield stress."""
 
-    def cylinder() -> Body:
+    def cylinder() -> ContactBody:
         law = Bilinear(law="bilinear", yield_stress=500.0, tangent_modulus=10500.0)
         steel = Deformable(young_modulus=210000.0, poisson_ratio=0.3, plasticity=law)
-        return Body(shape=Cylinder(type_="cylinder", radius=20.0), material=steel)
+        return ContactBody(shape=Cylinder(type_="cylinder", radius=20.0), material=steel)
 
     load = ForceLoad(force=612.6106)
-    return Job(analysis=Analysis.PLANE_STRAIN, upper=cylinder(), lower=cylinder(), load=load)
+    return ContactJob(analysis=Analysis.PLANE_STRAIN, upper=cylinder(), lower=cylinder(), load=load)
 
 
 def main() -> None:

@@ -46,7 +46,7 @@ impl ClosedForm {
     pub fn of(job: &Job) -> Result<Self, Vec<FieldError>> {
         let Load::Forces(forces) = &job.load else {
             let detail = "the closed form takes a force or forces; the approach of two cylinders has none";
-            return Err(vec![FieldError::new("/load", detail)]);
+            return Err(vec![FieldError::not_solvable("/load", detail)]);
         };
         let (units, force_unit) = (job.units, job.analysis.force());
         let mut whole = None;
@@ -73,7 +73,7 @@ impl ClosedForm {
 
 fn not_hertzian() -> Vec<FieldError> {
     let detail = "Hertz's theory needs arcs that open away from the contact, and a body that deforms";
-    ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
+    ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::not_solvable(pointer, detail)).to_vec()
 }
 
 #[cfg(test)]

@@ -83,7 +83,7 @@ impl JobSolver for TestSolver {
             }
             Some("impossible") => {
                 let detail = "more than the ring can carry".to_owned();
-                Err(RunError::Input(vec![FieldError { pointer: "/load/force".to_owned(), detail }]))
+                Err(RunError::Input(vec![FieldError::not_solvable("/load/force", detail)]))
             }
             Some("expire") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),

@@ -1,5 +1,7 @@
 /** What a job is made of: the fields of every shape, hardening law and setting, and sensible values to begin with. */
 
+import * as tables from './tables.js';
+
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 /**
  * @typedef {object} Field
@@ -12,118 +14,44 @@
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
  * @property {[Quantity, Quantity]} [pair] quantities of points
+ * @property {string} [description]
+ * @property {number | [number, number][]} [example] typical, in mm, N, MPa
+ * @property {boolean} [optional]
  */
-/** @typedef {{label: string, fields: Field[]}} Kind */
+/** @typedef {{label: string, description?: string, fields: Field[]}} Kind */
 
 /** @type {Record<string, Kind>} */
-export const SHAPES = {
-  cylinder: { label: 'Cylinder', fields: [{ key: 'radius', label: 'Radius', symbol: 'R', quantity: 'length' }] },
-  block: {
-    label: 'Block',
-    fields: [
-      { key: 'width', label: 'Width', symbol: 'w', quantity: 'length' },
-      { key: 'depth', label: 'Depth', symbol: 'd', quantity: 'length' },
-    ],
-  },
-  groove: {
-    label: 'Groove',
-    fields: [
-      { key: 'radius', label: 'Radius', symbol: 'R', quantity: 'length' },
-      { key: 'width', label: 'Width', symbol: 'w', quantity: 'length' },
-      { key: 'depth', label: 'Depth', symbol: 'd', quantity: 'length' },
-    ],
-  },
-  profile: {
-    label: 'Profile',
-    fields: [
-      {
-        key: 'points',
-        label: 'Points',
-        symbol: 'x, height',
-        kind: 'points',
-        pair: ['length', 'length'],
-        hint: 'One point a line, x rising and passing 0; paste from a spreadsheet.',
-      },
-      { key: 'depth', label: 'Depth', symbol: 'd', quantity: 'length' },
-    ],
-  },
-};
+export const SHAPES = mapValues(tables.SHAPES, withHints);
 
 /** @type {Record<string, Kind>} */
 export const LAWS = {
   elastic: { label: 'Elastic', fields: [] },
-  bilinear: {
-    label: 'Bilinear',
-    fields: [
-      { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      {
-        key: 'tangent_modulus',
-        label: 'Tangent modulus',
-        symbol: 'E_t',
-        quantity: 'stress',
-        hint: '0 is perfectly plastic.',
-      },
-    ],
-  },
-  ramberg_osgood: {
-    label: 'Ramberg–Osgood',
-    fields: [
-      { key: 'reference_stress', label: 'Reference stress', symbol: 'σ_0', quantity: 'stress' },
-      { key: 'offset', label: 'Offset', symbol: 'a', quantity: 'number', hint: 'ε_p = a (σ_0/E)(q/σ_0)^m' },
-      { key: 'exponent', label: 'Exponent', symbol: 'm', quantity: 'number' },
-    ],
-  },
-  swift: {
-    label: 'Swift',
-    fields: [
-      { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      {
-        key: 'strain_offset',
-        label: 'Strain offset',
-        symbol: 'ε_0',
-        quantity: 'strain',
-        hint: 'q = σ_y (1 + ε_p/ε_0)^n',
-      },
-      { key: 'exponent', label: 'Exponent', symbol: 'n', quantity: 'number' },
-    ],
-  },
-  ludwik: {
-    label: 'Ludwik',
-    fields: [
-      { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      { key: 'coefficient', label: 'Coefficient', symbol: 'k', quantity: 'stress', hint: 'q = σ_y + k ε_p^n' },
-      { key: 'exponent', label: 'Exponent', symbol: 'n', quantity: 'number' },
-    ],
-  },
-  voce: {
-    label: 'Voce',
-    fields: [
-      { key: 'yield_stress', label: 'Yield stress', symbol: 'σ_y', quantity: 'stress' },
-      {
-        key: 'saturation_stress',
-        label: 'Saturation',
-        symbol: 'σ_s',
-        quantity: 'stress',
-        hint: 'q = σ_y + (σ_s − σ_y)(1 − exp(−b ε_p))',
-      },
-      { key: 'rate', label: 'Rate', symbol: 'b', quantity: 'number' },
-    ],
-  },
-  table: {
-    label: 'Table',
-    fields: [
-      {
-        key: 'points',
-        label: 'Points',
-        symbol: 'ε_p, q',
-        kind: 'points',
-        pair: ['strain', 'stress'],
-        hint: 'One point a line, from ε_p = 0, never falling; paste from a spreadsheet.',
-      },
-    ],
-  },
+  ...mapValues(tables.LAWS, withHints),
   rigid: { label: 'Rigid', fields: [] },
 };
+
+/**
+ * The equation of a law stands below its second field; points can be pasted.
+ * @param {Kind} kind
+ * @returns {Kind}
+ */
+function withHints({ fields, ...kind }) {
+  const hint = (/** @type {Field} */ field, /** @type {number} */ index) => {
+    if (field.kind === 'points') return 'One point a line; paste from a spreadsheet.';
+    return index === 1 && kind.description?.includes(' = ') ? kind.description : undefined;
+  };
+  return { ...kind, fields: fields.map((field, index) => ({ ...field, hint: hint(field, index) })) };
+}
+
+/**
+ * @template T
+ * @param {Record<string, T>} record
+ * @param {(value: T) => T} change
+ * @returns {Record<string, T>}
+ */
+function mapValues(record, change) {
+  return Object.fromEntries(Object.entries(record).map(([key, value]) => [key, change(value)]));
+}
 
 /** @type {Field[]} */
 export const ELASTIC = [
@@ -219,8 +147,16 @@ export function shapeLike(type, old) {
       const at = (/** @type {number} */ t) => [round(t * size), round((-t * t * size) / 2)];
       return { type, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), depth: round(2 * size) };
     }
-    default:
-      return { type, radius: round(size) };
+    default: {
+      const { fields } = SHAPES[type];
+      const first = Number(fields[0].example) || size;
+      const typical = (/** @type {Field} */ { example, quantity }) =>
+        typeof example === 'number' && quantity === 'length' ? round((example / first) * size) : example;
+      return {
+        type,
+        ...Object.fromEntries(fields.filter(({ optional }) => !optional).map((field) => [field.key, typical(field)])),
+      };
+    }
   }
 }
 
@@ -231,33 +167,22 @@ export function shapeLike(type, old) {
  * @returns {Record<string, any> | undefined}
  */
 export function plasticityLike(law, material) {
+  if (!LAWS[law]?.fields.length) return undefined;
   const old = material?.plasticity ?? {};
   const modulus = Number(material?.young_modulus) || 210000;
   const strength = Number(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
-  switch (law) {
-    case 'bilinear':
-      return { law, yield_stress: strength, tangent_modulus: round(modulus / 20) };
-    case 'ramberg_osgood':
-      return { law, reference_stress: strength, offset: 0.3, exponent: 5 };
-    case 'swift':
-      return { law, yield_stress: strength, strain_offset: 0.002, exponent: 0.2 };
-    case 'ludwik':
-      return { law, yield_stress: strength, coefficient: strength, exponent: 0.5 };
-    case 'voce':
-      return { law, yield_stress: strength, saturation_stress: round(1.5 * strength), rate: 50 };
-    case 'table':
-      return {
-        law,
-        points: [
-          [0, strength],
-          [0.01, round(1.2 * strength)],
-          [0.05, round(1.5 * strength)],
-        ],
-      };
-    default:
-      return undefined;
-  }
+  // Typical figures are those of a steel of 500 MPa; a slope grows with the modulus, a stress with the strength.
+  const scaled = (/** @type {any} */ value, /** @type {string | undefined} */ quantity, /** @type {string} */ key) =>
+    quantity !== 'stress'
+      ? value
+      : round(key.endsWith('modulus') ? (value / 210000) * modulus : (value / 500) * strength);
+  const typical = (/** @type {Field} */ { key, quantity, pair, example }) =>
+    Array.isArray(example)
+      ? example.map((point) => point.map((value, axis) => scaled(value, pair?.[axis], key)))
+      : scaled(example, quantity, key);
+  const fields = LAWS[law].fields.filter(({ optional }) => !optional);
+  return { law, ...Object.fromEntries(fields.map((field) => [field.key, typical(field)])) };
 }
 
 /** @param {Record<string, any> | undefined} material @returns {string} key of {@link LAWS} */

@@ -1,26 +1,12 @@
 //! A body in a few words.
 
 use super::number::short;
-use brinell_solver::job::{Body, Deformable, Hardening, Material, Shape, Support, Units};
+use brinell_solver::job::fields::{Field, FieldKind, FieldTable, Value};
+use brinell_solver::job::{Body, Deformable, Material, Support, Units};
 
 /// Shape, material and support, in the units of the job.
 pub(super) fn describe(body: &Body, units: Units) -> Vec<String> {
-    let length = |value: f64| short(value / units.length());
-    let mut items = vec![match &body.shape {
-        Shape::Cylinder { radius } => format!("cylinder R {}", length(radius.get())),
-        Shape::Block { width, depth } => {
-            format!("block {} wide {} deep", length(width.get()), length(depth.get()))
-        }
-        Shape::Groove(groove) => format!(
-            "groove R {} in a block {} wide {} deep",
-            length(groove.radius().get()),
-            length(groove.width().get()),
-            length(groove.depth().get())
-        ),
-        Shape::Profile(profile) => {
-            format!("profile of {} points, {} deep", profile.points().len(), length(profile.depth().get()))
-        }
-    }];
+    let mut items = vec![describe_fields(body.shape.table(), body.shape.values(), units)];
     match &body.material {
         Material::Rigid => items.push("rigid".to_owned()),
         Material::Deformable(material) => {
@@ -41,20 +27,21 @@ fn describe_material(material: &Deformable, units: Units) -> Vec<String> {
         format!("E {}", stress(elastic.young_modulus.get())),
         format!("ν {}", short(elastic.poisson_ratio.get())),
     ];
-    items.extend(material.plasticity().map(|law| match law {
-        Hardening::Bilinear { yield_stress, tangent_modulus } => {
-            format!("bilinear σ_y {} E_t {}", stress(yield_stress.get()), stress(tangent_modulus.get()))
-        }
-        Hardening::RambergOsgood { reference_stress, offset, exponent } => format!(
-            "Ramberg-Osgood σ_0 {} a {} m {}",
-            stress(reference_stress.get()),
-            short(offset.get()),
-            short(exponent.get())
-        ),
-        Hardening::Table { points } => format!("hardening table of {} points", points.as_slice().len()),
-        Hardening::Swift { yield_stress, .. } => format!("Swift σ_y {}", stress(yield_stress.get())),
-        Hardening::Ludwik { yield_stress, .. } => format!("Ludwik σ_y {}", stress(yield_stress.get())),
-        Hardening::Voce { yield_stress, .. } => format!("Voce σ_y {}", stress(yield_stress.get())),
-    }));
+    items.extend(material.plasticity().map(|law| describe_fields(law.table(), law.values(), units)));
     items
+}
+
+/// An object of the job by its label and its fields, each under its symbol.
+fn describe_fields(table: &FieldTable, values: Vec<(&Field, Value)>, units: Units) -> String {
+    let mut words = vec![table.label.to_owned()];
+    for (field, value) in values {
+        match (value, &field.kind) {
+            (Value::Figure(core), FieldKind::Figure(figure)) => {
+                words.push(format!("{} {}", field.symbol, short(figure.to_wire(units, core))));
+            }
+            (Value::Points(points), _) => words.push(format!("of {} points", points.len())),
+            _ => {}
+        }
+    }
+    words.join(" ")
 }

@@ -5,7 +5,6 @@
 //! Errors follow from what a handler takes in. Tests hold all of it to the real thing (`tests/openapi.rs`), and
 //! `api/openapi.json` to this.
 
-mod job;
 mod problems;
 mod report;
 mod schema;
@@ -17,6 +16,9 @@ use utoipa::openapi::schema::{ObjectBuilder, OneOfBuilder, Schema, Type};
 use utoipa::openapi::{Ref, RefOr};
 
 use super::routes;
+
+/// Where the schemas of the document are.
+const BASE: &str = "#/components/schemas/";
 
 /// The document, as it is served.
 pub(super) fn text() -> &'static str {
@@ -45,8 +47,12 @@ pub fn document() -> Value {
         "scheme": "bearer",
         "description": "The token that `brinell key create` prints. Only where the service asks for API keys.",
     }});
-    document["components"]["schemas"]["Event"] = event();
-    for (name, schema) in job::schemas().into_iter().chain(report::schemas()).chain(problems::schemas()) {
+    document["components"]["schemas"]["JobEvent"] = event();
+    for (name, schema) in brinell_solver::job::schema::schemas(BASE)
+        .into_iter()
+        .chain(report::schemas())
+        .chain(problems::schemas())
+    {
         document["components"]["schemas"][name] = schema;
     }
     problems::declare(&mut document, &super::guarded_routes().into_openapi().paths);
@@ -133,7 +139,7 @@ fn named(name: &str) -> RefOr<Schema> {
 
 /// A job.
 pub(super) fn job() -> RefOr<Schema> {
-    named("Job")
+    named("ContactJob")
 }
 
 /// Labels.

@@ -1,10 +1,6 @@
 //! A small vocabulary for JSON Schema, so that a field is one line: name, unit, meaning, example.
 
-use std::ops::RangeInclusive;
-
 use serde_json::{Map, Value, json};
-
-use brinell_solver::job::{Named, Quantity, Units};
 
 /// A member of an object.
 pub(super) struct Field {
@@ -39,12 +35,6 @@ pub(super) fn object(description: &str, fields: impl IntoIterator<Item = Field>)
     object
 }
 
-/// The same, and any further member is an error.
-pub(super) fn closed(mut object: Value) -> Value {
-    object["additionalProperties"] = json!(false);
-    object
-}
-
 /// A schema of the document by its name.
 pub(super) fn named(name: &str) -> Value {
     json!({"$ref": format!("#/components/schemas/{name}")})
@@ -53,20 +43,6 @@ pub(super) fn named(name: &str) -> Value {
 /// The same in a role of its own.
 pub(super) fn named_as(name: &str, description: &str) -> Value {
     json!({"$ref": format!("#/components/schemas/{name}"), "description": description})
-}
-
-/// Exactly one of these, told apart by the word under `key`.
-pub(super) fn tagged(description: &str, key: &str, variants: &[(&str, &str)]) -> Value {
-    let references: Vec<_> = variants.iter().map(|(_, name)| named(name)).collect();
-    let mapping: Map<String, Value> = variants
-        .iter()
-        .map(|(word, name)| ((*word).to_owned(), json!(format!("#/components/schemas/{name}"))))
-        .collect();
-    json!({
-        "description": description,
-        "oneOf": references,
-        "discriminator": {"propertyName": key, "mapping": mapping},
-    })
 }
 
 /// Exactly one of these.
@@ -85,17 +61,6 @@ pub(super) fn words(description: &str, words: &[&str]) -> Value {
     json!({"type": "string", "description": description, "enum": words})
 }
 
-/// The words of an enumeration.
-pub(super) fn names<T: Named>(description: &str) -> Value {
-    let all: Vec<_> = T::ALL.iter().map(|value| value.name()).collect();
-    words(description, &all)
-}
-
-/// This one word.
-pub(super) fn word(description: &str, word: &str) -> Value {
-    json!({"type": "string", "description": description, "const": word})
-}
-
 /// Some text.
 pub(super) fn text(description: &str, example: &str) -> Value {
     json!({"type": "string", "description": description, "examples": [example]})
@@ -109,45 +74,6 @@ pub(super) fn truth(description: &str) -> Value {
 /// A count.
 pub(super) fn count(description: &str, example: u64) -> Value {
     json!({"type": "integer", "minimum": 0, "description": description, "examples": [example]})
-}
-
-/// A whole number in a range, with its default.
-pub(super) fn whole(description: &str, range: RangeInclusive<u32>, default: u32) -> Value {
-    let (low, high) = range.into_inner();
-    json!({"type": "integer", "description": description, "minimum": low, "maximum": high, "default": default})
-}
-
-/// A pure number in a range.
-pub(super) fn pure(description: &str, range: &RangeInclusive<f64>, example: f64) -> Value {
-    let (low, high) = (range.start(), range.end());
-    json!({"type": "number", "description": format!("{description} Without unit."),
-        "minimum": low, "maximum": high, "examples": [example]})
-}
-
-/// A figure of a job: its units, and in either of them its range.
-///
-/// The bounds of the schema take in both systems of units; the description has those of each.
-pub(super) fn quantity(quantity: Quantity, description: &str, example: f64) -> Value {
-    quantities(&[quantity], description, example)
-}
-
-/// A figure that is one or another quantity, whatever `analysis` says.
-pub(super) fn quantities(quantities: &[Quantity], description: &str, example: f64) -> Value {
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    let mut ranges: Vec<String> = Vec::new();
-    for units in Units::ALL {
-        for quantity in quantities {
-            let (least, most) = quantity.range();
-            let (least, most) = (quantity.to_wire(*units, least), quantity.to_wire(*units, most));
-            let range = format!("{least:e} to {most:e} {}", quantity.symbol(*units));
-            if !ranges.contains(&range) {
-                ranges.push(range);
-            }
-            (low, high) = (low.min(least), high.max(most));
-        }
-    }
-    let description = format!("{description} Range: {}.", ranges.join(" or "));
-    json!({"type": "number", "description": description, "minimum": low, "maximum": high, "examples": [example]})
 }
 
 /// What a figure of a result is measured in.

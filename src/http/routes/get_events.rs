@@ -39,7 +39,7 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
             sent. What is no such id is ignored.", example = "1-12"),
     ),
     responses(
-        (status = OK, description = "The stream, which ends with the job; the schema is that of one event.", body = ref("#/components/schemas/Event"),
+        (status = OK, description = "The stream, which ends with the job; the schema is that of one event.", body = ref("#/components/schemas/JobEvent"),
             content_type = "text/event-stream"),
         (status = NO_CONTENT, description = "The client has seen the end; it need not come again."),
     ),

@@ -12,7 +12,7 @@ use crate::jobs::ClosedForm;
 /// Hertz's contact and the onset of yield, for arcs that open away from the contact under a force or forces.
 #[utoipa::path(
     post, path = "/v1/hertz", tag = "theory",
-    request_body(content = ref("#/components/schemas/Job"), content_type = "application/json", description = "The job."),
+    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses((status = OK, description = "Hertz's figures.", body = ClosedForm)),
     extensions(("x-problems" = json!(["invalid-job"]))),
 )]

@@ -36,7 +36,7 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
             same job; another body is refused.", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#,
             example = "press-7"),
     ),
-    request_body(content = ref("#/components/schemas/Job"), content_type = "application/json", description = "The job."),
+    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
         (status = OK, description = "The result, within the time the client would wait.", body = ref("#/components/schemas/Report"), content_type = "application/json", headers(
             ("Content-Location" = String, description = "Address of the result."),

@@ -31,7 +31,7 @@ const URGENT: i16 = 1;
 /// up cancels its job.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
-    request_body(content = ref("#/components/schemas/Job"), content_type = "application/json", description = "The job."),
+    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
         (status = OK, description = "The result, converged or not; its `status` says which.", body = ref("#/components/schemas/Report"), content_type = "application/json",
             headers(("Content-Location" = String, description = "Address of the result."))),

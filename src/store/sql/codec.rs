@@ -103,7 +103,7 @@ struct StoredFailure {
 impl From<StoredFailure> for JobFailure {
     fn from(stored: StoredFailure) -> Self {
         let errors = stored.errors.into_iter();
-        let errors = errors.map(|(pointer, detail)| FieldError { pointer, detail }).collect();
+        let errors = errors.map(|(pointer, detail)| FieldError::not_solvable(pointer, detail)).collect();
         Self { kind: stored.kind, detail: stored.detail, errors }
     }
 }
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn failures_keep_their_fields() {
-        let failure = JobFailure::input(vec![FieldError::new("/load", "too much")]);
+        let failure = JobFailure::input(vec![FieldError::not_solvable("/load", "too much")]);
         let stored: StoredFailure = from_json(&failure_json(&failure).unwrap()).unwrap();
         assert_eq!(JobFailure::from(stored), failure);
     }

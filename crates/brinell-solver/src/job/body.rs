@@ -22,7 +22,7 @@ impl Body {
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(&["shape", "support", "material"]);
-        let shape = object.required("shape", |c| Shape::read(c, units));
+        let shape = object.required("shape", |c| Shape::read(c, units, &[]));
         let support = object.or("support", Support::default(), |c| c.named());
         let material = object.required("material", |c| Material::read(c, units));
         Some(Self { shape: shape?, material: material?, support: support? })

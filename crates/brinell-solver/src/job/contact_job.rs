@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde::de::Deserialize;
 use serde::ser::{SerializeMap, Serializer};
 
+use super::fields::read_settings;
 use super::reader::{self, Cursor, Faults, Node};
 use super::wire::InUnits;
 use super::{
@@ -71,9 +72,10 @@ impl Analysis {
     }
 }
 
-const KEYS: &[&str] = &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
-
 impl Job {
+    pub(super) const KEYS: &'static [&'static str] =
+        &["analysis", "units", "upper", "lower", "load", "mesh", "solver", "output", "tags"];
+
     /// Parses the wire format. The text is read whole: every fault is reported, not only the first.
     ///
     /// # Errors
@@ -122,16 +124,16 @@ impl Job {
 
     fn read_members(cursor: Cursor<'_>) -> Option<Self> {
         let object = cursor.object()?;
-        object.only(KEYS);
+        object.only(Self::KEYS);
         let analysis = object.required("analysis", |c| c.named::<Analysis>());
         let units = object.or("units", Units::default(), |c| c.named());
         let upper = object.required("upper", |c| Body::read(c, units));
         let lower = object.required("lower", |c| Body::read(c, units));
         let force = analysis.map_or(Quantity::LineForce, Analysis::force);
         let load = object.required("load", |c| Load::read(c, force, units));
-        let mesh = object.or("mesh", MeshSettings::default(), MeshSettings::read);
-        let solver = object.or("solver", SolverSettings::default(), SolverSettings::read);
-        let output = object.or("output", OutputSettings::default(), OutputSettings::read);
+        let mesh = object.or("mesh", MeshSettings::default(), read_settings);
+        let solver = object.or("solver", SolverSettings::default(), read_settings);
+        let output = object.or("output", OutputSettings::default(), read_settings);
         let tags = object.or("tags", BTreeMap::new(), tags::read);
         Some(Self {
             analysis: analysis?,
@@ -167,9 +169,9 @@ impl Serialize for Job {
         map.serialize_entry("upper", &InUnits(&self.upper, units))?;
         map.serialize_entry("lower", &InUnits(&self.lower, units))?;
         map.serialize_entry("load", &InUnits(&self.load, units).with_force(self.analysis.force()))?;
-        map.serialize_entry("mesh", &self.mesh)?;
-        map.serialize_entry("solver", &self.solver)?;
-        map.serialize_entry("output", &self.output)?;
+        map.serialize_entry("mesh", &InUnits(&self.mesh, units))?;
+        map.serialize_entry("solver", &InUnits(&self.solver, units))?;
+        map.serialize_entry("output", &InUnits(&self.output, units))?;
         if !self.tags.is_empty() {
             map.serialize_entry("tags", &self.tags)?;
         }

@@ -5,19 +5,84 @@ use std::fmt;
 use serde::Serialize;
 use thiserror::Error;
 
+use super::Named;
+
 /// One fault in a job, located by its JSON pointer (RFC 6901); `""` is the whole document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FieldError {
     /// Where, e.g. `/lower/material/poisson_ratio`.
     pub pointer: String,
+    /// What kind of fault it is, for programs.
+    pub code: FaultCode,
     /// What is wrong and what would be right, e.g. `must be at least 0 and less than 0.5, got 0.5`.
     pub detail: String,
 }
 
+/// The kinds of faults in a job. There may be more in the future.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FaultCode {
+    /// A member is missing.
+    Required,
+    /// A member that is not known here.
+    UnknownKey,
+    /// A key that is given more than once.
+    DuplicateKey,
+    /// A value of another type, e.g. a string for a number.
+    WrongType,
+    /// A number outside its range.
+    OutOfRange,
+    /// A word that is none of those known here.
+    UnknownWord,
+    /// A list or a text of another length.
+    WrongLength,
+    /// A value that contradicts another one, or that the format cannot hold.
+    Inconsistent,
+    /// A job in order whose contact is not solved.
+    NotSolvable,
+    /// Further faults are not listed.
+    MoreFaults,
+}
+
+impl Named for FaultCode {
+    const ALL: &'static [Self] = &[
+        Self::Required,
+        Self::UnknownKey,
+        Self::DuplicateKey,
+        Self::WrongType,
+        Self::OutOfRange,
+        Self::UnknownWord,
+        Self::WrongLength,
+        Self::Inconsistent,
+        Self::NotSolvable,
+        Self::MoreFaults,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Required => "required",
+            Self::UnknownKey => "unknown_key",
+            Self::DuplicateKey => "duplicate_key",
+            Self::WrongType => "wrong_type",
+            Self::OutOfRange => "out_of_range",
+            Self::UnknownWord => "unknown_word",
+            Self::WrongLength => "wrong_length",
+            Self::Inconsistent => "inconsistent",
+            Self::NotSolvable => "not_solvable",
+            Self::MoreFaults => "more_faults",
+        }
+    }
+}
+
 impl FieldError {
-    /// A fault at a place.
+    /// A value that contradicts another one.
     pub fn new(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
-        Self { pointer: pointer.into(), detail: detail.into() }
+        Self { pointer: pointer.into(), code: FaultCode::Inconsistent, detail: detail.into() }
+    }
+
+    /// A job in order whose contact is not solved because of this field.
+    pub fn not_solvable(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
+        Self { pointer: pointer.into(), code: FaultCode::NotSolvable, detail: detail.into() }
     }
 }
 

@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FieldError, PositiveF64, Quantity, Units};
+use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
 
 /// What presses the bodies together. Several values are a sweep, one step each.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,7 +97,7 @@ impl Load {
                 if object.required("onset", |c| c.boolean())? {
                     return Some(Self::Onset);
                 }
-                object.fault("onset", format_args!("must be true"));
+                object.fault("onset", FaultCode::OutOfRange, format_args!("must be true"));
                 None
             }
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
@@ -105,9 +105,15 @@ impl Load {
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
         let loads: Vec<_> = given.iter().map(|kind| read(kind)).collect();
         match loads.len() {
-            0 => object.fault_here(format_args!("must have one of: {}", Self::KINDS.join(", "))),
+            0 => object.fault_here(
+                FaultCode::Required,
+                format_args!("must have one of: {}", Self::KINDS.join(", ")),
+            ),
             1 => return loads.into_iter().next().flatten(),
-            _ => object.fault_here(format_args!("must have only one of: {}", Self::KINDS.join(", "))),
+            _ => object.fault_here(
+                FaultCode::Inconsistent,
+                format_args!("must have only one of: {}", Self::KINDS.join(", ")),
+            ),
         }
         None
     }

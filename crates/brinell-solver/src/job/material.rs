@@ -1,11 +1,15 @@
 //! Elastic constants, and the material as a whole.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
+use super::HardeningLaw;
+use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
-use super::{FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
+use super::{FaultCode, FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
 
 /// What a body is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,10 +28,15 @@ impl Material {
         }
         let rigid = object.required("rigid", |c| c.boolean())?;
         if !rigid {
-            object.fault("rigid", format_args!("must be true, or left out for a body that deforms"));
+            object.fault(
+                "rigid",
+                FaultCode::OutOfRange,
+                format_args!("must be true, or left out for a body that deforms"),
+            );
             return None;
         }
-        object.only(&["rigid"]);
+        let is_deformable = Deformable::KEYS.iter().any(|key| *key != "rigid" && object.has(key));
+        object.only(if is_deformable { &["rigid"] } else { Deformable::KEYS });
         Some(Self::Rigid)
     }
 }
@@ -40,14 +49,16 @@ pub struct Deformable {
 }
 
 impl Deformable {
+    const KEYS: &[&str] = &["young_modulus", "poisson_ratio", "plasticity", "rigid"];
+
     /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent in range
     /// (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
     ///
     /// # Errors
     /// Every fault, with a pointer relative to the material, e.g. `/plasticity/tangent_modulus`.
     pub fn new(elastic: Elastic, plasticity: Option<Hardening>) -> Result<Self, Vec<FieldError>> {
-        let mut faults =
-            plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(elastic.young_modulus));
+        let beside = [("young_modulus", elastic.young_modulus.get())];
+        let mut faults = plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(&beside));
         if faults.is_empty() {
             return Ok(Self { elastic, plasticity });
         }
@@ -67,6 +78,12 @@ impl Deformable {
         self.plasticity.as_ref()
     }
 
+    /// The curve of the hardening law; `None` is purely elastic.
+    pub fn hardening_law(&self) -> Option<Arc<dyn HardeningLaw>> {
+        let young_modulus = self.elastic.young_modulus.get();
+        self.plasticity.as_ref().map(|law| law.curve(young_modulus))
+    }
+
     /// The same elastic constants without a hardening curve.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
@@ -74,23 +91,26 @@ impl Deformable {
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
-        object.only(&["young_modulus", "poisson_ratio", "plasticity", "rigid"]);
-        let young_modulus = object.required("young_modulus", |c| c.quantity(Quantity::Modulus, units));
-        let poisson_ratio = object.required("poisson_ratio", |c| c.in_type(PoissonRatio::new));
-        let plasticity =
-            object.or("plasticity", None, |c| Hardening::read(c, units, young_modulus).map(Some));
-        let elastic = Elastic { young_modulus: young_modulus?, poisson_ratio: poisson_ratio? };
-        object.checked(Self::new(elastic, plasticity?))
+        object.only(Self::KEYS);
+        let mut known = Known::default();
+        let elastic = Elastic::read_fields(object, units, None, &mut known);
+        let beside: Vec<_> =
+            known.figure("young_modulus").map(|modulus| ("young_modulus", modulus)).into_iter().collect();
+        let plasticity = object.or("plasticity", None, |c| Hardening::read(c, units, &beside).map(Some));
+        object.checked(Self::new(elastic?, plasticity?))
     }
 }
 
-/// Isotropic linear elasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Elastic {
-    /// Young's modulus E \[MPa\].
-    pub young_modulus: PositiveF64,
-    /// Poisson's ratio ν.
-    pub poisson_ratio: PoissonRatio,
+record! {
+    /// Isotropic linear elasticity.
+    #[derive(Copy)]
+    pub struct Elastic("", "Elastic") {
+        /// Young's modulus E.
+        pub young_modulus: PositiveF64 =
+            Field::quantity(Quantity::Modulus).label("Young’s modulus", "E").example(210_000.0),
+        /// Poisson's ratio ν, below 0.5.
+        pub poisson_ratio: PoissonRatio = Field::below(0.0, 0.5).label("Poisson’s ratio", "ν").example(0.3),
+    }
 }
 
 impl Elastic {
@@ -116,8 +136,7 @@ impl Serialize for InUnits<'_, Material> {
         match self.0 {
             Material::Rigid => map.serialize_entry("rigid", &true)?,
             Material::Deformable(deformable) => {
-                self.entry(&mut map, "young_modulus", Quantity::Modulus, deformable.elastic.young_modulus)?;
-                map.serialize_entry("poisson_ratio", &deformable.elastic.poisson_ratio)?;
+                write_record(&deformable.elastic, &mut map, self.1)?;
                 if let Some(curve) = &deformable.plasticity {
                     map.serialize_entry("plasticity", &InUnits(curve, self.1))?;
                 }
@@ -130,6 +149,7 @@ impl Serialize for InUnits<'_, Material> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::{Bilinear, RambergOsgood, Swift, Voce};
 
     fn positive(value: f64) -> PositiveF64 {
         PositiveF64::new(value).unwrap()
@@ -153,9 +173,11 @@ mod tests {
 
     #[test]
     fn the_tangent_lies_below_the_elastic_slope() {
-        let bilinear = |slope| Hardening::Bilinear {
-            yield_stress: positive(500.0),
-            tangent_modulus: super::super::NonNegativeF64::new(slope).unwrap(),
+        let bilinear = |slope| {
+            Hardening::Bilinear(Bilinear {
+                yield_stress: positive(500.0),
+                tangent_modulus: super::super::NonNegativeF64::new(slope).unwrap(),
+            })
         };
         assert!(faults_of(bilinear(0.0)).is_empty());
         assert!(faults_of(bilinear(209_999.0)).is_empty());
@@ -167,14 +189,15 @@ mod tests {
     fn exponents_and_saturation_are_checked() {
         let (reference_stress, offset) = (positive(500.0), positive(0.3));
         let exponent = positive(0.9);
-        let faults = faults_of(Hardening::RambergOsgood { reference_stress, offset, exponent });
+        let faults =
+            faults_of(Hardening::RambergOsgood(RambergOsgood { reference_stress, offset, exponent }));
         assert_eq!(faults, ["/plasticity/exponent: must be between 1 and 200"]);
         let (yield_stress, rate) = (positive(300.0), positive(10.0));
         let saturation_stress = positive(299.0);
-        let faults = faults_of(Hardening::Voce { yield_stress, saturation_stress, rate });
+        let faults = faults_of(Hardening::Voce(Voce { yield_stress, saturation_stress, rate }));
         assert_eq!(faults, ["/plasticity/saturation_stress: must be at least `yield_stress`"]);
         let (strain_offset, exponent) = (positive(0.01), positive(1.1));
-        let faults = faults_of(Hardening::Swift { yield_stress, strain_offset, exponent });
+        let faults = faults_of(Hardening::Swift(Swift { yield_stress, strain_offset, exponent }));
         assert_eq!(faults, ["/plasticity/exponent: must be between 0.001 and 1"]);
     }
 }

@@ -12,38 +12,37 @@
 pub mod body;
 pub mod contact_job;
 pub mod error;
-pub mod groove;
+pub mod fields;
 pub mod hardening;
 pub mod load;
 pub mod material;
 pub mod number;
-pub mod profile;
 pub mod quantity;
 mod reader;
 mod revolution;
 #[cfg(test)]
 mod roundtrip;
+pub mod schema;
 pub mod settings;
 pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
-pub mod table;
 pub mod tags;
 pub mod units;
 mod wire;
 
 pub use body::{Body, Support};
 pub use contact_job::{Analysis, Job};
-pub use error::{FieldError, JobError};
-pub use groove::Groove;
-pub use hardening::Hardening;
+pub use error::{FaultCode, FieldError, JobError};
+pub use fields::{Field, FieldTable};
+pub use hardening::{
+    Bilinear, Hardening, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
+};
 pub use load::{Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
-pub use profile::Profile;
 pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings};
-pub use shape::Shape;
-pub use table::TablePoints;
+pub use shape::{Block, Cylinder, Groove, Profile, Shape};
 pub use units::Units;

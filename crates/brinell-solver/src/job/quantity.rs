@@ -41,6 +41,13 @@ impl Quantity {
         }
     }
 
+    /// The same in a system of units, without the digits that the conversion leaves at the end.
+    pub fn wire_range(self, units: Units) -> (f64, f64) {
+        let (low, high) = self.range();
+        let round = |value: f64| format!("{value:.5e}").parse().unwrap_or(value);
+        (round(self.to_wire(units, low)), round(self.to_wire(units, high)))
+    }
+
     /// How the unit of this quantity is written.
     pub const fn symbol(self, units: Units) -> &'static str {
         match (self, units) {
@@ -112,6 +119,13 @@ mod tests {
         assert_eq!(Quantity::Modulus.to_core(Units::Si, 210e9), 210_000.0);
         assert_eq!(Quantity::LineForce.to_core(Units::Si, 612_610.6), 612.6106);
         assert_eq!(Quantity::Length.to_core(Units::Si, 0.02), 20.0);
+    }
+
+    #[test]
+    fn limits_are_round_in_either_system() {
+        assert_eq!(Quantity::Length.wire_range(Units::Si), (1e-9, 1e3));
+        assert_eq!(Quantity::Modulus.wire_range(Units::Si), (1e3, 1e14));
+        assert_eq!(Quantity::LineForce.wire_range(Units::Si), (1e-6, 1e12));
     }
 
     #[test]

@@ -1,17 +1,20 @@
 //! How the job is to be solved and what is to be reported.
 
-use std::ops::RangeInclusive;
-
 use serde::Serialize;
 
-use super::reader::Cursor;
+use super::fields::{Field, record};
 use super::{Named, PositiveF64};
 
-/// Mesh request.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct MeshSettings {
-    /// Elements over one contact half-width, `4..=MAX_ELEMENTS_PER_HALF_WIDTH`. Default 20.
-    pub elements_per_half_width: u32,
+record! {
+    /// The mesh.
+    #[derive(Copy)]
+    pub struct MeshSettings("", "Mesh") {
+        /// Elements over one contact half-width.
+        pub elements_per_half_width: u32 = Field::whole(
+            MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH..=MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH,
+        )
+        .label("Elements per half-width", ""),
+    }
 }
 
 impl MeshSettings {
@@ -19,15 +22,6 @@ impl MeshSettings {
     pub const MIN_ELEMENTS_PER_HALF_WIDTH: u32 = 4;
     /// Most elements over a half-width that a job may ask for (about 2.5 million equations a body).
     pub const MAX_ELEMENTS_PER_HALF_WIDTH: u32 = 320;
-
-    pub(super) fn read(cursor: Cursor<'_>) -> Option<Self> {
-        let object = cursor.object()?;
-        object.only(&["elements_per_half_width"]);
-        let range = Self::MIN_ELEMENTS_PER_HALF_WIDTH..=Self::MAX_ELEMENTS_PER_HALF_WIDTH;
-        let default = Self::default().elements_per_half_width;
-        let elements = object.or("elements_per_half_width", default, |c| c.integer(&range));
-        Some(Self { elements_per_half_width: elements? })
-    }
 }
 
 impl Default for MeshSettings {
@@ -86,41 +80,18 @@ impl Named for ContactMethod {
     }
 }
 
-/// Iteration controls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SolverSettings {
-    /// Coupling of contact and plasticity.
-    pub coupling: Coupling,
-    /// Contact method.
-    pub contact: ContactMethod,
-    /// Relative tolerance on the displacement change and on the equilibrium residual, in
-    /// [`TOLERANCES`](Self::TOLERANCES). Default 1e-6.
-    pub tolerance: PositiveF64,
-    /// Iteration limit, in [`ITERATION_LIMITS`](Self::ITERATION_LIMITS). Default 500.
-    pub max_iterations: u32,
-}
-
-impl SolverSettings {
-    /// Tolerances that a job may ask for.
-    pub const TOLERANCES: RangeInclusive<f64> = 1e-12..=1e-1;
-    /// Iteration limits that a job may ask for.
-    pub const ITERATION_LIMITS: RangeInclusive<u32> = 1..=100_000;
-
-    pub(super) fn read(cursor: Cursor<'_>) -> Option<Self> {
-        let object = cursor.object()?;
-        object.only(&["coupling", "contact", "tolerance", "max_iterations"]);
-        let default = Self::default();
-        let coupling = object.or("coupling", default.coupling, |c| c.named());
-        let contact = object.or("contact", default.contact, |c| c.named());
-        let tolerance = object.or("tolerance", default.tolerance, |c| c.number_in(&Self::TOLERANCES));
-        let max_iterations =
-            object.or("max_iterations", default.max_iterations, |c| c.integer(&Self::ITERATION_LIMITS));
-        Some(Self {
-            coupling: coupling?,
-            contact: contact?,
-            tolerance: tolerance?,
-            max_iterations: max_iterations?,
-        })
+record! {
+    /// Iteration controls.
+    #[derive(Copy)]
+    pub struct SolverSettings("", "Solver") {
+        /// How the contact iteration and the plastic iteration alternate.
+        pub coupling: Coupling = Field::choice::<Coupling>("Coupling").label("Coupling", ""),
+        /// The method that solves the contact conditions.
+        pub contact: ContactMethod = Field::choice::<ContactMethod>("ContactMethod").label("Contact method", ""),
+        /// Relative tolerance on the displacement change and on the out-of-balance force.
+        pub tolerance: PositiveF64 = Field::pure(1e-12..=1e-1).label("Tolerance", ""),
+        /// Iteration limit.
+        pub max_iterations: u32 = Field::whole(1..=100_000).label("Iterations at most", ""),
     }
 }
 
@@ -135,23 +106,14 @@ impl Default for SolverSettings {
     }
 }
 
-/// What the result contains beside the contact itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct OutputSettings {
-    /// Stresses over depth under the peak pressure. Default true.
-    pub subsurface: bool,
-    /// Mesh and nodal fields. Default false.
-    pub fields: bool,
-}
-
-impl OutputSettings {
-    pub(super) fn read(cursor: Cursor<'_>) -> Option<Self> {
-        let object = cursor.object()?;
-        object.only(&["subsurface", "fields"]);
-        let default = Self::default();
-        let subsurface = object.or("subsurface", default.subsurface, |c| c.boolean());
-        let fields = object.or("fields", default.fields, |c| c.boolean());
-        Some(Self { subsurface: subsurface?, fields: fields? })
+record! {
+    /// What the result contains beside the contact itself.
+    #[derive(Copy)]
+    pub struct OutputSettings("", "Output") {
+        /// Stresses over depth under the peak pressure.
+        pub subsurface: bool = Field::flag().label("Stresses over depth", ""),
+        /// Mesh and nodal fields, some megabytes.
+        pub fields: bool = Field::flag().label("Stress field on the mesh", ""),
     }
 }
 

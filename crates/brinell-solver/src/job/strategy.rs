@@ -7,8 +7,15 @@ use std::collections::BTreeMap;
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 
-use super::reader::Named;
-use super::*;
+use serde::Deserialize;
+
+use super::fields::{Example, FieldKind};
+use super::reader::{Cursor, Faults, Named, Node};
+use super::{
+    Analysis, Body, ContactMethod, Coupling, Deformable, Elastic, Field, FieldTable, Hardening, Job, Load,
+    Material, MeshSettings, OutputSettings, PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep,
+    Units,
+};
 
 /// A positive number within two decades of a typical one, so that it is in range in either unit system.
 fn near(typical: f64) -> impl Strategy<Value = PositiveF64> {
@@ -19,65 +26,74 @@ fn between(low: f64, high: f64) -> impl Strategy<Value = PositiveF64> {
     (low..=high).prop_map(|value| PositiveF64::new(value).unwrap())
 }
 
+/// Any object of these tables, by drawing every figure near the typical one. What breaks a rule between several
+/// figures is drawn again.
+fn any_of_tables<T: std::fmt::Debug>(
+    tag: &'static str,
+    tables: &'static [FieldTable],
+    read: fn(Cursor<'_>) -> Option<T>,
+) -> impl Strategy<Value = T> {
+    let one = |table: &'static FieldTable| {
+        let members: Vec<_> =
+            table.fields.iter().map(|field| member(field).prop_map(|value| (field.key, value))).collect();
+        members.prop_map(move |members| {
+            let mut object: serde_json::Map<_, _> =
+                members.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+            object.insert(tag.to_owned(), table.word.into());
+            serde_json::Value::Object(object)
+        })
+    };
+    let any = proptest::strategy::Union::new(tables.iter().map(one));
+    any.prop_filter_map("a rule between figures is broken", move |object| {
+        let (node, faults) = (Node::deserialize(&object).unwrap(), Faults::default());
+        read(Cursor::root(&node, &faults))
+    })
+}
+
+/// The value of one field in the wire format, within two decades of the typical one and in range in either unit system.
+fn member(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
+    match (&field.kind, field.example) {
+        (FieldKind::Figure(figure), Example::Figure(typical)) => {
+            let (low, high) = figure.range();
+            let drawn = (-2.0..2.0_f64).prop_map(move |decades| typical * 10_f64.powf(decades));
+            drawn.prop_map(move |value| value.clamp(low, high).into()).boxed()
+        }
+        // Points that rise in both columns from the first one, as far as the typical ones do.
+        (FieldKind::Points { count, .. }, Example::Points(typical)) => {
+            let first = typical[0];
+            let step =
+                move |axis: usize| typical.iter().map(|point| point[axis] - first[axis]).fold(0.0, f64::max);
+            vec((0.01..1.0_f64, 0.0..1.0_f64), *count.start()..20)
+                .prop_map(move |steps| {
+                    let (mut point, mut points) = (first, Vec::new());
+                    for (x, y) in steps {
+                        points.push(point);
+                        point = [point[0] + x * step(0), point[1] + y * step(1)];
+                    }
+                    serde_json::json!(points)
+                })
+                .boxed()
+        }
+        _ => panic!("{} has no example", field.key),
+    }
+}
+
 fn shape() -> impl Strategy<Value = Shape> {
-    let profile = (vec((0.01..1.0, -1.0..1.0_f64), 2..20), near(300.0)).prop_map(|(steps, depth)| {
-        let mut x = -0.005;
-        let points = steps.into_iter().map(|(step, height)| {
-            let point = [x, height];
-            x += step;
-            point
-        });
-        Shape::Profile(Profile::new(points.collect(), depth).unwrap())
-    });
-    prop_oneof![
-        near(20.0).prop_map(|radius| Shape::Cylinder { radius }),
-        (near(200.0), near(200.0)).prop_map(|(width, depth)| Shape::Block { width, depth }),
-        // Below the exact limit: a conversion may move width and radius apart in the last digit.
-        (near(20.0), 0.01..1.99, near(50.0)).prop_map(|(radius, ratio, depth)| {
-            let width = PositiveF64::new(radius.get() * ratio).unwrap();
-            Shape::Groove(Groove::new(radius, width, depth).unwrap())
-        }),
-        profile,
-    ]
+    any_of_tables(Shape::TAG, Shape::TABLES, |cursor| Shape::read(cursor, Some(Units::MmNMpa), &[]))
 }
 
 fn curve() -> impl Strategy<Value = Hardening> {
-    let table = vec((1e-4..1.0, 0.01..10.0_f64), 1..20).prop_map(|steps| {
-        let (mut strain, mut stress) = (0.0, 200.0);
-        let points = steps.into_iter().map(|(strain_step, stress_step)| {
-            let point = [strain, stress];
-            strain += strain_step;
-            stress += stress_step;
-            point
-        });
-        Hardening::Table { points: TablePoints::new(points.collect()).unwrap() }
-    });
-    prop_oneof![
-        (near(500.0), 0.0..90.0).prop_map(|(yield_stress, slope)| Hardening::Bilinear {
-            yield_stress,
-            tangent_modulus: NonNegativeF64::new(slope).unwrap(),
-        }),
-        (near(500.0), near(0.3), between(1.0, 200.0)).prop_map(|(reference_stress, offset, exponent)| {
-            Hardening::RambergOsgood { reference_stress, offset, exponent }
-        }),
-        table,
-        (near(300.0), near(0.01), between(0.001, 1.0)).prop_map(|(yield_stress, strain_offset, exponent)| {
-            Hardening::Swift { yield_stress, strain_offset, exponent }
-        }),
-        (near(300.0), near(400.0), between(0.001, 1.0)).prop_map(|(yield_stress, coefficient, exponent)| {
-            Hardening::Ludwik { yield_stress, coefficient, exponent }
-        }),
-        (near(300.0), 1.01..2.0, near(10.0)).prop_map(|(yield_stress, ratio, rate)| {
-            let saturation_stress = PositiveF64::new(yield_stress.get() * ratio).unwrap();
-            Hardening::Voce { yield_stress, saturation_stress, rate }
-        }),
-    ]
+    any_of_tables(Hardening::TAG, Hardening::TABLES, |cursor| {
+        Hardening::read(cursor, Some(Units::MmNMpa), &[])
+    })
 }
 
 fn deformable() -> impl Strategy<Value = Material> {
     let constants = (near(10_000.0), (0.0..0.5).prop_map(|ratio| PoissonRatio::new(ratio).unwrap()));
-    (constants, proptest::option::of(curve())).prop_map(|((young_modulus, poisson_ratio), curve)| {
-        Material::Deformable(Deformable::new(Elastic { young_modulus, poisson_ratio }, curve).unwrap())
+    let elastic =
+        constants.prop_map(|(young_modulus, poisson_ratio)| Elastic { young_modulus, poisson_ratio });
+    (elastic, proptest::option::of(curve())).prop_filter_map("too steep", |(elastic, curve)| {
+        Deformable::new(elastic, curve).ok().map(Material::Deformable)
     })
 }
 

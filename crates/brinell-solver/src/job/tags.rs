@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::FaultCode;
 use super::reader::Cursor;
 
 /// Most tags of a job.
@@ -14,7 +15,10 @@ pub const MAX_VALUE: usize = 256;
 pub(super) fn read(cursor: Cursor<'_>) -> Option<BTreeMap<String, String>> {
     let object = cursor.object()?;
     if object.len() > MAX_TAGS {
-        object.fault_here(format_args!("must have at most {MAX_TAGS} tags, got {}", object.len()));
+        object.fault_here(
+            FaultCode::WrongLength,
+            format_args!("must have at most {MAX_TAGS} tags, got {}", object.len()),
+        );
         return None;
     }
     let mut tags = BTreeMap::new();
@@ -33,11 +37,14 @@ fn check(cursor: Cursor<'_>, what: &str, text: &str, least: usize, most: usize) 
     let length = text.chars().count();
     let fits = (least..=most).contains(&length);
     if !fits {
-        cursor.fault(format_args!("{what} must have between {least} and {most} characters, got {length}"));
+        cursor.fault(
+            FaultCode::WrongLength,
+            format_args!("{what} must have between {least} and {most} characters, got {length}"),
+        );
     }
     let printable = !text.chars().any(char::is_control);
     if !printable {
-        cursor.fault(format_args!("{what} must not contain control characters"));
+        cursor.fault(FaultCode::Inconsistent, format_args!("{what} must not contain control characters"));
     }
     fits && printable
 }

@@ -1,21 +1,32 @@
 //! Writing a job back in its own units.
 
-use serde::ser::SerializeMap;
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::{Quantity, Units};
+use super::fields::{Record, write_record};
+use super::{MeshSettings, OutputSettings, SolverSettings, Units};
 
 /// A part of a job beside the units in which it is to be written.
 pub(super) struct InUnits<'a, T>(pub &'a T, pub Units);
 
 impl<T> InUnits<'_, T> {
-    /// Writes one dimensional member.
-    pub fn entry<M: SerializeMap>(
-        &self,
-        map: &mut M,
-        key: &'static str,
-        quantity: Quantity,
-        core: impl Into<f64>,
-    ) -> Result<(), M::Error> {
-        map.serialize_entry(key, &quantity.to_wire(self.1, core.into()))
+    fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error>
+    where
+        T: Record,
+    {
+        let mut map = serializer.serialize_map(None)?;
+        write_record(self.0, &mut map, self.1)?;
+        map.end()
     }
 }
+
+macro_rules! written_as_records {
+    ($($settings:ty),+) => {$(
+        impl Serialize for InUnits<'_, $settings> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                self.write(serializer)
+            }
+        }
+    )+};
+}
+
+written_as_records!(MeshSettings, SolverSettings, OutputSettings);

@@ -20,7 +20,7 @@ use super::model::PerPoint;
 use super::tangent::reduction;
 use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
-    ReferenceModuli, ReturnMapping, deviator, equivalent_strain, law_of,
+    ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
 };
 use crate::job::Deformable;
 
@@ -46,7 +46,7 @@ impl DeformationPlasticity {
     /// The law of a material; an elastic one if it has no hardening curve.
     pub fn new(material: &Deformable, out_of_plane: OutOfPlane) -> Self {
         let elastic = ElasticModuli::from(material.elastic());
-        let mapping = law_of(material).map(|law| ReturnMapping::new(law, elastic.shear));
+        let mapping = material.hardening_law().map(|law| ReturnMapping::new(law, elastic.shear));
         Self {
             elastic,
             yield_stress: mapping.as_ref().map_or(f64::INFINITY, ReturnMapping::yield_stress),
@@ -211,17 +211,17 @@ pub(super) fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::job::{Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
+    use crate::job::{Bilinear, Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
 
     /// Steel with a straight hardening curve.
     pub(in crate::material) fn steel() -> Deformable {
         let positive = |value| PositiveF64::new(value).unwrap();
         let elastic =
             Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
-        let hardening = Hardening::Bilinear {
+        let hardening = Hardening::Bilinear(Bilinear {
             yield_stress: positive(500.0),
             tangent_modulus: NonNegativeF64::new(10_500.0).unwrap(),
-        };
+        });
         Deformable::new(elastic, Some(hardening)).unwrap()
     }
 

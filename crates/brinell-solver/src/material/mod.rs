@@ -1,18 +1,17 @@
 //! Constitutive models: stress from strain and from what a point has been through.
 //!
 //! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that goes with them;
-//! - [`HardeningLaw`] is a uniaxial curve, one file each in `hardening`;
+//! - [`HardeningLaw`] is a uniaxial curve, one file each in `job/hardening`;
 //! - [`ReturnMapping`] combines a curve with elasticity;
 //! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing.
 
 mod deformation;
-mod hardening;
 mod model;
 mod return_mapping;
 mod tangent;
 
+pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
-pub use hardening::{Bilinear, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, Voce, law_of};
 pub use model::{ConstitutiveModel, ElasticModuli, OutOfPlane, PerPoint, PointResponse};
 pub use return_mapping::ReturnMapping;
 pub use tangent::{Moduli, ModuliReduction, ReferenceModuli};

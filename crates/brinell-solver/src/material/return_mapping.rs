@@ -243,7 +243,7 @@ fn find(pieces: &[Cubic], beyond: f64) -> Option<(&Cubic, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
+    use crate::job::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
 
     fn mapping(law: Arc<dyn HardeningLaw>) -> ReturnMapping {
         ReturnMapping::new(law, TRIPLE_SHEAR / 3.0)
@@ -306,13 +306,15 @@ mod tests {
     /// Extreme exponents: nearly linear, nearly perfectly plastic.
     #[test]
     fn sharp_and_flat_power_laws_are_met() {
-        use crate::material::hardening::RambergOsgood;
+        use crate::job::{Hardening, PositiveF64, RambergOsgood};
+        let positive = |value| PositiveF64::new(value).unwrap();
         for exponent in [1.0, 1.5, 20.0, 200.0] {
-            let law = Arc::new(RambergOsgood {
-                reference_stress: 500.0,
-                reference_strain: 0.3 * 500.0 / YOUNG,
-                exponent,
-            });
+            let law = Hardening::RambergOsgood(RambergOsgood {
+                reference_stress: positive(500.0),
+                offset: positive(0.3),
+                exponent: positive(exponent),
+            })
+            .curve(YOUNG);
             let mapping = mapping(law.clone());
             for q in [1.0, 100.0, 400.0, 499.0, 501.0, 520.0, 900.0_f64] {
                 let Some(inverse) = law.inverse(q) else { continue };

@@ -9,7 +9,7 @@ use super::{
     error_bars, fields, load_approach, onset, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
-use crate::job::{Body, Job, Material, Named, Quantity, Shape};
+use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::{
     BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
     StepSolution,
@@ -126,13 +126,13 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
 fn approach_datum(job: &Job, write: UnitConverter) -> String {
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
-        (_, Shape::Cylinder { radius }) => {
+        (_, Shape::Cylinder(Cylinder { radius })) => {
             format!(
                 "the diametral plane of the {side} body, {} from the contact",
                 write.length_text(radius.get())
             )
         }
-        (_, Shape::Block { depth, .. }) => block_base(side, depth.get(), write),
+        (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
         (_, Shape::Profile(profile)) => block_base(side, profile.depth().get(), write),
     };

@@ -7,7 +7,7 @@ use super::recovery::element_mean;
 use super::units::UnitConverter;
 use crate::contact::ContactLoad;
 use crate::job::{Body, Job, Load, Material};
-use crate::material::{law_of, von_mises};
+use crate::material::von_mises;
 use crate::solver::StepSolution;
 
 /// The onset of yield, found numerically for the job's own shapes.
@@ -70,5 +70,5 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
 
 fn yield_stress(body: &Body) -> Option<f64> {
     let Material::Deformable(material) = &body.material else { return None };
-    Some(law_of(material)?.yield_stress()).filter(|stress| *stress > 0.0)
+    Some(material.hardening_law()?.yield_stress()).filter(|stress| *stress > 0.0)
 }

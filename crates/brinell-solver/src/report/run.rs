@@ -29,16 +29,17 @@ fn summary(errors: &[FieldError]) -> String {
 impl From<SolveError> for RunError {
     fn from(error: SolveError) -> Self {
         match error {
-            SolveError::TooWide { .. } => Self::Input(vec![FieldError::new("/load", error.to_string())]),
-            SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
-                Self::Input(vec![FieldError::new("/load", error.to_string())])
+            SolveError::TooWide { .. } | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
+                Self::Input(vec![FieldError::not_solvable("/load", error.to_string())])
             }
-            SolveError::NoYieldPoint => Self::Input(vec![FieldError::new("/load/onset", error.to_string())]),
+            SolveError::NoYieldPoint => {
+                Self::Input(vec![FieldError::not_solvable("/load/onset", error.to_string())])
+            }
             SolveError::Conforming => {
                 let detail = error.to_string();
                 Self::Input(vec![
-                    FieldError::new("/upper/shape", detail.clone()),
-                    FieldError::new("/lower/shape", detail),
+                    FieldError::not_solvable("/upper/shape", detail.clone()),
+                    FieldError::not_solvable("/lower/shape", detail),
                 ])
             }
             SolveError::Interrupted(interrupt) => Self::Interrupted(interrupt),
@@ -64,7 +65,7 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     match solver::estimate(job).map_err(RunError::from) {
         Ok(estimate) => Ok(JobEstimate { equations: estimate.equations, bytes: estimate.bytes }),
         Err(RunError::Input(errors)) => Err(errors),
-        Err(other) => Err(vec![FieldError::new("", other.to_string())]),
+        Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
     }
 }
 

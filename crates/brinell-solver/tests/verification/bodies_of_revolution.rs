@@ -11,7 +11,7 @@
 
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
-use brinell_solver::job::{Deformable, Hardening, NonNegativeF64};
+use brinell_solver::job::{Bilinear, Deformable, Hardening, NonNegativeF64};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::bodies::{Loaded, grid, load, material, positive};
@@ -21,10 +21,10 @@ const YOUNG: f64 = 210_000.0;
 const POISSON: f64 = 0.3;
 
 fn bilinear(yield_stress: f64, tangent_modulus: f64) -> Hardening {
-    Hardening::Bilinear {
+    Hardening::Bilinear(Bilinear {
         yield_stress: positive(yield_stress),
         tangent_modulus: NonNegativeF64::new(tangent_modulus).unwrap(),
-    }
+    })
 }
 
 /// A solid cylinder of unit radius and height, inner nodes out of place.

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use brinell_solver::analytical::HertzLine;
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
-use brinell_solver::job::{Hardening, NonNegativeF64};
+use brinell_solver::job::{Bilinear, Hardening, NonNegativeF64};
 use brinell_solver::solver::SolveStatus;
 use serde_json::Value;
 
@@ -36,10 +36,10 @@ fn pull(along: f64, across: f64, law: Option<Hardening>) -> (Mesh, crate::bodies
 /// ε_i = σ_i/E - ν σ_j/E + (3/2) ε_p s_i/q with ε_p = (q - σ_y)/H.
 #[test]
 fn a_patch_follows_the_curve() {
-    let law = Hardening::Bilinear {
+    let law = Hardening::Bilinear(Bilinear {
         yield_stress: positive(YIELD),
         tangent_modulus: NonNegativeF64::new(TANGENT).unwrap(),
-    };
+    });
     for (along, across) in [(500.0, 0.0), (0.0, 400.0), (500.0, 500.0), (500.0, 250.0), (300.0, -300.0)] {
         let (mesh, loaded) = pull(along, across, Some(law.clone()));
         let q = f64::sqrt(along * along - along * across + across * across);

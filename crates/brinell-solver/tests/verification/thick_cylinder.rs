@@ -8,7 +8,7 @@
 use brinell_solver::analytical::{PowerLawCylinder, ThickCylinder};
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::Mesh;
-use brinell_solver::job::{Deformable, Hardening, NonNegativeF64};
+use brinell_solver::job::{Bilinear, Deformable, Hardening, NonNegativeF64, RambergOsgood};
 
 use crate::bodies::{Loaded, grid, load, material, positive};
 use crate::problems::assert_within;
@@ -54,10 +54,10 @@ fn pressurise(radial: i32, around: i32, material: &Deformable, pressure: f64) ->
 }
 
 fn perfectly_plastic(poisson: f64) -> Deformable {
-    let law = Hardening::Bilinear {
+    let law = Hardening::Bilinear(Bilinear {
         yield_stress: positive(240.0),
         tangent_modulus: NonNegativeF64::new(0.0).unwrap(),
-    };
+    });
     material(210_000.0, poisson, Some(law))
 }
 
@@ -144,11 +144,11 @@ fn the_limit_pressure_is_met_within_one_percent() {
 #[test]
 fn a_power_law_ring_follows_its_closed_form() {
     let (offset, exponent, reference) = (50.0, 3.0, 100.0);
-    let law = Hardening::RambergOsgood {
+    let law = Hardening::RambergOsgood(RambergOsgood {
         reference_stress: positive(reference),
         offset: positive(offset),
         exponent: positive(exponent),
-    };
+    });
     let exact = PowerLawCylinder {
         inner_radius: INNER,
         outer_radius: OUTER,
@@ -179,10 +179,10 @@ fn patch_test() {
         [x + shift * f64::from(2 * j - 3), y - shift * f64::from(i - 1)]
     });
     let held = mesh.nodes.iter().map(|[x, y]| [*x == 0.0, *y == 0.0]).collect::<Vec<_>>();
-    let hardening = Hardening::Bilinear {
+    let hardening = Hardening::Bilinear(Bilinear {
         yield_stress: positive(240.0),
         tangent_modulus: NonNegativeF64::new(21_000.0).unwrap(),
-    };
+    });
     for (law, traction, yields) in [(None, 500.0, false), (Some(hardening), 500.0, true)] {
         let mut force = vec![[0.0; 2]; mesh.nodes.len()];
         for (node, [x, y]) in mesh.nodes.iter().enumerate().filter(|(_, [x, _])| (*x - 1.0).abs() < 1e-12) {

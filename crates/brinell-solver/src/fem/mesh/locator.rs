@@ -127,10 +127,10 @@ fn natural_coordinates(corners: &[[f64; 2]; 4], point: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::fem::mesh::{ContactZone, Outline, Refinement};
-    use crate::job::{PositiveF64, Shape};
+    use crate::job::{Cylinder, PositiveF64, Shape};
 
     fn mesh(columns: usize, symmetric: bool) -> Mesh {
-        let outline = Outline::of(&Shape::Cylinder { radius: PositiveF64::new(20.0).unwrap() });
+        let outline = Outline::of(&Shape::Cylinder(Cylinder { radius: PositiveF64::new(20.0).unwrap() }));
         let x_min = if symmetric { 0.0 } else { -0.5 };
         let zone = ContactZone { x_min, x_max: 0.5, columns, symmetric };
         Mesh::generate(&outline, zone, Refinement { growth: 1.3 }).unwrap()

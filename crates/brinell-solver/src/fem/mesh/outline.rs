@@ -1,7 +1,7 @@
 //! The undeformed outline of a body, as the mesh generator and the gap function see it.
 
 use super::interpolation::MonotoneCubic;
-use crate::job::Shape;
+use crate::job::{Block, Cylinder, Shape};
 
 /// Surface, width and depth of a body in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +25,10 @@ impl Outline {
     /// Outline of a shape of the job.
     pub fn of(shape: &Shape) -> Self {
         match shape {
-            Shape::Cylinder { radius } => Self::arc(radius.get().recip(), radius.get(), radius.get()),
-            Shape::Block { width, depth } => Self::arc(0.0, 0.5 * width.get(), depth.get()),
+            Shape::Cylinder(Cylinder { radius }) => {
+                Self::arc(radius.get().recip(), radius.get(), radius.get())
+            }
+            Shape::Block(Block { width, depth }) => Self::arc(0.0, 0.5 * width.get(), depth.get()),
             Shape::Groove(groove) => {
                 Self::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
             }

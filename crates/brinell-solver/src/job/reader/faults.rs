@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::fmt;
 
 use super::tree::Node;
-use crate::job::FieldError;
+use crate::job::{FaultCode, FieldError};
 
 /// Most faults that are listed; the rest are only counted.
 pub const MAX_FAULTS: usize = 100;
@@ -45,9 +45,9 @@ pub struct Faults {
 
 impl Faults {
     /// Records a fault; its text is only written while there is room for it.
-    pub fn add(&self, place: &Place<'_>, detail: fmt::Arguments<'_>) {
+    pub fn add(&self, place: &Place<'_>, code: FaultCode, detail: fmt::Arguments<'_>) {
         if self.list.borrow().len() < MAX_FAULTS {
-            self.push(FieldError { pointer: place.pointer(), detail: detail.to_string() });
+            self.push(FieldError { pointer: place.pointer(), code, detail: detail.to_string() });
         } else {
             self.unlisted.set(self.unlisted.get() + 1);
         }
@@ -78,7 +78,7 @@ impl Faults {
         let unlisted = self.unlisted.get();
         if unlisted > 0 {
             let detail = format!("{unlisted} more faults are not listed; these are the first {MAX_FAULTS}");
-            list.push(FieldError { pointer: String::new(), detail });
+            list.push(FieldError { pointer: String::new(), code: FaultCode::MoreFaults, detail });
         }
         list
     }
@@ -101,7 +101,7 @@ mod tests {
     fn the_list_is_bounded() {
         let faults = Faults::default();
         for index in 0..250 {
-            faults.add(&Place::Index(&Place::Root, index), format_args!("wrong"));
+            faults.add(&Place::Index(&Place::Root, index), FaultCode::WrongType, format_args!("wrong"));
         }
         let list = faults.into_sorted(&Node::Array(vec![Node::Null; 250]));
         assert_eq!(list.len(), MAX_FAULTS + 1);

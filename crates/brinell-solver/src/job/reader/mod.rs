@@ -22,9 +22,8 @@ pub(super) use self::object::Object;
 pub(super) use self::syntax::{explain, parse};
 pub(super) use self::tree::Node;
 
-use self::text::{Figure, Got, Guess, List, Quoted, Rounded};
-use super::number::OutOfRange;
-use super::{FieldError, Quantity, Units};
+use self::text::{Figure, Got, Guess, List, Quoted};
+use super::{FaultCode, FieldError, Quantity, Units};
 
 /// An enumeration that the wire format writes as a word.
 pub trait Named: Copy + 'static {
@@ -50,8 +49,8 @@ impl<'a> Cursor<'a> {
     }
 
     /// Records a fault of this value.
-    pub fn fault(&self, detail: fmt::Arguments<'_>) {
-        self.faults.add(self.place, detail);
+    pub fn fault(&self, code: FaultCode, detail: fmt::Arguments<'_>) {
+        self.faults.add(self.place, code, detail);
     }
 
     /// Records faults found by a checked constructor, whose pointers are relative to this value, and adds what
@@ -65,7 +64,7 @@ impl<'a> Cursor<'a> {
                 }
                 _ => fault.detail,
             };
-            self.faults.push(FieldError { pointer, detail });
+            self.faults.push(FieldError { pointer, code: fault.code, detail });
         }
     }
 
@@ -95,14 +94,27 @@ impl<'a> Cursor<'a> {
             return Some(value);
         }
         let (low, high) = (Figure(*range.start()), Figure(*range.end()));
-        self.fault(format_args!("must be between {low} and {high}, got {}", Figure(value)));
+        self.fault(
+            FaultCode::OutOfRange,
+            format_args!("must be between {low} and {high}, got {}", Figure(value)),
+        );
         None
     }
 
-    /// A number that a checked type takes.
-    pub fn in_type<T>(&self, new: fn(f64) -> Result<T, OutOfRange>) -> Option<T> {
+    /// A number that is at least `least` and less than `limit`.
+    pub fn number_below<T: TryFrom<f64>>(&self, least: f64, limit: f64) -> Option<T> {
         let value = self.number()?;
-        new(value).map_err(|range| self.fault(format_args!("{range}, got {}", Figure(value)))).ok()
+        if (least..limit).contains(&value)
+            && let Ok(value) = T::try_from(value)
+        {
+            return Some(value);
+        }
+        let (least, limit, value) = (Figure(least), Figure(limit), Figure(value));
+        self.fault(
+            FaultCode::OutOfRange,
+            format_args!("must be at least {least} and less than {limit}, got {value}"),
+        );
+        None
     }
 
     /// A whole number in a range; `20.0` is one.
@@ -117,7 +129,10 @@ impl<'a> Cursor<'a> {
             )]
             return Some(value as u32);
         }
-        self.fault(format_args!("must be a whole number between {low} and {high}, got {}", Figure(value)));
+        self.fault(
+            FaultCode::OutOfRange,
+            format_args!("must be a whole number between {low} and {high}, got {}", Figure(value)),
+        );
         None
     }
 
@@ -125,19 +140,23 @@ impl<'a> Cursor<'a> {
     /// unknown only the sign is checked: everything else would be a guess.
     pub fn quantity<T: TryFrom<f64>>(&self, quantity: Quantity, units: Option<Units>) -> Option<T> {
         let written = self.number()?;
-        let (low, high) = quantity.range();
+        let (low, _) = quantity.range();
         let known = units.unwrap_or_default();
-        let (wire_low, wire_high) = (quantity.to_wire(known, low), quantity.to_wire(known, high));
+        let (wire_low, wire_high) = quantity.wire_range(known);
         if low > 0.0 && written <= 0.0 {
-            self.fault(format_args!("must be greater than 0, got {}", Figure(written)));
+            self.fault(
+                FaultCode::OutOfRange,
+                format_args!("must be greater than 0, got {}", Figure(written)),
+            );
         } else if low >= 0.0 && written < 0.0 {
-            self.fault(format_args!("must be at least 0, got {}", Figure(written)));
+            self.fault(FaultCode::OutOfRange, format_args!("must be at least 0, got {}", Figure(written)));
         } else if units.is_some() && !(wire_low..=wire_high).contains(&written) {
-            let (low, high, written) = (Rounded(wire_low), Rounded(wire_high), Figure(written));
+            let (low, high, written) = (Figure(wire_low), Figure(wire_high), Figure(written));
             let (unit, system) = (quantity.symbol(known), known.name());
-            self.fault(format_args!(
-                "must be between {low} and {high} {unit} (units {system}), got {written}"
-            ));
+            self.fault(
+                FaultCode::OutOfRange,
+                format_args!("must be between {low} and {high} {unit} (units {system}), got {written}"),
+            );
         } else {
             return T::try_from(quantity.to_core(known, written)).ok();
         }
@@ -162,7 +181,7 @@ impl<'a> Cursor<'a> {
         let found = known.iter().copied().find(|word| *word == written);
         if found.is_none() {
             let (list, got, guess) = (List(known), Quoted(written), Guess { written, known });
-            self.fault(format_args!("must be one of: {list}, got {got}{guess}"));
+            self.fault(FaultCode::UnknownWord, format_args!("must be one of: {list}, got {got}{guess}"));
         }
         found
     }
@@ -180,10 +199,19 @@ impl<'a> Cursor<'a> {
         lengths: RangeInclusive<usize>,
         read: impl Fn(Cursor<'_>) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let Node::Array(items) = self.node else { return self.not("an array") };
+        let Node::Array(items) = self.node else {
+            let Node::Number(value) = self.node else { return self.not("an array") };
+            let value = Figure(*value);
+            let detail = format_args!("must be an array, got a number; write [{value}] for a list of one");
+            self.fault(FaultCode::WrongType, detail);
+            return None;
+        };
         if !lengths.contains(&items.len()) {
             let (least, most) = (lengths.start(), lengths.end());
-            self.fault(format_args!("must have between {least} and {most} items, got {}", items.len()));
+            self.fault(
+                FaultCode::WrongLength,
+                format_args!("must have between {least} and {most} items, got {}", items.len()),
+            );
             return None;
         }
         let read = items.iter().enumerate().map(|(index, node)| {
@@ -202,7 +230,10 @@ impl<'a> Cursor<'a> {
     ) -> Option<[T; 2]> {
         let Node::Array(items) = self.node else { return self.not("an array of 2 numbers") };
         let [first, second] = items.as_slice() else {
-            self.fault(format_args!("must be an array of 2 numbers, got {}", Got(self.node)));
+            self.fault(
+                FaultCode::WrongLength,
+                format_args!("must be an array of 2 numbers, got {}", Got(self.node)),
+            );
             return None;
         };
         let first = read_first(Cursor { node: first, place: &Place::Index(self.place, 0), ..*self });
@@ -212,7 +243,7 @@ impl<'a> Cursor<'a> {
 
     /// Records that this value is of the wrong kind.
     fn not<T>(&self, expected: &str) -> Option<T> {
-        self.fault(format_args!("must be {expected}, got {}", self.node.kind()));
+        self.fault(FaultCode::WrongType, format_args!("must be {expected}, got {}", self.node.kind()));
         None
     }
 }

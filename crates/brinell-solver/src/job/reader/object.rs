@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::text::{Guess, List, Quoted};
 use super::{Cursor, Faults, Node, Place};
-use crate::job::FieldError;
+use crate::job::{FaultCode, FieldError};
 
 /// An object of the document.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +22,11 @@ impl<'a> Object<'a> {
         let mut told = HashSet::new();
         for (key, _) in members {
             if !seen.insert(key) && told.insert(key) {
-                object.fault(key, format_args!("the key {} is given more than once", Quoted(key)));
+                object.fault(
+                    key,
+                    FaultCode::DuplicateKey,
+                    format_args!("the key {} is given more than once", Quoted(key)),
+                );
             }
         }
         object
@@ -35,14 +39,18 @@ impl<'a> Object<'a> {
             if !known.contains(&written) {
                 let guess = Guess { written, known };
                 let (key, known) = (Quoted(written), List(known));
-                self.fault(written, format_args!("unknown key {key}; expected one of: {known}{guess}"));
+                self.fault(
+                    written,
+                    FaultCode::UnknownKey,
+                    format_args!("unknown key {key}; expected one of: {known}{guess}"),
+                );
             }
         }
     }
 
-    /// Whether a key is present.
+    /// Whether a key is present. `null` is the same as nothing.
     pub fn has(&self, key: &str) -> bool {
-        self.find(key).is_some()
+        self.find(key).is_some_and(|node| *node != Node::Null)
     }
 
     /// The members with their cursors, for objects with free keys.
@@ -60,32 +68,25 @@ impl<'a> Object<'a> {
     /// Reads a member that must be there.
     pub fn required<T>(&self, key: &str, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
         let Some(node) = self.find(key) else {
-            self.fault(key, format_args!("is required"));
+            self.fault(key, FaultCode::Required, format_args!("is required"));
             return None;
         };
         read(Cursor { node, place: &Place::Key(self.at.place, key), faults: self.faults() })
     }
 
-    /// Reads a member that may be left out.
+    /// Reads a member that may be left out; `null` is the same as nothing.
     pub fn or<T>(&self, key: &str, default: T, read: impl FnOnce(Cursor<'_>) -> Option<T>) -> Option<T> {
-        match self.find(key) {
-            None => Some(default),
-            Some(Node::Null) => {
-                self.fault(key, format_args!("must not be null; leave the key out to take the default"));
-                None
-            }
-            Some(_) => self.required(key, read),
-        }
+        if self.has(key) { self.required(key, read) } else { Some(default) }
     }
 
     /// Records a fault of a member.
-    pub fn fault(&self, key: &str, detail: fmt::Arguments<'_>) {
-        self.faults().add(&Place::Key(self.at.place, key), detail);
+    pub fn fault(&self, key: &str, code: FaultCode, detail: fmt::Arguments<'_>) {
+        self.faults().add(&Place::Key(self.at.place, key), code, detail);
     }
 
     /// Records a fault of the object itself.
-    pub fn fault_here(&self, detail: fmt::Arguments<'_>) {
-        self.at.fault(detail);
+    pub fn fault_here(&self, code: FaultCode, detail: fmt::Arguments<'_>) {
+        self.at.fault(code, detail);
     }
 
     /// As [`Cursor::report`].

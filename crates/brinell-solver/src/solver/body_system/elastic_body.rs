@@ -233,13 +233,13 @@ pub(crate) fn refactor(
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::{PoissonRatio, PositiveF64, Shape};
+    use crate::job::{Cylinder, PoissonRatio, PositiveF64, Shape};
 
     /// A cylinder with a contact of a hundredth of its radius.
     pub(crate) fn key(radius: f64, young: f64, support: Support) -> BodyKey {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
         BodyKey {
-            outline: Outline::of(&Shape::Cylinder { radius: positive(radius) }),
+            outline: Outline::of(&Shape::Cylinder(Cylinder { radius: positive(radius) })),
             zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 8, symmetric: true },
             refinement: Refinement { growth: 1.3 },
             stress_state: StressState::PlaneStrain,

@@ -1,18 +1,24 @@
 //! A face given by points.
 
-use super::reader::{Cursor, Object};
-use super::shape::length;
-use super::{FieldError, PositiveF64, Quantity, Units};
+use crate::job::fields::{Field, Figure, Known, faults_of, record};
+use crate::job::{FieldError, PositiveF64, Quantity};
 
-/// A block whose upper face passes through points and is interpolated between them without overshoot.
-///
-/// Invariants: two to [`MAX_POINTS`](Self::MAX_POINTS) finite points, x strictly increasing, from `x <= 0` to
-/// `x >= 0` so that the face exists where the contact starts, and every height above `-depth`, so that the body
-/// has thickness everywhere.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Profile {
-    points: Vec<[f64; 2]>,
-    depth: PositiveF64,
+record! {
+    /// A block whose upper face passes through points, interpolated without overshoot.
+    pub struct Profile("profile", "Profile") where rules {
+        /// Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.
+        points: Vec<[f64; 2]> = Field::points(
+            [
+                ("x, tangential.", Figure::Quantity(Quantity::Position)),
+                ("Height.", Figure::Quantity(Quantity::Position)),
+            ],
+            2..=Profile::MAX_POINTS,
+        )
+        .label("Points", "x, height")
+        .example_points(&[[-10.0, -2.5], [-4.0, -0.4], [0.0, 0.0], [4.0, -0.4], [10.0, -2.5]]),
+        /// From height 0 to the base; every height is above it.
+        depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+    }
 }
 
 impl Profile {
@@ -24,9 +30,9 @@ impl Profile {
     /// # Errors
     /// Every fault, with a pointer relative to the shape, e.g. `/points/3/0`.
     pub fn new(points: Vec<[f64; 2]>, depth: PositiveF64) -> Result<Self, Vec<FieldError>> {
-        let mut faults = outline_faults(&points);
-        faults.extend(thickness_faults(&points, depth));
-        if faults.is_empty() { Ok(Self { points, depth }) } else { Err(faults) }
+        let profile = Self { points, depth };
+        let faults = faults_of(&profile, &[]);
+        if faults.is_empty() { Ok(profile) } else { Err(faults) }
     }
 
     /// `[x, height]` \[mm\], x strictly increasing.
@@ -37,21 +43,6 @@ impl Profile {
     /// Depth from height 0 to the base \[mm\].
     pub const fn depth(&self) -> PositiveF64 {
         self.depth
-    }
-
-    pub(super) fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
-        object.only(&["type", "points", "depth"]);
-        let position = |c: Cursor<'_>| c.quantity(Quantity::Position, units);
-        let points = object
-            .required("points", |c| c.array(2..=Self::MAX_POINTS, |item| item.pair(position, position)));
-        let depth = length(object, "depth", units);
-        match (points, depth) {
-            (Some(points), Some(depth)) => object.checked(Self::new(points, depth)),
-            (points, _) => {
-                object.report(outline_faults(&points?));
-                None
-            }
-        }
     }
 }
 
@@ -85,11 +76,17 @@ fn outline_faults(points: &[[f64; 2]]) -> Vec<FieldError> {
     faults
 }
 
-fn thickness_faults(points: &[[f64; 2]], depth: PositiveF64) -> impl Iterator<Item = FieldError> {
-    points.iter().enumerate().filter(move |(_, [_, height])| *height <= -depth.get()).map(|(index, _)| {
+/// The points are an outline, and the body has thickness everywhere.
+fn rules(known: &Known) -> Vec<FieldError> {
+    let Some(points) = known.points("points") else { return Vec::new() };
+    let mut faults = outline_faults(points);
+    let depth = known.figure("depth").unwrap_or(f64::INFINITY);
+    let thin = points.iter().enumerate().filter(|(_, [_, height])| *height <= -depth);
+    faults.extend(thin.map(|(index, _)| {
         let pointer = format!("/points/{index}/1");
         FieldError::new(pointer, "must be above the base, which lies at -`depth`")
-    })
+    }));
+    faults
 }
 
 #[cfg(test)]

@@ -1,22 +1,47 @@
 //! Ramberg and Osgood's power law.
 
-use super::{HardeningLaw, Inverse};
+use std::sync::Arc;
 
-/// `ε_p = a (σ_0/E) (q/σ_0)^m`.
+use super::{Curve, HardeningLaw, Inverse};
+use crate::job::fields::{Field, record};
+use crate::job::{PositiveF64, Quantity};
+
+record! {
+    /// ε_p = a (σ_0/E) (q/σ_0)^m.
+    pub struct RambergOsgood("ramberg_osgood", "Ramberg–Osgood") {
+        /// Reference stress σ_0.
+        pub reference_stress: PositiveF64 =
+            Field::quantity(Quantity::Stress).label("Reference stress", "σ_0").example(500.0),
+        /// Offset a.
+        pub offset: PositiveF64 = Field::pure(1e-9..=1e6).label("Offset", "a").example(0.3),
+        /// Exponent m, from linear to, for every purpose, perfectly plastic.
+        pub exponent: PositiveF64 = Field::pure(1.0..=200.0).label("Exponent", "m").example(5.0),
+    }
+}
+
+impl Curve for RambergOsgood {
+    fn law(&self, young_modulus: f64) -> Arc<dyn HardeningLaw> {
+        let (reference_stress, exponent) = (self.reference_stress.get(), self.exponent.get());
+        let reference_strain = self.offset.get() * reference_stress / young_modulus;
+        Arc::new(PowerCurve { reference_stress, reference_strain, exponent })
+    }
+}
+
+/// `ε_p = ε_0 (q/σ_0)^m`.
 ///
 /// # Reference
 /// W. Ramberg, W. R. Osgood, *Description of stress-strain curves by three parameters*, NACA TN 902 (1943).
-#[derive(Debug, Clone, PartialEq)]
-pub struct RambergOsgood {
+#[derive(Debug)]
+struct PowerCurve {
     /// σ_0 \[MPa\].
-    pub reference_stress: f64,
-    /// `a σ_0 / E`.
-    pub reference_strain: f64,
+    reference_stress: f64,
+    /// ε_0 = `a σ_0 / E`.
+    reference_strain: f64,
     /// m.
-    pub exponent: f64,
+    exponent: f64,
 }
 
-impl HardeningLaw for RambergOsgood {
+impl HardeningLaw for PowerCurve {
     fn yield_stress(&self) -> f64 {
         0.0
     }

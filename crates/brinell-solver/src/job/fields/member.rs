@@ -1,0 +1,148 @@
+//! The types that a field may have: how each is read and written.
+
+use serde::Serialize;
+use serde::ser::Serializer;
+
+use super::super::number::{NonNegativeF64, PoissonRatio, PositiveF64};
+use super::super::reader::{Cursor, Object};
+use super::{Field, FieldKind, Figure, Value};
+use crate::job::{Named, Units};
+
+/// A type that a field may have.
+pub(in crate::job) trait Member: Sized {
+    /// Whether a field of this type must be given if it has no default.
+    const REQUIRED: bool = true;
+
+    /// Reads the value of a field.
+    fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self>;
+
+    /// The value in N–mm–MPa; `None` is not written.
+    fn value(&self) -> Option<Value>;
+
+    /// The value of a field that is not given, for types that need none.
+    fn absent() -> Option<Self> {
+        None
+    }
+}
+
+/// Reads a field of an object: it must be there unless it has a default or its type needs no value.
+pub(in crate::job) fn read_member<T: Member>(
+    object: &Object<'_>,
+    field: &Field,
+    units: Option<Units>,
+    default: Option<T>,
+) -> Option<T> {
+    match default.or_else(T::absent) {
+        Some(default) => object.or(field.key, default, |cursor| T::read(cursor, field, units)),
+        None => object.required(field.key, |cursor| T::read(cursor, field, units)),
+    }
+}
+
+/// Reads a number in the range of its kind.
+fn read_figure<T: TryFrom<f64>>(cursor: Cursor<'_>, kind: &Figure, units: Option<Units>) -> Option<T> {
+    match kind {
+        Figure::Quantity(quantity) => cursor.quantity(*quantity, units),
+        Figure::Pure(range) => cursor.number_in(range),
+        Figure::Below(least, limit) => cursor.number_below(*least, *limit),
+    }
+}
+
+macro_rules! numbers {
+    ($($type:ty),+) => {$(
+        impl Member for $type {
+            fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self> {
+                let FieldKind::Figure(kind) = &field.kind else { return None };
+                read_figure(cursor, kind, units)
+            }
+
+            fn value(&self) -> Option<Value> {
+                Some(Value::Figure(f64::from(*self)))
+            }
+        }
+    )+};
+}
+
+numbers!(f64, PositiveF64, NonNegativeF64, PoissonRatio);
+
+impl Member for u32 {
+    fn read(cursor: Cursor<'_>, field: &Field, _: Option<Units>) -> Option<Self> {
+        let FieldKind::Whole(range) = &field.kind else { return None };
+        cursor.integer(range)
+    }
+
+    fn value(&self) -> Option<Value> {
+        Some(Value::Whole(*self))
+    }
+}
+
+impl Member for bool {
+    fn read(cursor: Cursor<'_>, _: &Field, _: Option<Units>) -> Option<Self> {
+        cursor.boolean()
+    }
+
+    fn value(&self) -> Option<Value> {
+        Some(Value::Flag(*self))
+    }
+}
+
+impl<T: Named> Member for T {
+    fn read(cursor: Cursor<'_>, _: &Field, _: Option<Units>) -> Option<Self> {
+        cursor.named()
+    }
+
+    fn value(&self) -> Option<Value> {
+        Some(Value::Word(self.name()))
+    }
+}
+
+/// Points as they are written; a type that checks them wraps this one.
+impl Member for Vec<[f64; 2]> {
+    fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self> {
+        let FieldKind::Points { columns: [(_, first), (_, second)], count } = &field.kind else {
+            return None;
+        };
+        cursor.array(count.clone(), |item| {
+            item.pair(|c| read_figure(c, first, units), |c| read_figure(c, second, units))
+        })
+    }
+
+    fn value(&self) -> Option<Value> {
+        Some(Value::Points(self.clone()))
+    }
+}
+
+impl<T: Member> Member for Option<T> {
+    const REQUIRED: bool = false;
+
+    fn read(cursor: Cursor<'_>, field: &Field, units: Option<Units>) -> Option<Self> {
+        T::read(cursor, field, units).map(Some)
+    }
+
+    fn value(&self) -> Option<Value> {
+        self.as_ref().and_then(T::value)
+    }
+
+    fn absent() -> Option<Self> {
+        Some(None)
+    }
+}
+
+/// A value as it is written in a system of units.
+pub(super) struct Written<'a>(pub &'a Value, pub &'a Field, pub Units);
+
+impl Serialize for Written<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let wire = |kind: &Figure, core| kind.to_wire(self.2, core);
+        match (self.0, &self.1.kind) {
+            (Value::Figure(core), FieldKind::Figure(kind)) => serializer.serialize_f64(wire(kind, *core)),
+            (Value::Points(points), FieldKind::Points { columns: [(_, first), (_, second)], .. }) => {
+                serializer.collect_seq(points.iter().map(|[x, y]| [wire(first, *x), wire(second, *y)]))
+            }
+            (Value::Figure(core), _) => serializer.serialize_f64(*core),
+            (Value::Points(points), _) => points.serialize(serializer),
+            (Value::Whole(number), _) => serializer.serialize_u32(*number),
+            (Value::Flag(flag), _) => serializer.serialize_bool(*flag),
+            (Value::Word(word), _) => serializer.serialize_str(word),
+        }
+    }
+}

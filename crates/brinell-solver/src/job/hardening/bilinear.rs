@@ -1,0 +1,59 @@
+//! Straight hardening.
+
+use std::sync::Arc;
+
+use super::{Curve, HardeningLaw};
+use crate::job::fields::{Field, Known, record, unless};
+use crate::job::{FieldError, NonNegativeF64, PositiveF64, Quantity};
+
+record! {
+    /// A straight line beyond the yield stress.
+    pub struct Bilinear("bilinear", "Bilinear") where rules {
+        /// Yield stress σ_y.
+        pub yield_stress: PositiveF64 =
+            Field::quantity(Quantity::Stress).label("Yield stress", "σ_y").example(500.0),
+        /// Slope E_t of stress over total strain beyond yield, below E; 0 is perfectly plastic.
+        pub tangent_modulus: NonNegativeF64 =
+            Field::quantity(Quantity::TangentModulus).label("Tangent modulus", "E_t").example(10_500.0),
+    }
+}
+
+fn rules(known: &Known) -> Vec<FieldError> {
+    let (slope, young_modulus) = (known.figure("tangent_modulus"), known.figure("young_modulus"));
+    let below = slope.zip(young_modulus).is_none_or(|(slope, limit)| slope < limit);
+    unless(below, "/tangent_modulus", "must be less than `young_modulus`").into_iter().collect()
+}
+
+impl Curve for Bilinear {
+    fn law(&self, young_modulus: f64) -> Arc<dyn HardeningLaw> {
+        let (yield_stress, slope) = (self.yield_stress.get(), self.tangent_modulus.get());
+        Arc::new(StraightLine { yield_stress, plastic_modulus: slope / (1.0 - slope / young_modulus) })
+    }
+}
+
+/// `q = σ_y + H ε_p` with the plastic modulus `H = E_t / (1 - E_t/E)`.
+#[derive(Debug)]
+struct StraightLine {
+    /// σ_y \[MPa\].
+    yield_stress: f64,
+    /// H \[MPa\].
+    plastic_modulus: f64,
+}
+
+impl HardeningLaw for StraightLine {
+    fn yield_stress(&self) -> f64 {
+        self.yield_stress
+    }
+
+    fn stress(&self, plastic_strain: f64) -> f64 {
+        self.yield_stress + self.plastic_modulus * plastic_strain
+    }
+
+    fn slope(&self, _plastic_strain: f64) -> f64 {
+        self.plastic_modulus
+    }
+
+    fn polyline(&self) -> Option<Vec<[f64; 2]>> {
+        Some(vec![[0.0, self.yield_stress]])
+    }
+}

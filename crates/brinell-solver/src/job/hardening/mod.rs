@@ -1,0 +1,129 @@
+//! Uniaxial hardening laws: stress against plastic strain.
+//!
+//! Each law is one file, its parameters with their table, what holds between them and its curve, and one name in the
+//! list below. It knows nothing of shear: [`crate::material::ReturnMapping`] combines the two.
+
+mod bilinear;
+mod law;
+mod ludwik;
+mod ramberg_osgood;
+mod swift;
+mod table;
+mod voce;
+
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+pub use bilinear::Bilinear;
+pub use law::{HardeningLaw, Inverse};
+pub use ludwik::Ludwik;
+pub use ramberg_osgood::RambergOsgood;
+pub use swift::Swift;
+pub use table::{Table, TablePoints};
+pub use voce::Voce;
+
+use super::fields::tagged;
+use law::Curve;
+
+/// Range of the exponent n of the power laws of plastic strain.
+pub(super) const STRAIN_EXPONENT: RangeInclusive<f64> = 1e-3..=1.0;
+
+macro_rules! laws {
+    ($($law:ident),+ $(,)?) => {
+        tagged! {
+            /// Uniaxial curve of the stress q over the plastic strain ε_p.
+            pub enum Hardening by "law" { $($law),+ }
+        }
+
+        impl Hardening {
+            /// The curve beside a Young's modulus \[MPa\].
+            pub fn curve(&self, young_modulus: f64) -> Arc<dyn HardeningLaw> {
+                match self {
+                    $(Self::$law(parameters) => parameters.law(young_modulus)),+
+                }
+            }
+        }
+    };
+}
+
+laws! { Bilinear, RambergOsgood, Table, Swift, Ludwik, Voce }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::job::{Deformable, Elastic, NonNegativeF64, PoissonRatio, PositiveF64};
+
+    fn positive(value: f64) -> PositiveF64 {
+        PositiveF64::new(value).unwrap()
+    }
+
+    pub(crate) const YOUNG: f64 = 210_000.0;
+    pub(crate) const TRIPLE_SHEAR: f64 = 3.0 * YOUNG / 2.6;
+
+    /// A material of every law, two of one.
+    pub(crate) fn materials() -> Vec<Deformable> {
+        let yield_stress = positive(500.0);
+        let tangent = |value| NonNegativeF64::new(value).unwrap();
+        let points = vec![[0.0, 400.0], [1e-3, 520.0], [0.01, 600.0], [0.1, 640.0]];
+        let elastic =
+            Elastic { young_modulus: positive(YOUNG), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
+        let inputs = [
+            Hardening::Bilinear(Bilinear { yield_stress, tangent_modulus: tangent(10_500.0) }),
+            Hardening::Bilinear(Bilinear { yield_stress, tangent_modulus: tangent(0.0) }),
+            Hardening::RambergOsgood(RambergOsgood {
+                reference_stress: yield_stress,
+                offset: positive(0.3),
+                exponent: positive(5.0),
+            }),
+            Hardening::Table(Table { points: TablePoints::new(points).unwrap() }),
+            Hardening::Swift(Swift { yield_stress, strain_offset: positive(2e-3), exponent: positive(0.15) }),
+            Hardening::Ludwik(Ludwik { yield_stress, coefficient: positive(700.0), exponent: positive(0.4) }),
+            Hardening::Voce(Voce { yield_stress, saturation_stress: positive(800.0), rate: positive(30.0) }),
+        ];
+        inputs.into_iter().map(|input| Deformable::new(elastic, Some(input)).unwrap()).collect()
+    }
+
+    pub(crate) fn laws() -> Vec<Arc<dyn HardeningLaw>> {
+        materials().iter().filter_map(Deformable::hardening_law).collect()
+    }
+
+    /// The formulas once more, written from the job's figures.
+    #[test]
+    fn every_law_is_its_formula() {
+        let formulas: [fn(f64) -> f64; 7] = [
+            |p| 500.0 + 10_500.0 / 0.95 * p,
+            |_| 500.0,
+            |p| 500.0 * (p * YOUNG / (0.3 * 500.0)).powf(0.2),
+            |p| match p {
+                p if p < 1e-3 => 400.0 + 120.0 * p / 1e-3,
+                p if p < 0.01 => 520.0 + 80.0 * (p - 1e-3) / 9e-3,
+                p if p < 0.1 => 600.0 + 40.0 * (p - 0.01) / 0.09,
+                _ => 640.0,
+            },
+            |p| 500.0 * (1.0 + p / 2e-3).powf(0.15),
+            |p| 500.0 + 700.0 * p.powf(0.4),
+            |p| 800.0 - 300.0 * (-30.0 * p).exp(),
+        ];
+        for (law, formula) in laws().iter().zip(formulas) {
+            for p in [0.0, 1e-9, 1e-4, 5e-3, 0.05, 2.0] {
+                assert!((law.stress(p) - formula(p)).abs() < 1e-9, "{law:?} at {p}");
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_are_derivatives_and_inverses_are_inverse() {
+        for law in laws() {
+            for p in [2e-4, 5e-3, 0.05, 2.0] {
+                let step = 1e-6 * p;
+                let derivative = (law.stress(p + step) - law.stress(p - step)) / (2.0 * step);
+                assert!((law.slope(p) - derivative).abs() < 1e-5 * derivative.max(1.0), "{law:?} at {p}");
+                assert_eq!(law.stress_and_slope(p), (law.stress(p), law.slope(p)));
+                if let Some(inverse) = law.inverse(law.stress(p)) {
+                    assert!((inverse.plastic_strain - p).abs() < 1e-12 * p);
+                    assert!((inverse.slope * law.slope(p) - 1.0).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}

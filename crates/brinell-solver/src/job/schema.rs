@@ -1,0 +1,402 @@
+//! The wire format as JSON Schema, from the tables of fields and the model's own words.
+//!
+//! A member that may be left out may also be `null`. What a schema cannot say (a slope below Young's modulus) stays
+//! with the reader.
+
+use serde_json::{Map, Value, json};
+
+use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
+use super::{
+    Analysis, ContactMethod, Coupling, Elastic, Hardening, Job, Load, MeshSettings, Named, OutputSettings,
+    Quantity, Shape, SolverSettings, Support, Sweep, Units, tags,
+};
+
+/// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
+pub fn schemas(base: &str) -> Vec<(&'static str, Value)> {
+    Schemas { base }.all()
+}
+
+struct Schemas<'a> {
+    base: &'a str,
+}
+
+/// A member of an object.
+struct Entry {
+    key: &'static str,
+    schema: Value,
+    required: bool,
+}
+
+impl Schemas<'_> {
+    fn all(&self) -> Vec<(&'static str, Value)> {
+        let mut all = vec![
+            ("ContactJob", self.job()),
+            ("ContactBody", self.body()),
+            (
+                "Analysis",
+                enumeration::<Analysis>(
+                    "Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line \
+                     of approach.",
+                ),
+            ),
+            (
+                "Units",
+                enumeration::<Units>(
+                    "Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.",
+                ),
+            ),
+            (
+                "Support",
+                enumeration::<Support>(
+                    "How the far boundary (diametral plane, base) is held: both displacements, or the normal one \
+                     alone.",
+                ),
+            ),
+            (
+                "Coupling",
+                enumeration::<Coupling>("How the contact iteration and the plastic iteration alternate."),
+            ),
+            ("ContactMethod", enumeration::<ContactMethod>("The method that solves the contact conditions.")),
+            ("Tags", tags_schema()),
+            ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
+            (
+                "Plasticity",
+                self.tagged(
+                    "Uniaxial curve of the stress q over the plastic strain ε_p.",
+                    Hardening::TAG,
+                    Hardening::TABLES,
+                ),
+            ),
+        ];
+        all.extend(self.variants(Shape::TAG, Shape::TABLES));
+        all.extend(self.variants(Hardening::TAG, Hardening::TABLES));
+        all.extend(self.materials());
+        all.extend(self.loads());
+        all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
+        all.push(("SolverSettings", self.settings(&SolverSettings::TABLE, &SolverSettings::default())));
+        all.push(("OutputSettings", self.settings(&OutputSettings::TABLE, &OutputSettings::default())));
+        all
+    }
+
+    fn named(&self, name: &str) -> Value {
+        json!({"$ref": format!("{}{name}", self.base)})
+    }
+
+    fn named_as(&self, name: &str, description: &str) -> Value {
+        json!({"$ref": format!("{}{name}", self.base), "description": description})
+    }
+
+    fn job(&self) -> Value {
+        let optional = |key, name, description: &str| Entry {
+            key,
+            schema: or_null(self.named(name), description),
+            required: false,
+        };
+        let required = |key, schema| Entry { key, schema, required: true };
+        let units = format!(
+            "Units of every figure of the job and of its result. Default: `{}`.",
+            Units::default().name()
+        );
+        let mut job = object(
+            "Two bodies, what presses them together, and how to solve it. An unknown key is an error; null is the \
+             same as leaving a member out.",
+            vec![
+                required("analysis", self.named("Analysis")),
+                optional("units", "Units", &units),
+                required("upper", self.named_as("ContactBody", "The body above the contact.")),
+                required("lower", self.named_as("ContactBody", "The body below the contact.")),
+                required("load", self.named("Load")),
+                optional("mesh", "MeshSettings", "The mesh."),
+                optional("solver", "SolverSettings", "Iteration controls."),
+                optional("output", "OutputSettings", "What the result contains."),
+                optional("tags", "Tags", "Free labels, echoed in the result; jobs can be listed by them."),
+            ],
+        );
+        job["additionalProperties"] = json!(false);
+        debug_assert!(Job::KEYS.iter().all(|key| job["properties"][key].is_object()));
+        job
+    }
+
+    fn body(&self) -> Value {
+        let support = format!("How the far boundary is held. Default: `{}`.", Support::default().name());
+        object(
+            "One body, described in its own frame: the contact starts at the origin, heights are counted along the \
+             outward normal. At most one of the two is rigid.",
+            vec![
+                Entry { key: "shape", schema: self.named("Shape"), required: true },
+                Entry { key: "support", schema: or_null(self.named("Support"), &support), required: false },
+                Entry { key: "material", schema: self.named("Material"), required: true },
+            ],
+        )
+    }
+
+    /// Exactly one of these tables, told apart by the word under `tag`.
+    fn tagged(&self, description: &str, tag: &str, tables: &[FieldTable]) -> Value {
+        let references: Vec<_> = tables.iter().map(|table| self.named(table.name)).collect();
+        let mapping: Map<String, Value> = tables
+            .iter()
+            .map(|table| (table.word.to_owned(), json!(format!("{}{}", self.base, table.name))))
+            .collect();
+        json!({
+            "description": description,
+            "oneOf": references,
+            "discriminator": {"propertyName": tag, "mapping": mapping},
+        })
+    }
+
+    fn variants(
+        &self,
+        tag: &'static str,
+        tables: &'static [FieldTable],
+    ) -> impl Iterator<Item = (&'static str, Value)> {
+        tables.iter().map(move |table| {
+            let word = json!({"type": "string", "description": "The word that names this kind.", "const": table.word});
+            let tag = Entry { key: tag, schema: word, required: true };
+            let fields = table.fields.iter().map(|field| self.entry(field, None));
+            (table.name, object(table.description, std::iter::once(tag).chain(fields).collect()))
+        })
+    }
+
+    fn settings<T: Record>(&self, table: &'static FieldTable, default: &T) -> Value {
+        let defaults = default.values().into_iter();
+        let entries = table.fields.iter().zip(defaults).map(|(field, default)| {
+            let default = default.map(|default| match default {
+                super::fields::Value::Figure(figure) => json!(figure),
+                super::fields::Value::Whole(number) => json!(number),
+                super::fields::Value::Flag(flag) => json!(flag),
+                super::fields::Value::Word(word) => json!(word),
+                super::fields::Value::Points(points) => json!(points),
+            });
+            self.entry(field, default.as_ref())
+        });
+        object(table.description, entries.collect())
+    }
+
+    /// The schema of a field; one with a default need not be given.
+    fn entry(&self, field: &Field, default: Option<&Value>) -> Entry {
+        let required = field.required && default.is_none();
+        let mut schema = match &field.kind {
+            FieldKind::Figure(figure) => figure_schema(figure, field.description),
+            FieldKind::Whole(range) => {
+                let (low, high) = range.clone().into_inner();
+                json!({"type": "integer", "description": field.description, "minimum": low, "maximum": high})
+            }
+            FieldKind::Flag => json!({"type": "boolean", "description": field.description}),
+            FieldKind::Choice(name, _) => self.named_as(name, field.description),
+            FieldKind::Points { columns: [(first_text, first), (second_text, second)], count } => json!({
+                "type": "array",
+                "description": field.description,
+                "items": {
+                    "type": "array",
+                    "description": "One point.",
+                    "prefixItems": [figure_schema(first, first_text), figure_schema(second, second_text)],
+                    "minItems": 2,
+                    "maxItems": 2,
+                },
+                "minItems": count.start(),
+                "maxItems": count.end(),
+            }),
+        };
+        match (field.example, default) {
+            (Example::Figure(figure), _) => schema["examples"] = json!([figure]),
+            (Example::Points(points), _) => schema["examples"] = json!([points]),
+            (Example::None, Some(default)) if schema["type"] == "number" => {
+                schema["examples"] = json!([default]);
+            }
+            (Example::None, _) => {}
+        }
+        if let Some(default) = default {
+            let written = default.as_str().map_or_else(|| default.to_string(), str::to_owned);
+            let description =
+                format!("{} Default: `{written}`.", schema["description"].as_str().unwrap_or_default());
+            schema["description"] = json!(description);
+        }
+        if !required {
+            let description = schema["description"].as_str().unwrap_or_default().to_owned();
+            schema = or_null(schema, &description);
+        }
+        Entry { key: field.key, schema, required }
+    }
+
+    fn materials(&self) -> Vec<(&'static str, Value)> {
+        let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
+        let mut elastic: Vec<_> = Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
+        let absent = elastic.iter().map(|entry| entry.key).chain(["plasticity"]).collect::<Vec<_>>();
+        elastic.push(Entry {
+            key: "plasticity",
+            schema: or_null(
+                self.named("Plasticity"),
+                "The hardening curve; a body without one stays elastic.",
+            ),
+            required: false,
+        });
+        elastic.push(never("rigid"));
+        let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }];
+        rigid.extend(absent.into_iter().map(never));
+        vec![
+            ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
+            ("Deformable", object("An isotropic body, elastic unless it has a hardening curve.", elastic)),
+            ("Rigid", object("A body that does not deform.", rigid)),
+        ]
+    }
+
+    fn loads(&self) -> Vec<(&'static str, Value)> {
+        let force =
+            "Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all.";
+        let force = figures_schema(&[Quantity::LineForce, Quantity::Force], force);
+        let approach = figures_schema(&[Quantity::Approach], "Approach α of the two supports.");
+        let example = |mut schema: Value, example: Value| {
+            schema["examples"] = json!([example]);
+            schema
+        };
+        let sweep = |item: &Value| {
+            json!({
+                "type": "array",
+                "description": "In the order in which they are applied. One number stands for a list of one.",
+                "items": item,
+                "minItems": 1,
+                "maxItems": Sweep::MAX_VALUES,
+            })
+        };
+        let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
+        let loads = [
+            (
+                "ForceLoad",
+                "force",
+                "A force; the approach is an output.",
+                example(force.clone(), json!(612.6106)),
+            ),
+            (
+                "ForcesLoad",
+                "forces",
+                "A sweep of forces.",
+                example(sweep(&force), json!([200.0, 400.0, 600.0])),
+            ),
+            (
+                "ApproachLoad",
+                "approach",
+                "An approach; the force is an output.",
+                example(approach.clone(), json!(0.02)),
+            ),
+            (
+                "ApproachesLoad",
+                "approaches",
+                "A sweep of approaches.",
+                example(sweep(&approach), json!([0.01, 0.02])),
+            ),
+            ("OnsetLoad", "onset", "The force at which the contact begins to yield is the answer.", yes),
+        ];
+        let names = loads.each_ref().map(|(name, ..)| *name);
+        let mut all = vec![(
+            "Load",
+            self.one_of(
+                "What presses the bodies together: exactly one of these. Several values are a sweep, one step each.",
+                &names,
+            ),
+        )];
+        all.extend(loads.into_iter().map(|(name, key, description, schema)| {
+            let mut entries = vec![Entry { key, schema, required: true }];
+            entries.extend(Load::KINDS.iter().filter(|kind| **kind != key).map(|kind| never(kind)));
+            (name, object(description, entries))
+        }));
+        all
+    }
+
+    fn one_of(&self, description: &str, names: &[&str]) -> Value {
+        let references: Vec<_> = names.iter().map(|name| self.named(name)).collect();
+        json!({"description": description, "oneOf": references})
+    }
+}
+
+/// A closed object with these members.
+fn object(description: &str, entries: Vec<Entry>) -> Value {
+    let (mut properties, mut required) = (Map::new(), Vec::new());
+    for entry in entries {
+        properties.insert(entry.key.to_owned(), entry.schema);
+        if entry.required {
+            required.push(entry.key);
+        }
+    }
+    let mut object = json!({
+        "type": "object",
+        "description": description,
+        "properties": properties,
+        "additionalProperties": false,
+    });
+    if !required.is_empty() {
+        object["required"] = json!(required);
+    }
+    object
+}
+
+/// A member of a sibling of this object, which is `null` here if it is written at all: so a generated type refuses
+/// an object that mixes two siblings.
+fn never(key: &'static str) -> Entry {
+    let schema = json!({"type": "null", "description": "Belongs to another kind of object; not given here."});
+    Entry { key, schema, required: false }
+}
+
+/// A schema that also takes `null`.
+fn or_null(mut schema: Value, description: &str) -> Value {
+    if let Some(kind) = schema["type"].as_str() {
+        schema["type"] = json!([kind, "null"]);
+        return schema;
+    }
+    if let Some(members) = schema.as_object_mut() {
+        members.remove("description");
+    }
+    json!({"description": description, "oneOf": [schema, {"type": "null"}]})
+}
+
+fn enumeration<T: Named>(description: &str) -> Value {
+    json!({"type": "string", "description": description, "enum": words::<T>()})
+}
+
+fn figure_schema(figure: &Figure, description: &str) -> Value {
+    match figure {
+        Figure::Quantity(quantity) => figures_schema(&[*quantity], description),
+        Figure::Pure(range) => json!({
+            "type": "number",
+            "description": format!("{description} Without unit."),
+            "minimum": range.start(),
+            "maximum": range.end(),
+        }),
+        Figure::Below(least, limit) => json!({
+            "type": "number",
+            "description": format!("{description} Without unit."),
+            "minimum": least,
+            "exclusiveMaximum": limit,
+        }),
+    }
+}
+
+/// A figure that is one or another quantity, whatever `analysis` says. The bounds take in both systems of units; the
+/// description has those of each.
+fn figures_schema(quantities: &[Quantity], description: &str) -> Value {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut ranges: Vec<String> = Vec::new();
+    for units in Units::ALL {
+        for quantity in quantities {
+            let (least, most) = quantity.wire_range(*units);
+            let range = format!("{least:e} to {most:e} {}", quantity.symbol(*units));
+            if !ranges.contains(&range) {
+                ranges.push(range);
+            }
+            (low, high) = (low.min(least), high.max(most));
+        }
+    }
+    let description = format!("{description} Range: {}.", ranges.join(" or "));
+    json!({"type": "number", "description": description, "minimum": low, "maximum": high})
+}
+
+fn tags_schema() -> Value {
+    let printable = r"^[^\u0000-\u001f\u007f-\u009f]*$";
+    json!({
+        "type": "object",
+        "description": "Labels: key to text, without control characters.",
+        "maxProperties": tags::MAX_TAGS,
+        "propertyNames": {"minLength": 1, "maxLength": tags::MAX_KEY, "pattern": printable},
+        "additionalProperties": {"type": "string", "maxLength": tags::MAX_VALUE, "pattern": printable},
+        "examples": [{"bearing": "NU-210"}],
+    })
+}

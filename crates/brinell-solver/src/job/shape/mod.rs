@@ -1,0 +1,22 @@
+//! Undeformed outlines. Each shape is one file: its dimensions with their table, and what holds between them.
+//!
+//! Every shape is described in its own frame: the contact starts at the origin, `x` is tangential, and
+//! heights are counted along the outward normal. Both bodies use the same convention, so swapping `upper` and
+//! `lower` mirrors the problem.
+
+mod block;
+mod cylinder;
+mod groove;
+mod profile;
+
+pub use block::Block;
+pub use cylinder::Cylinder;
+pub use groove::Groove;
+pub use profile::Profile;
+
+use super::fields::tagged;
+
+tagged! {
+    /// The undeformed outline of a body.
+    pub enum Shape by "type" { Cylinder, Block, Groove, Profile }
+}

@@ -1,0 +1,86 @@
+//! The tables of the page's form, from those that read and write a job.
+
+use std::fmt::Write;
+
+use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
+use brinell_solver::job::{Hardening, Quantity, Shape};
+use serde_json::{Value, json};
+
+const HEAD: &str = "\
+/**
+ * The fields of every shape and hardening law, as the service reads them. Generated from the tables of the solver:
+ * `BRINELL_WRITE=1 cargo test --test openapi`.
+ */
+
+/* prettier-ignore */
+";
+
+pub fn tables() -> String {
+    let mut text = HEAD.to_owned();
+    table(&mut text, "SHAPES", Shape::TABLES);
+    text += "\n/* prettier-ignore */\n";
+    table(&mut text, "LAWS", Hardening::TABLES);
+    text
+}
+
+fn table(text: &mut String, name: &str, kinds: &[FieldTable]) {
+    writeln!(text, "/** @type {{Record<string, import('./fields.js').Kind>}} */\nexport const {name} = {{")
+        .unwrap();
+    for kind in kinds {
+        let (label, description) = (json!(kind.label), json!(kind.description));
+        writeln!(
+            text,
+            "  {}: {{\n    label: {label},\n    description: {description},\n    fields: [",
+            kind.word
+        )
+        .unwrap();
+        for one in kind.fields {
+            writeln!(text, "      {},", field(one)).unwrap();
+        }
+        writeln!(text, "    ],\n  }},").unwrap();
+    }
+    text.push_str("};\n");
+}
+
+fn field(field: &Field) -> Value {
+    let mut entry = json!({
+        "key": field.key,
+        "label": field.label,
+        "symbol": field.symbol,
+        "description": field.description,
+    });
+    match &field.kind {
+        FieldKind::Figure(figure) => entry["quantity"] = json!(quantity(figure)),
+        FieldKind::Points { columns: [(_, first), (_, second)], .. } => {
+            entry["kind"] = json!("points");
+            entry["pair"] = json!([quantity(first), quantity(second)]);
+        }
+        FieldKind::Flag => entry["kind"] = json!("flag"),
+        FieldKind::Whole(_) => entry["quantity"] = json!("number"),
+        FieldKind::Choice(_, words) => {
+            entry["kind"] = json!("choice");
+            let choices = words().into_iter().map(|word| (word.to_owned(), json!(word.replace('_', " "))));
+            entry["choices"] = choices.collect();
+        }
+    }
+    match field.example {
+        Example::Figure(figure) => entry["example"] = json!(figure),
+        Example::Points(points) => entry["example"] = json!(points),
+        Example::None => {}
+    }
+    if !field.required {
+        entry["optional"] = json!(true);
+    }
+    entry
+}
+
+/// The page's name of a quantity.
+fn quantity(figure: &Figure) -> &'static str {
+    match figure {
+        Figure::Quantity(Quantity::Length | Quantity::Position | Quantity::Approach) => "length",
+        Figure::Quantity(Quantity::Modulus | Quantity::TangentModulus | Quantity::Stress) => "stress",
+        Figure::Quantity(Quantity::LineForce) => "line_force",
+        Figure::Quantity(Quantity::Force) => "force",
+        Figure::Pure(_) | Figure::Below(..) => "number",
+    }
+}

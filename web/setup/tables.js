@@ -1,0 +1,97 @@
+/**
+ * The fields of every shape and hardening law, as the service reads them. Generated from the tables of the solver:
+ * `BRINELL_WRITE=1 cargo test --test openapi`.
+ */
+
+/* prettier-ignore */
+/** @type {Record<string, import('./fields.js').Kind>} */
+export const SHAPES = {
+  cylinder: {
+    label: "Cylinder",
+    description: "Half a cylinder, a sphere in axisymmetry, held at its diametral plane.",
+    fields: [
+      {"description":"Radius.","example":20.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+    ],
+  },
+  block: {
+    label: "Block",
+    description: "A rectangle, held at its base.",
+    fields: [
+      {"description":"Full width, centred on the contact.","example":200.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"Height of the rectangle below the contact.","example":200.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  groove: {
+    label: "Groove",
+    description: "A block with a concave circular trough across its whole upper face.",
+    fields: [
+      {"description":"Radius of the trough.","example":30.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+      {"description":"Full width, at most twice the radius.","example":40.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"From the bottom of the trough to the base.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  profile: {
+    label: "Profile",
+    description: "A block whose upper face passes through points, interpolated without overshoot.",
+    fields: [
+      {"description":"Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.","example":[[-10.0,-2.5],[-4.0,-0.4],[0.0,0.0],[4.0,-0.4],[10.0,-2.5]],"key":"points","kind":"points","label":"Points","pair":["length","length"],"symbol":"x, height"},
+      {"description":"From height 0 to the base; every height is above it.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+};
+
+/* prettier-ignore */
+/** @type {Record<string, import('./fields.js').Kind>} */
+export const LAWS = {
+  bilinear: {
+    label: "Bilinear",
+    description: "A straight line beyond the yield stress.",
+    fields: [
+      {"description":"Yield stress σ_y.","example":500.0,"key":"yield_stress","label":"Yield stress","quantity":"stress","symbol":"σ_y"},
+      {"description":"Slope E_t of stress over total strain beyond yield, below E; 0 is perfectly plastic.","example":10500.0,"key":"tangent_modulus","label":"Tangent modulus","quantity":"stress","symbol":"E_t"},
+    ],
+  },
+  ramberg_osgood: {
+    label: "Ramberg–Osgood",
+    description: "ε_p = a (σ_0/E) (q/σ_0)^m.",
+    fields: [
+      {"description":"Reference stress σ_0.","example":500.0,"key":"reference_stress","label":"Reference stress","quantity":"stress","symbol":"σ_0"},
+      {"description":"Offset a.","example":0.3,"key":"offset","label":"Offset","quantity":"number","symbol":"a"},
+      {"description":"Exponent m, from linear to, for every purpose, perfectly plastic.","example":5.0,"key":"exponent","label":"Exponent","quantity":"number","symbol":"m"},
+    ],
+  },
+  table: {
+    label: "Table",
+    description: "A measured curve.",
+    fields: [
+      {"description":"Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.","example":[[0.0,500.0],[0.01,600.0],[0.05,750.0]],"key":"points","kind":"points","label":"Points","pair":["number","stress"],"symbol":"ε_p, q"},
+    ],
+  },
+  swift: {
+    label: "Swift",
+    description: "q = σ_y (1 + ε_p/ε_0)^n.",
+    fields: [
+      {"description":"Yield stress σ_y.","example":500.0,"key":"yield_stress","label":"Yield stress","quantity":"stress","symbol":"σ_y"},
+      {"description":"Strain offset ε_0.","example":0.002,"key":"strain_offset","label":"Strain offset","quantity":"number","symbol":"ε_0"},
+      {"description":"Exponent n.","example":0.2,"key":"exponent","label":"Exponent","quantity":"number","symbol":"n"},
+    ],
+  },
+  ludwik: {
+    label: "Ludwik",
+    description: "q = σ_y + k ε_p^n.",
+    fields: [
+      {"description":"Yield stress σ_y.","example":500.0,"key":"yield_stress","label":"Yield stress","quantity":"stress","symbol":"σ_y"},
+      {"description":"Coefficient k.","example":500.0,"key":"coefficient","label":"Coefficient","quantity":"stress","symbol":"k"},
+      {"description":"Exponent n.","example":0.5,"key":"exponent","label":"Exponent","quantity":"number","symbol":"n"},
+    ],
+  },
+  voce: {
+    label: "Voce",
+    description: "q = σ_y + (σ_s − σ_y) (1 − exp(−b ε_p)).",
+    fields: [
+      {"description":"Yield stress σ_y.","example":500.0,"key":"yield_stress","label":"Yield stress","quantity":"stress","symbol":"σ_y"},
+      {"description":"Saturation stress σ_s, at least σ_y.","example":750.0,"key":"saturation_stress","label":"Saturation","quantity":"stress","symbol":"σ_s"},
+      {"description":"Rate b.","example":50.0,"key":"rate","label":"Rate","quantity":"number","symbol":"b"},
+    ],
+  },
+};
