@@ -8,9 +8,10 @@ use brinell::config::{DatabaseUrl, ServeConfig};
 use serde_json::{Value, json};
 use tokio::runtime::Runtime;
 use tokio::task::JoinHandle;
+use tokio::time::timeout;
 use tokio_util::sync::CancellationToken;
 
-use crate::server::{Target, example};
+use crate::server::{DEADLINE, Target, example};
 use crate::solvers::TestSolver;
 
 pub struct InProcess {
@@ -38,8 +39,10 @@ impl InProcess {
     }
 
     /// Waits for the service to end by itself.
+    #[track_caller]
     pub fn wait(self) {
-        self.runtime.block_on(self.server).unwrap().unwrap();
+        let ended = self.runtime.block_on(async { timeout(DEADLINE, self.server).await });
+        ended.expect("the service ends").unwrap().unwrap();
     }
 }
 

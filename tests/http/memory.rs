@@ -23,24 +23,43 @@ fn a_job_above_the_budget_is_refused_with_its_estimate() {
     assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["status"], "converged");
 }
 
-/// How many of four equal jobs two solvers work on at once, with room for so many tenths of a job.
-fn most_at_once(tenths: u64) -> usize {
-    let estimate = InProcess::start(|_| ()).target.post("/v1/validate", job("meet").to_string());
+/// A service with three solvers, and room for so many tenths of a job of ordinary size.
+fn with_room_for(tenths: u64) -> InProcess {
+    let estimate = InProcess::start(|_| ()).target.post("/v1/validate", job("slow").to_string());
     let bytes = estimate.json()["estimate"]["bytes"].as_u64().unwrap();
     let mebibytes = u32::try_from((tenths * bytes / 10) >> 20).unwrap();
-    let service = InProcess::start(|config| {
-        config.work.workers = NonZeroUsize::new(2);
+    InProcess::start(|config| {
+        config.work.workers = NonZeroUsize::new(3);
         config.work.memory_limit = Some(mebibytes);
-    });
-    let jobs: Vec<String> = (0..4).map(|_| service.target.submit(&job("meet"))).collect();
-    for id in &jobs {
-        service.target.wait_for(id, &["succeeded"]);
-    }
-    service.solver.most_at_once()
+    })
 }
 
 #[test]
-fn jobs_are_admitted_within_the_budget() {
-    assert_eq!(most_at_once(15), 1, "room for one: the second solver stays free");
-    assert_eq!(most_at_once(25), 2);
+fn a_job_waits_until_there_is_memory_for_it() {
+    let service = with_room_for(15);
+    let target = &service.target;
+    let first = target.submit(&job("slow"));
+    target.wait_for(&first, &["running"]);
+    let second = target.submit(&job("slow"));
+    // A small job that goes before the second. Whoever takes it up has two solvers free, and comes to the second too.
+    let mut small = job("quick");
+    small["mesh"] = json!({"elements_per_half_width": 4});
+    let answer = target.post("/v1/jobs?priority=1", small.to_string());
+    target.wait_for(answer.header("location").unwrap(), &["succeeded"]);
+    assert_eq!(target.get(&second).json()["status"], "queued", "there is no room beside the first");
+    service.solver.open_gate();
+    target.wait_for(&second, &["succeeded"]);
+}
+
+#[test]
+fn jobs_that_fit_beside_each_other_run_at_the_same_time() {
+    let service = with_room_for(25);
+    let jobs = [(); 2].map(|()| service.target.submit(&job("slow")));
+    for id in &jobs {
+        service.target.wait_for(id, &["running"]);
+    }
+    service.solver.open_gate();
+    for id in &jobs {
+        service.target.wait_for(id, &["succeeded"]);
+    }
 }

@@ -4,8 +4,10 @@ use std::io::Write;
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
+use serde_json::json;
+
 use crate::in_process::{InProcess, job};
-use crate::server::{DEADLINE, Server, example};
+use crate::server::{DEADLINE, Scratch, Server, example};
 
 #[test]
 fn sigterm_ends_an_idle_service_with_success() {
@@ -41,12 +43,25 @@ fn while_draining_jobs_finish_new_ones_are_refused_and_questions_answered() {
 }
 
 #[test]
-fn what_is_left_after_the_grace_time_is_cancelled() {
-    let service = InProcess::start(|config| config.work.grace = Duration::from_millis(50));
-    let running = service.target.submit(&job("slow"));
-    service.target.wait_for(&running, &["running"]);
+fn a_job_that_outlasts_the_grace_time_is_queued_again() {
+    let directory = Scratch::new();
+    let start = |no_workers| {
+        InProcess::start(|config| {
+            config.no_workers = no_workers;
+            config.work.grace = Duration::from_millis(50);
+            config.storage.database_url = None;
+            config.storage.data_dir.clone_from(&directory.0);
+        })
+    };
+    let service = start(false);
+    let id = service.target.submit(&job("slow"));
+    service.target.wait_for(&id, &["running"]);
     service.stop.cancel();
     service.wait();
+    // Had its lease not been given back, it would still be running.
+    let released = start(true).target.get(&id).json();
+    assert_eq!((&released["status"], &released["queue_position"]), (&json!("queued"), &json!(0)));
+    assert_eq!(released["progress"]["iterations"], 0);
 }
 
 #[test]

@@ -10,44 +10,18 @@ use brinell_solver::report::{MeshReport, Report, RunError, Timings};
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
 /// `abort`, `panic`, `nan`, `impossible`, `expire`; `slow` iterates until the gate is opened or it is told to stop; anything
-/// else converges at once. `meet` waits for company, in vain if it is solved alone.
+/// else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
     open: Mutex<bool>,
     changed: Condvar,
-    company: Mutex<Company>,
-    met: Condvar,
 }
-
-/// Jobs solved at the same time.
-#[derive(Default)]
-struct Company {
-    now: usize,
-    most: usize,
-}
-
-/// Longest wait for company.
-const LONELY: Duration = Duration::from_millis(300);
 
 impl TestSolver {
     /// Lets slow jobs converge.
     pub fn open_gate(&self) {
         *self.open.lock().unwrap() = true;
         self.changed.notify_all();
-    }
-
-    /// Most jobs that were being solved at the same time.
-    pub fn most_at_once(&self) -> usize {
-        self.company.lock().unwrap().most
-    }
-
-    fn meet(&self) {
-        let mut company = self.company.lock().unwrap();
-        company.now += 1;
-        company.most = company.most.max(company.now);
-        self.met.notify_all();
-        company = self.met.wait_timeout_while(company, LONELY, |company| company.now < 2).unwrap().0;
-        company.now -= 1;
     }
 
     fn wait_a_little(&self) -> bool {
@@ -88,10 +62,6 @@ impl JobSolver for TestSolver {
             Some("expire") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(observer)),
-            Some("meet") => {
-                self.meet();
-                Ok(report(SolveStatus::Converged))
-            }
             _ => Ok(report(SolveStatus::Converged)),
         }
     }
