@@ -1,30 +1,25 @@
 //! One line of progress on a terminal, for work that takes longer than a second.
 
 use std::io::{self, IsTerminal, Write};
-use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
 use super::table::significant;
 use crate::jobs::IterationRecord;
 use brinell_solver::solver::{Interrupt, Observer};
-use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Work shorter than this shows no progress.
-const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(1);
+const DELAY: Duration = Duration::from_secs(1);
 /// Time between two updates.
 const INTERVAL: Duration = Duration::from_millis(100);
 
-/// Shows how far a solve has come, is its clock and lends it the machine's cores.
+/// Shows how far a solve has come, and is its clock.
 pub(super) struct ProgressLine {
     started: Instant,
     shown: Option<Instant>,
     text: String,
     is_terminal: bool,
-    patience: Duration,
-    core: OccupiedCore,
+    delay: Duration,
 }
 
 impl ProgressLine {
@@ -34,15 +29,14 @@ impl ProgressLine {
             shown: None,
             text: "preparing".to_owned(),
             is_terminal: io::stderr().is_terminal(),
-            patience: ACQUIRE_TIMEOUT,
-            core: Cores::new(available_parallelism().map_or(1, NonZeroUsize::get)).occupy(),
+            delay: DELAY,
         }
     }
 
     /// Shows progress from the first moment on.
     pub(super) fn impatient() -> Self {
         let mut line = Self::start();
-        line.patience = Duration::ZERO;
+        line.delay = Duration::ZERO;
         line
     }
 
@@ -59,7 +53,7 @@ impl ProgressLine {
 
     fn refresh(&mut self) {
         let due = self.shown.is_none_or(|shown| shown.elapsed() >= INTERVAL);
-        if self.is_terminal && due && self.started.elapsed() >= self.patience {
+        if self.is_terminal && due && self.started.elapsed() >= self.delay {
             self.shown = Some(Instant::now());
             let seconds = self.started.elapsed().as_secs_f64();
             let _ = write!(io::stderr(), "\r\x1b[K{}, {seconds:.1} s", self.text);
@@ -84,10 +78,6 @@ impl Observer for ProgressLine {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.refresh();
         ControlFlow::Continue(())
-    }
-
-    fn cores(&self) -> Option<Arc<Cores>> {
-        Some(self.core.all())
     }
 
     fn elapsed(&self) -> Duration {

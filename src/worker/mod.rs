@@ -23,7 +23,6 @@ use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerI
 use pool::SolverPool;
 use running::Running;
 use slots::{Reservation, Slots};
-use sparse_cholesky::Cores;
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 const STOP_TIMEOUT: Duration = Duration::from_secs(2);
@@ -61,8 +60,6 @@ pub(crate) struct WorkerState {
     notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
     pool: SolverPool,
-    /// One for each solver of the pool; large jobs borrow those of solvers that have nothing to do.
-    cores: Arc<Cores>,
     slots: Arc<Slots>,
     running: Running,
     tasks: TaskTracker,
@@ -88,7 +85,6 @@ impl Worker {
             notifier,
             solver,
             pool: SolverPool::new(settings.slots)?,
-            cores: Cores::new(settings.slots),
             slots: Arc::new(Slots::new(settings.slots, settings.memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),

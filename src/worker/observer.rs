@@ -10,7 +10,6 @@ use tokio::sync::mpsc::UnboundedSender;
 use super::supervise::Message;
 use crate::jobs::{IterationRecord, check_finite};
 use brinell_solver::solver::{Interrupt, Observer};
-use sparse_cholesky::{Cores, OccupiedCore};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
 /// of its iterations; what a job that ends sooner has to tell comes with its outcome.
@@ -39,17 +38,11 @@ pub(super) struct JobObserver {
     interrupt: Option<Interrupt>,
     pending: Vec<IterationRecord>,
     sent_at: Duration,
-    core: OccupiedCore,
 }
 
 impl JobObserver {
     /// Starts the job's clock.
-    pub(super) fn start(
-        timeout: Duration,
-        stop: StopFlag,
-        messages: UnboundedSender<Message>,
-        core: OccupiedCore,
-    ) -> Self {
+    pub(super) fn start(timeout: Duration, stop: StopFlag, messages: UnboundedSender<Message>) -> Self {
         Self {
             started: Instant::now(),
             timeout,
@@ -58,7 +51,6 @@ impl JobObserver {
             interrupt: None,
             pending: Vec::new(),
             sent_at: Duration::ZERO,
-            core,
         }
     }
 
@@ -104,33 +96,7 @@ impl Observer for JobObserver {
         ControlFlow::Break(interrupt)
     }
 
-    fn cores(&self) -> Option<Arc<Cores>> {
-        Some(self.core.all())
-    }
-
     fn elapsed(&self) -> Duration {
         self.started.elapsed()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use tokio::sync::mpsc::unbounded_channel;
-
-    use super::*;
-
-    #[test]
-    fn a_job_has_one_core_and_lends_the_others() {
-        let cores = Cores::new(2);
-        let start = || {
-            let (sender, _) = unbounded_channel();
-            JobObserver::start(Duration::MAX, StopFlag::default(), sender, cores.occupy())
-        };
-        let first = start();
-        assert!(first.cores().is_some_and(|lent| Arc::ptr_eq(&lent, &cores) && lent.has_idle()));
-        let second = start();
-        assert!(!cores.has_idle());
-        drop((first, second));
-        assert!(cores.has_idle());
     }
 }

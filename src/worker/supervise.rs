@@ -94,9 +94,8 @@ impl WorkerState {
         let (sender, messages) = unbounded_channel();
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
-        let cores = Arc::clone(&self.cores);
         self.pool.run(move || {
-            let mut observer = JobObserver::start(timeout, stop, sender.clone(), cores.occupy());
+            let mut observer = JobObserver::start(timeout, stop, sender.clone());
             let outcome = attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer);
             let _ = sender.send(Message::Done(observer.take_pending(), outcome));
         });

@@ -20,7 +20,7 @@ use brinell_solver::solver::{
     self, FactorCache, Observer, Options, Phase, PhaseTimes, Solution, SolveStatus, Unobserved,
 };
 use serde_json::{Value, json};
-use sparse_cholesky::{Cholesky, Cores, EliminationOrder, Graph, OccupiedCore, SymbolicCholesky};
+use sparse_cholesky::{Cholesky, EliminationOrder, Graph, SymbolicCholesky};
 
 /// The default job: two equal cylinders, accelerated, active set, 1e-6.
 const JOB: &str = include_str!("../../../api/examples/two_cylinders.json");
@@ -54,8 +54,6 @@ fn main() {
     write_couplings(&mut text).unwrap();
     write_sweep(&mut text).unwrap();
     write_workers(&mut text).unwrap();
-    write_lent(&mut text).unwrap();
-    write_full_pool(&mut text).unwrap();
     write_designs(&mut text).unwrap();
     println!("{text}");
     if has("--write") {
@@ -304,92 +302,6 @@ fn write_workers(text: &mut String) -> std::fmt::Result {
          median of 5).",
         median(pairs.iter().map(|(one, two)| one / two)),
         median(pairs.iter().map(|(_, two)| JOBS as f64 / two))
-    )
-}
-
-/// A job's clock, and the core that it occupies.
-struct Lent(Instant, OccupiedCore);
-
-impl Observer for Lent {
-    fn elapsed(&self) -> Duration {
-        self.0.elapsed()
-    }
-
-    fn cores(&self) -> Option<Arc<Cores>> {
-        Some(self.1.all())
-    }
-}
-
-/// Large jobs on one core, and with another one that has nothing to do.
-fn write_lent(text: &mut String) -> std::fmt::Result {
-    writeln!(
-        text,
-        "\n## A second core for one job\n\nA job that has two idle cores against the same job on one, medians of 5; its lower \
-         cylinder as the upper, and with a radius of 35 mm.\n\n\
-         | elements | bodies | one core [ms] | two [ms] | faster | factorization faster |\n|--:|---|--:|--:|--:|--:|"
-    )?;
-    for elements in [20, 40, 80, 160] {
-        for (bodies, radius) in [("equal", 20.0), ("unequal", 35.0)] {
-            let mut job: Value = serde_json::from_str(JOB).unwrap();
-            job["lower"]["shape"]["radius"] = json!(radius);
-            job["load"] = json!({"force": FORCE});
-            job["mesh"] = json!({"elements_per_half_width": elements});
-            let job = Job::from_value(&job).unwrap();
-            let figures =
-                |time: f64, solution: &Solution| (time, milliseconds(solution.phases.spent(Phase::Numeric)));
-            let runs: Vec<_> = (0..5)
-                .map(|_| {
-                    let (time, solution) = timed(&job);
-                    let one = figures(time, &solution);
-                    drop(solution);
-                    let mut lent = Lent(Instant::now(), Cores::new(2).occupy());
-                    let solution = solver::run(&job, &mut lent).unwrap();
-                    (one, figures(milliseconds(lent.elapsed()), &solution))
-                })
-                .collect();
-            writeln!(
-                text,
-                "| {elements} | {bodies} | {:.1} | {:.1} | {:.2} | {:.2} |",
-                median(runs.iter().map(|(one, _)| one.0)),
-                median(runs.iter().map(|(_, two)| two.0)),
-                median(runs.iter().map(|(one, two)| one.0 / two.0)),
-                median(runs.iter().map(|(one, two)| one.1 / two.1)),
-            )?;
-        }
-    }
-    Ok(())
-}
-
-/// Large jobs on two threads, with cores to borrow when the other thread has none and without.
-fn write_full_pool(text: &mut String) -> std::fmt::Result {
-    const JOBS: usize = 12;
-    let job = job(80, FORCE);
-    let time = |lends: bool| {
-        let cores = Cores::new(2);
-        let next = AtomicUsize::new(0);
-        let clock = Instant::now();
-        std::thread::scope(|scope| {
-            for _ in 0..2 {
-                scope.spawn(|| {
-                    while next.fetch_add(1, Ordering::Relaxed) < JOBS {
-                        if lends {
-                            let mut lent = Lent(clock, cores.occupy());
-                            black_box(solver::run(&job, &mut lent).unwrap());
-                        } else {
-                            black_box(solver::run(&job, &mut Clock(clock)).unwrap());
-                        }
-                    }
-                });
-            }
-        });
-        clock.elapsed().as_secs_f64()
-    };
-    let ratios = (0..5).map(|_| time(false) / time(true));
-    writeln!(
-        text,
-        "\nWhere both cores have jobs, nobody borrows: two threads finish {JOBS} jobs at 80 elements {:.2} times as fast with lending \
-         as without (median of 5).",
-        median(ratios)
     )
 }
 

@@ -1,29 +1,17 @@
 //! Sparse Cholesky factorization and solves over parts of the factor.
 //!
 //! The matrix comes already numbered in elimination order ([`super::EliminationOrder`]), so positions in a
-//! vector are positions in the factor and no permutation happens here. The columns of `L` are grouped into
-//! supernodes: runs of columns `[start, end)` with one common set of rows below, stored as a dense
-//! column-major panel whose first `end - start` rows are the diagonal block.
+//! vector are positions in the factor and no permutation happens here.
 
-#![expect(
-    clippy::cast_possible_truncation,
-    reason = "equations are numbered by u32, so that there are fewer than 2^32 of them"
-)]
-
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::SymbolicSparseColMatRef;
-use faer::sparse::linalg::SymbolicSupernodalParams;
-use faer::sparse::linalg::cholesky::{simplicial, supernodal};
 use thiserror::Error;
 
-use super::cores::Cores;
-use super::dense::SymmetricMatrix;
-use super::factorization::{factorize, outdated};
-use super::panel::Supernode;
-use super::{SymmetricPattern, dot, wide};
+use super::dense::{SymmetricMatrix, inverse_of_factor};
+use super::factorization::{factorize, outdated_supernodes};
+use super::symbolic::{Reach, Supernode, SymbolicCholesky};
+use super::{dot, simd_dispatch};
 
 /// Why a matrix has no Cholesky factor.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -45,142 +33,6 @@ pub enum FactorizationError {
     TooLarge,
 }
 
-/// Structure of the factor, shared by all matrices of one pattern.
-#[derive(Debug)]
-pub struct SymbolicCholesky {
-    pattern: SymmetricPattern,
-    structure: supernodal::SymbolicSupernodalCholesky<u32>,
-    /// Parent of each supernode in the elimination tree; the root is its own.
-    parent: Vec<usize>,
-    /// Supernode of each column.
-    supernode_of: Vec<u32>,
-}
-
-impl SymbolicCholesky {
-    /// Analyses a pattern. Cost about `O(entries of L / width of a supernode)`.
-    ///
-    /// # Errors
-    /// [`FactorizationError::TooLarge`].
-    pub fn new(pattern: SymmetricPattern) -> Result<Arc<Self>, FactorizationError> {
-        let n = pattern.order();
-        let (offsets, columns) = pattern.transposed();
-        let upper = SymbolicSparseColMatRef::new_checked(n, n, &offsets, None, &columns);
-        let too_large = |_| FactorizationError::TooLarge;
-        let request = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(n, columns.len())
-            .or(supernodal::factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
-        let mut memory = MemBuffer::try_new(request).map_err(|_| FactorizationError::TooLarge)?;
-        let (mut tree, mut column_counts) = (vec![0i32; n], vec![0u32; n]);
-        let tree = simplicial::prefactorize_symbolic_cholesky(
-            &mut tree,
-            &mut column_counts,
-            upper,
-            MemStack::new(&mut memory),
-        );
-        let structure = supernodal::factorize_supernodal_symbolic_cholesky(
-            upper,
-            tree,
-            &column_counts,
-            MemStack::new(&mut memory),
-            SymbolicSupernodalParams::default(),
-        )
-        .map_err(too_large)?;
-        let mut supernode_of = vec![0u32; n];
-        for s in 0..structure.n_supernodes() {
-            for column in columns_of(&structure, s) {
-                supernode_of[column] = s as u32;
-            }
-        }
-        let parent = (0..structure.n_supernodes())
-            .map(|s| {
-                structure.supernode(s).pattern().first().map_or(s, |&r| supernode_of[r as usize] as usize)
-            })
-            .collect();
-        Ok(Arc::new(Self { pattern, structure, parent, supernode_of }))
-    }
-
-    /// Order of the matrix.
-    pub fn order(&self) -> usize {
-        self.pattern.order()
-    }
-
-    /// Pattern of the matrix.
-    pub fn pattern(&self) -> &SymmetricPattern {
-        &self.pattern
-    }
-
-    /// Bytes held.
-    pub fn bytes(&self) -> usize {
-        let structure = &self.structure;
-        let offsets = [structure.col_ptr_for_row_idx(), structure.col_ptr_for_val()];
-        let columns = [structure.supernode_begin(), structure.supernode_end(), &self.supernode_of];
-        let lists = offsets.iter().chain(&columns).map(|list| size_of_val(*list)).sum::<usize>();
-        self.pattern.bytes() + lists + size_of_val(structure.row_idx()) + size_of_val(self.parent.as_slice())
-    }
-
-    /// Entries stored for the factor, those that panels store in vain included.
-    pub fn factor_entries(&self) -> usize {
-        self.structure.len_val()
-    }
-
-    /// The supernodes that a solve touches when its right-hand side and its wanted entries both lie in
-    /// `equations`: theirs and all ancestors of those.
-    pub fn reach(&self, equations: &[u32]) -> Reach {
-        let mut touched = vec![false; self.parent.len()];
-        for &equation in equations {
-            let mut s = self.supernode_of[equation as usize] as usize;
-            while !touched[s] {
-                touched[s] = true;
-                s = self.parent[s];
-            }
-        }
-        Reach { supernodes: (0u32..).zip(&touched).filter(|(_, t)| **t).map(|(s, _)| s).collect() }
-    }
-
-    /// The supernodes that hold the last `count` equations.
-    pub fn trailing_reach(&self, count: usize) -> Reach {
-        let first = self.supernode_of[self.order() - count.clamp(1, self.order())];
-        Reach { supernodes: (first..self.parent.len() as u32).collect() }
-    }
-
-    pub(super) fn supernode_count(&self) -> usize {
-        self.parent.len()
-    }
-
-    pub(super) fn supernode(&self, s: usize) -> Supernode<'_> {
-        let offsets = self.structure.col_ptr_for_val();
-        Supernode {
-            columns: columns_of(&self.structure, s),
-            rows: self.structure.supernode(s).pattern(),
-            values: offsets[s] as usize..offsets[s + 1] as usize,
-        }
-    }
-
-    /// The supernode above one in the elimination tree; the root is its own.
-    pub(super) fn parent(&self, s: usize) -> usize {
-        self.parent[s]
-    }
-
-    /// The supernode that holds an equation.
-    pub(super) fn supernode_of(&self, equation: u32) -> usize {
-        self.supernode_of[equation as usize] as usize
-    }
-
-    /// All supernodes: a reach for ordinary solves.
-    pub fn full_reach(&self) -> Reach {
-        Reach { supernodes: (0..self.parent.len() as u32).collect() }
-    }
-}
-
-/// A set of supernodes closed under ascent in the elimination tree, in elimination order.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Reach {
-    supernodes: Vec<u32>,
-}
-
-fn columns_of(structure: &supernodal::SymbolicSupernodalCholesky<u32>, s: usize) -> Range<usize> {
-    structure.supernode_begin()[s] as usize..structure.supernode_end()[s] as usize
-}
-
 /// The factor `L` of `A = L Lᵀ`.
 #[derive(Debug, Clone)]
 pub struct Cholesky {
@@ -197,7 +49,7 @@ impl Cholesky {
     /// [`FactorizationError`] if an entry is not finite or a pivot not positive.
     pub fn factor(symbolic: &Arc<SymbolicCholesky>, values: &[f64]) -> Result<Self, FactorizationError> {
         let mut factor = Self::empty(symbolic);
-        factor.refactor(values.to_vec(), None, &mut || ControlFlow::Continue(()))?;
+        factor.refactor(values.to_vec(), &mut || ControlFlow::Continue(()))?;
         Ok(factor)
     }
 
@@ -206,40 +58,36 @@ impl Cholesky {
         Self { symbolic: Arc::clone(symbolic), values: Vec::new(), matrix: Vec::new() }
     }
 
-    /// Becomes the factor of another matrix of the same pattern; asks `checkpoint` every few milliseconds whether to go
-    /// on. After an error it is the factor of none.
+    /// Becomes the factor of another matrix of the same pattern. Asks `checkpoint` every few milliseconds whether to go
+    /// on. After an error it is the factor of no matrix.
     ///
-    /// Where two matrices are equal, so are their factors, up to the first column that differs on each branch of the
-    /// elimination tree; what is known from the last matrix stays. So the cost is that of the part that has changed and
-    /// of what lies above it, and the factor is bit for bit that of a fresh start.
-    ///
-    /// Runs on the calling thread and, if it is large, on `cores` that are idle. The bits do not depend on them.
+    /// A supernode is computed again only if an entry of the matrix has changed in its columns or in a descendant's in
+    /// the elimination tree. The values are bit for bit those of [`Self::factor`].
     ///
     /// # Errors
     /// As [`Self::factor`], and [`FactorizationError::Stopped`].
     pub fn refactor(
         &mut self,
         values: Vec<f64>,
-        cores: Option<&Cores>,
         checkpoint: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<(), FactorizationError> {
-        let former = std::mem::take(&mut self.matrix);
+        let previous = std::mem::take(&mut self.matrix);
         if values.iter().any(|v| !v.is_finite()) {
             return Err(FactorizationError::NotFinite);
         }
-        let outdated = if former.is_empty() {
+        let outdated = if previous.is_empty() {
             self.values.clear();
-            Vec::new()
+            None
         } else {
-            outdated(&self.symbolic, &former, &values)
+            Some(outdated_supernodes(&self.symbolic, &previous, &values))
         };
-        factorize(&self.symbolic, &values, &mut self.values, &outdated, cores, checkpoint)?;
+        factorize(&self.symbolic, &values, &mut self.values, outdated.as_deref(), checkpoint)?;
         self.matrix = values;
         Ok(())
     }
 
-    /// Becomes the factor of no matrix, so that the next one is factorized whole.
-    pub fn forget(&mut self) {
+    /// Makes it the factor of no matrix, so that the next one is factorized completely.
+    pub fn invalidate(&mut self) {
         self.matrix.clear();
     }
 
@@ -269,9 +117,9 @@ impl Cholesky {
     /// Overwrites `x` by `L⁻¹ x` on the reach.
     pub fn forward(&self, reach: &Reach, x: &mut [f64]) {
         let mut below = Vec::new();
-        wide(|| {
-            for &s in &reach.supernodes {
-                forward_panel(&self.panel(s as usize), x, &mut below);
+        simd_dispatch(|| {
+            for &s in reach.supernodes() {
+                forward_panel(self.panel(s), x, &mut below);
             }
         });
     }
@@ -282,9 +130,9 @@ impl Cholesky {
     /// each group is read once forward before it is used.
     pub fn backward(&self, reach: &Reach, x: &mut [f64]) {
         let mut below = Vec::new();
-        let mut rest = reach.supernodes.as_slice();
-        let offsets = self.symbolic.structure.col_ptr_for_val();
-        wide(|| {
+        let mut rest = reach.supernodes();
+        let offsets = self.symbolic.value_offsets();
+        simd_dispatch(|| {
             while let Some(&last) = rest.last() {
                 let end = offsets[last as usize + 1] as usize;
                 let first =
@@ -292,11 +140,11 @@ impl Cholesky {
                 let (before, group) = rest.split_at(first);
                 if self.values.len() > CACHED {
                     for &s in group {
-                        touch(self.panel(s as usize).values);
+                        touch(self.panel(s).1);
                     }
                 }
                 for &s in group.iter().rev() {
-                    backward_panel(&self.panel(s as usize), x, &mut below);
+                    backward_panel(self.panel(s), x, &mut below);
                 }
                 rest = before;
             }
@@ -310,67 +158,37 @@ impl Cholesky {
         let first = self.symbolic.order() - count;
         // Column-major lower triangle of L_cc.
         let mut block = vec![0.0; count * count];
-        for &s in &self.symbolic.trailing_reach(count).supernodes {
-            let panel = self.panel(s as usize);
-            for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
-                let Some(target) = (panel.start + c).checked_sub(first) else { continue };
-                let own_rows = panel.start + c..panel.start + panel.width;
-                let below = panel.rows.iter().map(|&r| r as usize);
+        for &s in self.symbolic.trailing_reach(count).supernodes() {
+            let (node, panel) = self.panel(s);
+            for (c, column) in panel.chunks_exact(node.height()).enumerate() {
+                let Some(target) = (node.columns.start + c).checked_sub(first) else { continue };
+                let own_rows = node.columns.start + c..node.columns.end;
+                let below = node.rows.iter().map(|&r| r as usize);
                 for (row, l) in own_rows.chain(below).zip(&column[c..]) {
                     block[target * count + row - first] = *l;
                 }
             }
         }
-        // Y by forward substitution, column k of Y being zero above its diagonal.
-        let mut y = vec![0.0; count * count];
-        for (k, column) in y.chunks_exact_mut(count).enumerate() {
-            column[k] = 1.0;
-            for j in k..count {
-                let l = &block[j * count + j..(j + 1) * count];
-                let pivot = column[j] / l[0];
-                column[j] = pivot;
-                for (v, l) in column[j + 1..].iter_mut().zip(&l[1..]) {
-                    *v -= pivot * l;
-                }
-            }
-        }
-        let y_column = |k: usize| &y[k * count..(k + 1) * count];
-        SymmetricMatrix::from_fn(count, |i, j| {
-            let from = i.max(j);
-            dot(&y_column(i)[from..], &y_column(j)[from..])
-        })
+        inverse_of_factor(&block, count)
     }
 
-    fn panel(&self, s: usize) -> Panel<'_> {
-        let Supernode { columns, rows, values } = self.symbolic.supernode(s);
-        Panel { start: columns.start, width: columns.len(), rows, values: &self.values[values] }
-    }
-}
-
-/// Columns `[start, start + width)` of `L`: a dense column-major block over the rows of the diagonal block
-/// followed by `rows`.
-struct Panel<'a> {
-    start: usize,
-    width: usize,
-    rows: &'a [u32],
-    values: &'a [f64],
-}
-
-impl Panel<'_> {
-    fn height(&self) -> usize {
-        self.width + self.rows.len()
+    /// A supernode and its panel, column-major.
+    fn panel(&self, s: u32) -> (Supernode<'_>, &[f64]) {
+        let node = self.symbolic.supernode(s as usize);
+        let values = &self.values[node.values.clone()];
+        (node, values)
     }
 }
 
 /// Forward substitution with one panel. What its columns take off the rows below is summed in `below` first and
 /// scattered once.
 #[inline(always)]
-fn forward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
+fn forward_panel((node, panel): (Supernode<'_>, &[f64]), x: &mut [f64], below: &mut Vec<f64>) {
     below.clear();
-    below.resize(panel.rows.len(), 0.0);
-    for (c, column) in panel.values.chunks_exact(panel.height()).enumerate() {
-        let (diagonal, lower) = column[c..].split_at(panel.width - c);
-        let own = &mut x[panel.start + c..panel.start + panel.width];
+    below.resize(node.rows.len(), 0.0);
+    for (c, column) in panel.chunks_exact(node.height()).enumerate() {
+        let (diagonal, lower) = column[c..].split_at(node.columns.len() - c);
+        let own = &mut x[node.columns.start + c..node.columns.end];
         let pivot = own[0] / diagonal[0];
         own[0] = pivot;
         for (y, l) in own[1..].iter_mut().zip(&diagonal[1..]) {
@@ -380,7 +198,7 @@ fn forward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
             *y += pivot * l;
         }
     }
-    for (&row, y) in panel.rows.iter().zip(below.iter()) {
+    for (&row, y) in node.rows.iter().zip(below.iter()) {
         x[row as usize] -= y;
     }
 }
@@ -399,12 +217,12 @@ fn touch(values: &[f64]) {
 
 /// Back substitution with one panel.
 #[inline(always)]
-fn backward_panel(panel: &Panel<'_>, x: &mut [f64], below: &mut Vec<f64>) {
+fn backward_panel((node, panel): (Supernode<'_>, &[f64]), x: &mut [f64], below: &mut Vec<f64>) {
     below.clear();
-    below.extend(panel.rows.iter().map(|&row| x[row as usize]));
-    for (c, column) in panel.values.chunks_exact(panel.height()).enumerate().rev() {
-        let (diagonal, lower) = column[c..].split_at(panel.width - c);
-        let own = &mut x[panel.start + c..panel.start + panel.width];
+    below.extend(node.rows.iter().map(|&row| x[row as usize]));
+    for (c, column) in panel.chunks_exact(node.height()).enumerate().rev() {
+        let (diagonal, lower) = column[c..].split_at(node.columns.len() - c);
+        let own = &mut x[node.columns.start + c..node.columns.end];
         let sum = own[0] - dot(&own[1..], &diagonal[1..]) - dot(below, lower);
         own[0] = sum / diagonal[0];
     }

@@ -41,9 +41,22 @@ impl EliminationOrder {
     pub fn nodes(&self) -> &[u32] {
         &self.node_at
     }
+
+    /// Position of each node in the order.
+    pub fn positions(&self) -> Vec<u32> {
+        positions(&self.node_at)
+    }
 }
 
 const NONE: u32 = u32::MAX;
+
+fn positions(node_at: &[u32]) -> Vec<u32> {
+    let mut position = vec![0u32; node_at.len()];
+    for (k, &node) in (0u32..).zip(node_at) {
+        position[node as usize] = k;
+    }
+    position
+}
 
 /// Parent of each position in the elimination tree of the graph numbered by `node_at`.
 ///
@@ -52,10 +65,7 @@ const NONE: u32 = u32::MAX;
 /// 134–172, algorithm 4.2 (path compression).
 fn elimination_tree(node_at: &[u32], graph: &Graph) -> Vec<u32> {
     let n = node_at.len();
-    let mut position = vec![0u32; n];
-    for (k, &node) in (0u32..).zip(node_at) {
-        position[node as usize] = k;
-    }
+    let position = positions(node_at);
     let (mut parent, mut ancestor) = (vec![NONE; n], vec![NONE; n]);
     for (k, &node) in (0u32..).zip(node_at) {
         for &m in graph.neighbours(node) {

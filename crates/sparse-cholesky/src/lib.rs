@@ -1,18 +1,17 @@
-//! Sparse and dense linear algebra; nothing in here knows mechanics.
+//! Sparse Cholesky factorization `A = L Lᵀ` that can be stopped and renewed in part, with solves over parts of the
+//! factor.
 //!
-//! The one heavy operation of a job is the sparse Cholesky factorization `K = L Lᵀ` of each body's stiffness. This
-//! crate makes it possible to stop it, and arranges the equations so that everything after it is cheap:
+//! - [`EliminationOrder`] numbers the nodes of a mesh by nested dissection, chosen *trailing* ones after all others;
+//! - [`SymbolicCholesky`] is the structure of the factor for a [`SymmetricPattern`];
+//! - [`Cholesky::refactor`] computes only the supernodes that a change of the matrix reaches, and asks now and then
+//!   whether to go on;
+//! - [`Cholesky::solve_restricted`] and its two halves run over the supernodes of the equations that are loaded or read
+//!   and their ancestors, their [`Reach`];
+//! - [`Cholesky::trailing_inverse`] takes the last rows and columns of `A⁻¹` from the last diagonal block of `L`.
 //!
-//! - [`EliminationOrder`] numbers the nodes by nested dissection, the *trailing* ones (in contact) after all others;
-//! - [`Cholesky::refactor`] factorizes in place and asks now and then whether to go on;
-//! - [`Cholesky::solve_restricted`] and its parts run over the supernodes of a *window* (the equations an iteration
-//!   loads or reads) and their ancestors, its [`Reach`];
-//! - [`Cholesky::trailing_inverse`] reads the flexibility of the trailing equations off the last block of `L`.
-//!
-//! This is the only crate that names the library for symbolic analysis and dense kernels.
+//! The README has an example. This is the only crate of the workspace that names faer.
 
 mod cholesky;
-mod cores;
 pub mod dense;
 mod elimination;
 mod factorization;
@@ -20,14 +19,18 @@ mod graph;
 mod nested_dissection;
 mod panel;
 mod pattern;
-mod subtrees;
-mod wide;
+mod simd;
+mod symbolic;
 
-pub use cholesky::{Cholesky, FactorizationError, Reach, SymbolicCholesky};
-pub use cores::share;
-pub use cores::{Cores, OccupiedCore};
+pub use cholesky::{Cholesky, FactorizationError};
 pub use elimination::EliminationOrder;
 pub use graph::Graph;
 pub use nested_dissection::LatticePoint;
 pub use pattern::SymmetricPattern;
-pub use wide::{dot, wide};
+pub use simd::{dot, simd_dispatch};
+pub use symbolic::{Reach, SymbolicCholesky};
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

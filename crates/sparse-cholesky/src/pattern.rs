@@ -5,6 +5,8 @@
     reason = "equations are numbered by u32, so that there are fewer than 2^32 of them"
 )]
 
+use super::{EliminationOrder, Graph};
+
 /// Lower triangle, diagonal included, in compressed columns; rows ascend within a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SymmetricPattern {
@@ -20,6 +22,21 @@ impl SymmetricPattern {
             column.first() == Some(&(j as u32)) && column.is_sorted()
         }));
         Self { column_offsets, rows }
+    }
+
+    /// Pattern of a matrix with one equation for each node of a graph, in elimination order: two are coupled if their
+    /// nodes are neighbours.
+    pub fn of_graph(graph: &Graph, order: &EliminationOrder) -> Self {
+        let position = order.positions();
+        let (mut column_offsets, mut rows) = (vec![0], Vec::new());
+        for (k, &node) in (0u32..).zip(order.nodes()) {
+            let start = rows.len();
+            rows.push(k);
+            rows.extend(graph.neighbours(node).iter().map(|&m| position[m as usize]).filter(|&row| row > k));
+            rows[start..].sort_unstable();
+            column_offsets.push(rows.len() as u32);
+        }
+        Self::from_columns(column_offsets, rows)
     }
 
     /// Order of the matrix.

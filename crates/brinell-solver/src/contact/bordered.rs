@@ -24,7 +24,7 @@ pub(super) struct Equilibrium {
 pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<Equilibrium, ContactError> {
     let pairs = active.as_slice();
     let datum = pairs.iter().map(|&k| problem.initial_gap[k]).fold(f64::INFINITY, f64::min);
-    let factor = DenseCholesky::factor(pairs.len(), problem.flexibility.principal_block(pairs))
+    let factor = DenseCholesky::factor(problem.flexibility.principal_block(pairs))
         .map_err(|error| ContactError::NotPositiveDefinite { pair: pairs[error.index] })?;
     let mut per_approach = vec![1.0; pairs.len()];
     factor.solve_in_place(&mut per_approach);

@@ -15,7 +15,7 @@ use crate::fem::assembly::GaussPoint;
 use crate::fem::element::QUADRATURE_POINTS;
 use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
-use sparse_cholesky::dense::DenseCholesky;
+use sparse_cholesky::dense::{DenseCholesky, SymmetricMatrix};
 
 /// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p]` at a point \[MPa, MPa, MPa, MPa, 1\].
 pub(super) type Values = [f64; 5];
@@ -166,20 +166,17 @@ fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
         .map(|([x, y], _)| (x - centre[0]).abs().max((y - centre[1]).abs()))
         .fold(f64::MIN_POSITIVE, f64::max);
     let basis = |[x, y]: [f64; 2]| [1.0, (x - centre[0]) / scale, (y - centre[1]) / scale];
-    let mut normal = vec![0.0; 9];
+    let at_samples: Vec<[f64; 3]> = samples.iter().map(|(position, _)| basis(*position)).collect();
+    let normal = SymmetricMatrix::from_fn(3, |i, j| at_samples.iter().map(|b| b[i] * b[j]).sum());
     let mut right = [[0.0; 3]; 5];
-    for (position, values) in samples {
-        let b = basis(*position);
-        for i in 0..3 {
-            for j in 0..3 {
-                normal[3 * i + j] += b[i] * b[j];
-            }
-            for (row, value) in right.iter_mut().zip(values) {
-                row[i] += b[i] * value;
+    for (b, (_, values)) in at_samples.iter().zip(samples) {
+        for (row, value) in right.iter_mut().zip(values) {
+            for (entry, b) in row.iter_mut().zip(b) {
+                *entry += b * value;
             }
         }
     }
-    match DenseCholesky::factor(3, normal) {
+    match DenseCholesky::factor(normal) {
         Ok(factor) => right.map(|mut coefficients| {
             factor.solve_in_place(&mut coefficients);
             coefficients[0]

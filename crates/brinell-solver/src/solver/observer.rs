@@ -1,12 +1,9 @@
 //! What the outer loop tells the world while it runs, and how the world may stop it.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
-
-use sparse_cholesky::Cores;
 
 /// How a solve ended. Not converging is a status, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -77,7 +74,7 @@ pub struct IterationRecord {
     pub elapsed_ms: f64,
 }
 
-/// Sees a solve from outside: follows it, times it, may stop it and may lend it cores. The core has no clock and no
+/// Sees a solve from outside: follows it, times it and may stop it. The core has no clock and no
 /// threads of its own.
 pub trait Observer {
     /// Called after every outer iteration.
@@ -89,11 +86,6 @@ pub trait Observer {
     /// Called between phases and within the long ones, so that a stop does not wait for the next iteration.
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         ControlFlow::Continue(())
-    }
-
-    /// Cores that a large factorization may borrow while they are idle; none unless the observer has some to lend.
-    fn cores(&self) -> Option<Arc<Cores>> {
-        None
     }
 
     /// Time since the job started; zero without a clock.

@@ -59,11 +59,6 @@ impl PhaseTimes {
         outcome
     }
 
-    /// Books time that was measured elsewhere.
-    pub(crate) fn book(&mut self, phase: Phase, time: Duration) {
-        self.spent[phase as usize] += time;
-    }
-
     /// Time of one kind of work.
     pub fn spent(&self, phase: Phase) -> Duration {
         self.spent[phase as usize]

@@ -13,7 +13,6 @@ mod error_bars;
 mod factor_cache;
 mod independent_program;
 mod invariants;
-mod lent_cores;
 mod line_contact;
 mod onset_of_line_contact;
 mod outcomes;

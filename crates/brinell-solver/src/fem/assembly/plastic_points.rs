@@ -26,7 +26,7 @@ use super::{Equations, StressField, stress};
 use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, ReferenceModuli};
-use sparse_cholesky::wide;
+use sparse_cholesky::simd_dispatch;
 
 /// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of its meshes.
 pub trait MaterialModel: Debug + Send + Sync {
@@ -187,7 +187,7 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
     fn reduced_elements(&self, visit: &mut dyn FnMut(usize, &ElementStiffness)) {
         for element in &self.elements {
             if let Some(k) = element.reduction {
-                visit(element.index, &wide(|| self.reductions[k].stiffness(&element.quad)));
+                visit(element.index, &simd_dispatch(|| self.reductions[k].stiffness(&element.quad)));
             }
         }
     }
@@ -195,7 +195,7 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
     fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize {
         load.fill(0.0);
         let mut plastic_points = 0;
-        wide(|| {
+        simd_dispatch(|| {
             for (element, states) in self.elements.iter().zip(&self.states) {
                 plastic_points += self.add_element(element, states, u, load);
             }

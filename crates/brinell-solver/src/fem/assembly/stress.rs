@@ -3,7 +3,7 @@
 use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{ConstitutiveModel, OutOfPlane};
-use sparse_cholesky::wide;
+use sparse_cholesky::simd_dispatch;
 
 /// State of one Gauss point.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -45,7 +45,7 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
         points: Vec::with_capacity(mesh.elements.len()),
         internal_force: vec![[0.0; 2]; mesh.nodes.len()],
     };
-    wide(|| {
+    simd_dispatch(|| {
         for (element, nodes) in mesh.elements.iter().enumerate() {
             let corners = mesh.corners(element);
             let quad = Quad::new(&corners, stress_state);

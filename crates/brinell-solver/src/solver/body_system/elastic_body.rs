@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
-use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement, estimated_nodes};
+use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::{Observer, SolveError};
@@ -21,13 +21,6 @@ pub(crate) struct BodyKey {
     pub stress_state: StressState,
     pub constants: Elastic,
     pub support: Support,
-}
-
-impl BodyKey {
-    /// About how many nodes it will have.
-    pub fn estimated_nodes(&self) -> usize {
-        estimated_nodes(&self.outline, self.zone, self.refinement)
-    }
 }
 
 /// What depends on mesh, elastic constants and supports alone.
@@ -219,8 +212,7 @@ pub(crate) fn refactor(
     observer: &mut dyn Observer,
 ) -> Result<(), SolveError> {
     let mut interrupt = None;
-    let cores = observer.cores();
-    let outcome = factor.refactor(values, cores.as_deref(), &mut || match observer.on_checkpoint() {
+    let outcome = factor.refactor(values, &mut || match observer.on_checkpoint() {
         ControlFlow::Continue(()) => ControlFlow::Continue(()),
         ControlFlow::Break(wish) => {
             interrupt = Some(wish);

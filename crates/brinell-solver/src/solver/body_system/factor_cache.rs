@@ -213,7 +213,7 @@ mod tests {
         let bare = cache.stats().bytes;
         let stiffness = body.stiffness_with(|_| [8e4; 4]);
         let mut factor = cache.acquire(&body);
-        factor.refactor(stiffness.clone(), None, &mut || ControlFlow::Continue(())).unwrap();
+        factor.refactor(stiffness.clone(), &mut || ControlFlow::Continue(())).unwrap();
         let size = factor.bytes();
         // Another job at the same time gets one of its own.
         assert_eq!(cache.acquire(&body).bytes(), 0);
@@ -235,7 +235,7 @@ mod tests {
         let body = prepare(10.0, Some(&cache));
         assert_eq!(cache.stats().bytes, one);
         let mut factor = cache.acquire(&body);
-        factor.refactor(body.stiffness_with(|_| [8e4; 4]), None, &mut || ControlFlow::Continue(())).unwrap();
+        factor.refactor(body.stiffness_with(|_| [8e4; 4]), &mut || ControlFlow::Continue(())).unwrap();
         drop(factor);
         assert_eq!(cache.stats().bytes, one);
         assert!(cache.find(&key(10.0)).is_some());

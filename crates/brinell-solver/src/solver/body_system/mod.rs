@@ -7,6 +7,5 @@ pub(crate) mod elastic_body;
 pub(crate) mod factor_cache;
 pub(crate) mod plastic_search_region;
 mod preparation;
-pub(crate) mod side_by_side;
 pub(crate) mod system;
 pub(crate) mod transfer;

@@ -1,7 +1,7 @@
 //! Two bodies and the contact between them.
 
 use std::f64::consts::PI;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::fem::assembly::MaterialModel;
@@ -14,7 +14,6 @@ use crate::solver::body_system::elastic_body::{BodyKey, ElasticBody};
 use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::preparation::prepare;
-use crate::solver::body_system::side_by_side::{LARGE, side_by_side};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
@@ -94,23 +93,21 @@ impl System {
             models.push((key, model));
             bodies_represented.push(1);
         }
-        let nodes: usize = models.iter().map(|(key, _)| key.estimated_nodes()).sum();
-        // What one body has made ready the other may use.
-        let ready: Mutex<Option<Arc<ElasticBody>>> = Mutex::default();
-        let other = || ready.lock().unwrap_or_else(PoisonError::into_inner);
-        let models = models.into_iter().enumerate().collect();
-        let built = side_by_side(models, nodes >= LARGE, phases, observer, |model, phases, observer| {
-            let (k, (key, law)): (usize, (BodyKey, &Arc<dyn MaterialModel>)) = model;
-            let first = other().clone();
-            let elastic = prepare(key, first.as_ref(), cache.map(|cache| &**cache), phases, observer)?;
-            other().get_or_insert_with(|| Arc::clone(&elastic));
+        let mut bodies: Vec<BodyModel> = Vec::with_capacity(models.len());
+        let mut transferred = Vec::with_capacity(models.len());
+        for (k, (key, law)) in models.into_iter().enumerate() {
+            // The second body may share the order and the analysis of the first.
+            let first = bodies.first().map(|body| &body.elastic);
+            let elastic = prepare(key, first, cache.map(|cache| &**cache), phases, observer)?;
             let own = || PooledFactor::own(Cholesky::empty(&elastic.symbolic));
             let factor = phases
                 .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
-            BodyModel::new(elastic, factor, law, search_region, previous, phases, observer)
-        })?;
-        let (bodies, transferred): (Vec<BodyModel>, Vec<Option<Vec<f64>>>) = built.into_iter().unzip();
+            let (body, displacement) =
+                BodyModel::new(elastic, factor, law, search_region, previous, phases, observer)?;
+            bodies.push(body);
+            transferred.push(displacement);
+        }
         let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
         let mut system = Self {
             bodies,
@@ -133,17 +130,9 @@ impl System {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let is_large = self.is_large();
-        let bodies = self.bodies.iter_mut().enumerate().collect();
-        side_by_side(
-            bodies,
-            is_large,
-            phases,
-            observer,
-            |(k, body): (usize, &mut BodyModel), phases, observer| {
-                body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)
-            },
-        )?;
+        for (k, body) in self.bodies.iter_mut().enumerate() {
+            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)?;
+        }
         self.sum_flexibility();
         Ok(())
     }
@@ -156,17 +145,12 @@ impl System {
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<BlockVector, SolveError> {
-        let is_large = self.is_large();
-        let bodies = self.bodies.iter_mut().zip(previous).collect();
-        let transferred = side_by_side(
-            bodies,
-            is_large,
-            phases,
-            observer,
-            |(body, &field): (&mut BodyModel, &NodalField<'_>), phases, observer| {
-                body.linearize_by(field, phases, observer)
-            },
-        )?;
+        let transferred = self
+            .bodies
+            .iter_mut()
+            .zip(previous)
+            .map(|(body, &field)| body.linearize_by(field, phases, observer))
+            .collect::<Result<_, _>>()?;
         self.sum_flexibility();
         Ok(transferred)
     }
@@ -184,11 +168,6 @@ impl System {
         self.bodies
             .iter()
             .all(|body| body.plastic_region.points.as_ref().is_none_or(|points| points.refers_to_elastic()))
-    }
-
-    /// Whether its bodies are worth to be worked on at the same time.
-    fn is_large(&self) -> bool {
-        self.bodies.iter().map(|body| body.elastic.mesh.nodes.len()).sum::<usize>() >= LARGE
     }
 
     fn sum_flexibility(&mut self) {

@@ -10,8 +10,8 @@
 
 use std::collections::VecDeque;
 
-use sparse_cholesky::dense::DenseCholesky;
-use sparse_cholesky::{dot, wide};
+use sparse_cholesky::dense::{DenseCholesky, SymmetricMatrix};
+use sparse_cholesky::{dot, simd_dispatch};
 
 /// Steps that are combined at most.
 pub(crate) const DEPTH: usize = 7;
@@ -41,7 +41,8 @@ impl Anderson {
     pub fn next(&mut self, x: &[f64], image: Vec<f64>) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(x).map(|(g, x)| g - x).collect();
         if let Some(last) = self.last.take() {
-            let (now, before) = wide(|| (dot(&residual, &residual), dot(&last.residual, &last.residual)));
+            let (now, before) =
+                simd_dispatch(|| (dot(&residual, &residual), dot(&last.residual, &last.residual)));
             if now > RESTART_GROWTH.powi(2) * before {
                 self.differences.clear();
                 self.gram.clear();
@@ -65,7 +66,7 @@ impl Anderson {
         self.differences.push_back(difference);
         let Some(newest) = self.differences.back() else { return };
         let products: VecDeque<f64> =
-            wide(|| self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect());
+            simd_dispatch(|| self.differences.iter().map(|d| dot(&d.residual, &newest.residual)).collect());
         for (row, &product) in self.gram.iter_mut().zip(&products) {
             row.push_back(product);
         }
@@ -75,13 +76,12 @@ impl Anderson {
     /// `g - Σ γ_j ΔG_j` with the γ that minimise `‖f - Σ γ_j ΔF_j‖`.
     fn combine(&self, image: &[f64], residual: &[f64]) -> Vec<f64> {
         let n = self.differences.len();
-        let mut gram: Vec<f64> = self.gram.iter().flatten().copied().collect();
-        for i in 0..n {
-            gram[i * n + i] *= 1.0 + REGULARIZATION;
-        }
+        let gram = SymmetricMatrix::from_fn(n, |i, j| {
+            self.gram[i][j] * if i == j { 1.0 + REGULARIZATION } else { 1.0 }
+        });
         let mut next = image.to_vec();
-        let Ok(factor) = DenseCholesky::factor(n, gram) else { return next };
-        wide(|| {
+        let Ok(factor) = DenseCholesky::factor(gram) else { return next };
+        simd_dispatch(|| {
             let mut gamma: Vec<f64> = self.differences.iter().map(|d| dot(&d.residual, residual)).collect();
             factor.solve_in_place(&mut gamma);
             for (difference, weight) in self.differences.iter().zip(gamma) {

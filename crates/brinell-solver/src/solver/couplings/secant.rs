@@ -44,7 +44,7 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
                 body.elastic.stiffness_with(|element| field.secant_shear(element))
             });
             // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
-            factor.forget();
+            factor.invalidate();
             let refactored = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
                 refactor(factor, values, observer)
             });

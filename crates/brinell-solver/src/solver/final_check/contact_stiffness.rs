@@ -29,7 +29,7 @@ pub(crate) fn contact_stiffness(
 ) -> Result<f64, Interrupt> {
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
     let block = system.flexibility.principal_block(&active);
-    let Ok(factor) = DenseCholesky::factor(active.len(), block) else { return Ok(0.0) };
+    let Ok(factor) = DenseCholesky::factor(block) else { return Ok(0.0) };
     let closing = ActivePairConstraint { system, active, factor };
     let tangent = Tangent::new(system, &state.response.displacement);
 
@@ -78,7 +78,7 @@ const OVERHANG: f64 = 0.25;
 /// would change with one pair more or less; for that the present flexibility is accurate enough.
 fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f64 {
     let stiffness = |pairs: &[usize]| -> Option<f64> {
-        let factor = DenseCholesky::factor(pairs.len(), system.flexibility.principal_block(pairs)).ok()?;
+        let factor = DenseCholesky::factor(system.flexibility.principal_block(pairs)).ok()?;
         let mut force = vec![1.0; pairs.len()];
         factor.solve_in_place(&mut force);
         Some(force.iter().sum())

@@ -16,7 +16,6 @@ use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::solution::{Solution, StepSolution};
 use crate::solver::{Interrupt, Observer, SolveError, couplings, final_check};
-use sparse_cholesky::Cores;
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -223,10 +222,6 @@ struct SilentObserver<'a> {
 impl Observer for SilentObserver<'_> {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.inner.on_checkpoint()
-    }
-
-    fn cores(&self) -> Option<Arc<Cores>> {
-        self.inner.cores()
     }
 
     fn elapsed(&self) -> Duration {

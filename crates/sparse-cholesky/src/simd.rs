@@ -5,7 +5,7 @@
 ///
 /// Results do not depend on the level: the compiler neither reorders nor fuses floating-point operations.
 #[inline(always)]
-pub fn wide<T>(work: impl FnOnce() -> T) -> T {
+pub fn simd_dispatch<T>(work: impl FnOnce() -> T) -> T {
     pulp::Arch::new().dispatch(work)
 }
 
@@ -35,7 +35,7 @@ mod tests {
         for n in [0, 1, 7, 8, 9, 40, 43] {
             let a: Vec<f64> = (0..n).map(f64::from).collect();
             let expected: f64 = a.iter().map(|x| x * x).sum();
-            assert!((wide(|| dot(&a, &a)) - expected).abs() < 1e-12 * expected.max(1.0));
+            assert!((simd_dispatch(|| dot(&a, &a)) - expected).abs() < 1e-12 * expected.max(1.0));
         }
     }
 }
