@@ -134,7 +134,7 @@ fn answers_to_those_without_a_key_are_as_documented() {
 fn answers_about_troubled_jobs_are_as_documented() {
     let instance = InProcess::start(|_| ());
     let service = Documented::new(&instance.target);
-    for (behaviour, status) in [("impossible", 422), ("give_up", 500), ("panic", 500), ("quick", 200)] {
+    for (behaviour, status) in [("impossible", 422), ("fail", 500), ("panic", 500), ("quick", 200)] {
         let text = job(behaviour).to_string();
         assert_eq!(service.post("/v1/solve", "/v1/solve", &text, &[JSON]).status, status, "{behaviour}");
     }

@@ -9,7 +9,7 @@ use brinell_solver::job::Job;
 use brinell_solver::report::{MeshReport, Report, RunError, Timings};
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
-/// `abort`, `panic`, `nan`, `impossible`, `give_up`; `slow` iterates until the gate is opened or it is told to stop; anything
+/// `abort`, `panic`, `nan`, `impossible`, `fail`; `slow` iterates until the gate is opened or it is told to stop; anything
 /// else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
@@ -59,7 +59,7 @@ impl JobSolver for TestSolver {
                 let detail = "more than the ring can carry".to_owned();
                 Err(RunError::Input(vec![FieldError::not_solvable("/load/force", detail)]))
             }
-            Some("give_up") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
+            Some("fail") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(observer)),
             _ => Ok(report(SolveStatus::Converged)),

@@ -10,7 +10,7 @@ use crate::fem::mesh::{ContactZone, Refinement};
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::axis;
 use crate::solver::body_system::body::BodyModel;
-use crate::solver::body_system::elastic_body::{BodyKey, ElasticBody};
+use crate::solver::body_system::elastic_body::BodyKey;
 use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::preparation::prepare;
