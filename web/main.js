@@ -12,7 +12,8 @@ import { Draft } from './setup/draft.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
 import { startSketch } from './setup/sketch.js';
-import { JobList, labelOf } from './jobs/list.js';
+import { JobList } from './jobs/list.js';
+import { names } from './jobs/names.js';
 import * as link from './jobs/link.js';
 import { View } from './result/view.js';
 import { Watch } from './result/watch.js';
@@ -21,6 +22,8 @@ import { Watch } from './result/watch.js';
 
 /** Curves of compared jobs; the one shown has the first. */
 const COLOURS = ['--curve-1', '--curve-2', '--curve-3', '--curve-4', '--curve-5', '--curve-6'];
+/** Their dashes, for eyes and paper that do not tell colours apart. */
+const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2, 2]];
 const KEPT = 'draft';
 
 startTheme();
@@ -28,9 +31,12 @@ const draft = new Draft();
 const form = new Form(draft);
 const readJson = startJson(draft);
 const sketch = startSketch(draft);
-const view = new View(() => {
-  draft.set('/output/fields', true, 'page');
-  solve();
+const view = new View({
+  fieldsWanted: () => {
+    draft.set('/output/fields', true, 'page');
+    solve();
+  },
+  stepped: () => {},
 });
 const check = new Check(draft, form, (hertz) => {
   sketch(hertz);
@@ -44,11 +50,12 @@ let first;
 
 const watch = new Watch({
   titled: showTitle,
+  step: () => view.step,
   iterated: (history) => {
     if (current) view.iterate(history, current.job);
   },
   solved: (id, report) => {
-    first = { id, report, job: current?.job ?? {}, colour: COLOURS[0], label: labelOf({ id, tags: report.tags }) };
+    first = { id, report, job: current?.job ?? {}, colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900) byId('result').scrollIntoView({ behavior: 'smooth' });
   },
@@ -70,7 +77,10 @@ const list = new JobList({
 });
 
 function show() {
-  if (first) view.show([first, ...[...compared.values()].filter(({ id }) => id !== first?.id)]);
+  if (!first) return;
+  const shown = [first, ...[...compared.values()].filter(({ id }) => id !== first?.id)];
+  const labels = names(shown);
+  view.show(shown.map((one, k) => ({ ...one, label: labels[k] })));
 }
 
 /** @param {string} text */
@@ -174,33 +184,44 @@ async function open(id) {
   }
 }
 
-/** @param {string} id @param {boolean} on @param {string} label */
-async function compare(id, on, label) {
-  if (!on) compared.delete(id);
-  else {
-    const used = new Set([...compared.values()].map(({ colour }) => colour));
-    const colour = COLOURS.slice(1).find((one) => !used.has(one));
-    if (!colour) {
-      toast(`${COLOURS.length} jobs are as many as can be told apart`);
-    } else {
-      try {
-        const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
-        if (first && report.units !== first.report.units)
-          toast('The jobs differ in units; figures are laid over each other as they are.');
-        compared.set(id, { id, report, job, label, colour });
-      } catch (error) {
-        toast(/** @type {Error} */ (error).message);
-      }
-    }
+/** @param {string} id @param {boolean} on */
+async function compare(id, on) {
+  if (on) await layOver(id);
+  else compared.delete(id);
+  const others = [...compared.keys()].filter((one) => one !== current?.id);
+  if (current) history.replaceState(null, '', link.jobFragment(current.id, others));
+  show();
+  list.show();
+}
+
+/** Fetches a job to be compared. @param {string} id */
+async function layOver(id) {
+  const used = new Set([...compared.values()].map(({ colour }) => colour));
+  const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
+  if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
+  try {
+    const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
+    compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
+  } catch (error) {
+    toast(/** @type {Error} */ (error).message);
   }
+}
+
+/** Lays over the job what the address names, and nothing else. @param {string[]} wanted */
+async function compareOnly(wanted) {
+  for (const id of compared.keys()) if (!wanted.includes(id)) compared.delete(id);
+  for (const id of wanted) if (!compared.has(id)) await layOver(id);
   show();
   list.show();
 }
 
 /** Does what the address says. */
 async function applyAddress() {
-  const { job, draft: packed } = link.read();
-  if (job) return open(job);
+  const { job, compared: others, draft: packed } = link.read();
+  if (job) {
+    await open(job);
+    return compareOnly(others);
+  }
   wanted = '';
   if (packed) {
     const definition = await link.unpack(packed).catch(() => undefined);

@@ -79,19 +79,22 @@
  * @property {Iteration[]} history
  *
  * @typedef {object} Report
- * @property {import('./lib/units.js').Units} units
+ * @property {import('./lib/units.js').Units | import('./lib/units.js').UnitSet} units of the job, or those it is shown in
  * @property {string} analysis
  * @property {string} status
  * @property {Step[]} steps
  * @property {{force: number[], approach: number[], stiffness: number[]}} [load_approach]
  * @property {{symmetric: boolean, spacing: number, elements: number, equations: number, passes: number}} mesh
  * @property {Record<string, number>} timings_ms
+ * @property {string} version of the program
  * @property {Record<string, string>} [tags]
  *
  * @typedef {object} Shown a solved job among those that are looked at
  * @property {string} id
  * @property {string} label
  * @property {string} colour custom property
+ * @property {number[]} [dash] of its curves
+ * @property {Report} [raw] the report in the units of its job, fields included
  * @property {Job} job
  * @property {Report} report
  */

@@ -3,7 +3,7 @@
 import { MOST_BANDS } from './palette.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
-/** @typedef {{mesh: Mesh, shift: number, vertices: WebGLVertexArrayObject, values: WebGLBuffer, edges: WebGLVertexArrayObject | null, count: number}} Body */
+/** @typedef {{body: import('./read.js').Body, mesh: Mesh, vertices: WebGLVertexArrayObject, values: WebGLBuffer, edges: WebGLVertexArrayObject | null, count: number}} Body */
 /**
  * @typedef {object} Scene
  * @property {import('./camera.js').Camera} camera
@@ -12,6 +12,7 @@ import { MOST_BANDS } from './palette.js';
  * @property {boolean} mirrored whether a half stands for both
  * @property {boolean} odd whether values change their sign on the other side
  * @property {boolean} lines whether edges of elements are drawn
+ * @property {boolean} isolines whether limits of bands are drawn
  * @property {number} floor values up to here have no colour
  * @property {[number, number, number]} plain that colour
  */
@@ -21,10 +22,10 @@ layout(location = 0) in vec2 node;
 layout(location = 1) in vec2 displacement;
 layout(location = 2) in float value;
 uniform vec2 centre, scale;
-uniform float deformation, side, shift, parity;
+uniform float deformation, side, lift, parity;
 out float v;
 void main() {
-  vec2 p = node + deformation * (displacement + vec2(0.0, shift));
+  vec2 p = node + deformation * displacement + vec2(0.0, lift);
   v = parity * value;
   gl_Position = vec4((vec2(side, 1.0) * p - centre) * scale, 0.0, 1.0);
 }`;
@@ -33,6 +34,7 @@ const FRAGMENT = `#version 300 es
 precision highp float;
 uniform float low, width, bottom;
 uniform int count;
+uniform bool isolines;
 uniform vec3 colours[${MOST_BANDS}], plain;
 uniform vec4 line;
 in float v;
@@ -43,7 +45,9 @@ void main() {
   int next = clamp(int(floor(t + edge)), 0, count - 1), before = clamp(int(floor(t - edge)), 0, count - 1);
   // Where a pixel lies across a limit it takes of both bands.
   vec3 mixed = next == before ? colours[band] : mix(colours[before], colours[next], clamp((fract(t + edge)) / (2.0 * edge), 0.0, 1.0));
-  colour = line.a > 0.0 ? line : vec4(v <= bottom ? plain : mixed, 1.0);
+  vec3 ground = v <= bottom ? plain : mixed;
+  float limit = round(t), ink = isolines && limit > 0.5 && limit < float(count) - 0.5 ? 0.7 * clamp(1.2 - abs(t - limit) / max(fwidth(t), 1e-9), 0.0, 1.0) : 0.0;
+  colour = line.a > 0.0 ? line : vec4(mix(ground, vec3(0.05), ink), 1.0);
 }`;
 
 export class Renderer {
@@ -60,7 +64,8 @@ export class Renderer {
       'deformation',
       'side',
       'parity',
-      'shift',
+      'lift',
+      'isolines',
       'low',
       'width',
       'bottom',
@@ -72,33 +77,34 @@ export class Renderer {
     this.at = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
   }
 
-  /** @param {{mesh: Mesh, shift: number}[]} meshes `shift`: how far the support moves up */
-  load(meshes) {
+  /** @param {import('./read.js').Body[]} bodies */
+  load(bodies) {
     const { gl } = this;
     for (const body of this.#bodies) {
       gl.deleteVertexArray(body.vertices);
       gl.deleteBuffer(body.values);
       if (body.edges) gl.deleteVertexArray(body.edges);
     }
-    this.#bodies = meshes.map(({ mesh, shift }) => {
+    this.#bodies = bodies.map((body) => {
+      const { mesh } = body;
       const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
       const values = this.#buffer(gl.ARRAY_BUFFER, new Float32Array(mesh.nodes.length / 2));
       const vertices = this.#array([...buffers, values], mesh.triangles);
-      return { mesh, shift, vertices, values, edges: null, count: mesh.triangles.length };
+      return { body, mesh, vertices, values, edges: null, count: mesh.triangles.length };
     });
   }
 
-  /** @param {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} name */
-  choose(name) {
+  /** @param {(mesh: Mesh, moved: number) => Float32Array} values of every node */
+  choose(values) {
     const { gl } = this;
-    for (const { mesh, values } of this.#bodies) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, values);
-      gl.bufferData(gl.ARRAY_BUFFER, mesh[name], gl.STATIC_DRAW);
+    for (const { body, mesh, values: buffer } of this.#bodies) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, values(mesh, body.moved), gl.STATIC_DRAW);
     }
   }
 
   /** @param {Scene} scene */
-  draw({ camera, bands, deformation, mirrored, odd, lines, floor, plain }) {
+  draw({ camera, bands, deformation, mirrored, odd, lines, isolines, floor, plain }) {
     const { gl, at } = this;
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(0, 0, 0, 0);
@@ -110,11 +116,12 @@ export class Renderer {
     gl.uniform1f(at.low, bands.low);
     gl.uniform1f(at.width, bands.step);
     gl.uniform1f(at.bottom, floor);
+    gl.uniform1i(at.isolines, isolines ? 1 : 0);
     gl.uniform1i(at.count, bands.colours.length);
     gl.uniform3fv(at.colours, bands.colours.flat());
     gl.uniform3fv(at.plain, plain);
     for (const body of this.#bodies) {
-      gl.uniform1f(at.shift, body.shift);
+      gl.uniform1f(at.lift, body.body.lift);
       for (const side of mirrored ? [1, -1] : [1]) {
         gl.uniform1f(at.side, side);
         gl.uniform1f(at.parity, odd ? side : 1);

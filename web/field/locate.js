@@ -7,14 +7,14 @@
  * The triangle under a point of the deformed mesh. One look at every triangle: a millisecond for a hundred thousand.
  * @param {Mesh} mesh
  * @param {number} deformation
- * @param {number} shift of its support
+ * @param {number} lift of the body in the picture
  * @param {number} x
  * @param {number} y
  * @returns {Place | null}
  */
-export function locate({ nodes, displacement, triangles }, deformation, shift, x, y) {
+export function locate({ nodes, displacement, triangles }, deformation, lift, x, y) {
   const px = (/** @type {number} */ n) => nodes[2 * n] + deformation * displacement[2 * n];
-  const py = (/** @type {number} */ n) => nodes[2 * n + 1] + deformation * (displacement[2 * n + 1] + shift);
+  const py = (/** @type {number} */ n) => nodes[2 * n + 1] + deformation * displacement[2 * n + 1] + lift;
   for (let k = 0; k < triangles.length; k += 3) {
     const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]];
     const [ax, bx, cx] = [px(a), px(b), px(c)];

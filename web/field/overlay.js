@@ -7,27 +7,48 @@ import { plain } from '../lib/units.js';
  * @typedef {object} Over
  * @property {import('./camera.js').Camera} camera
  * @property {number} deformation
- * @property {{polygons: {x: number, y: number, u: number, v: number}[][], shift: number}[]} zones
+ * @property {{polygons: {x: number, y: number, u: number, v: number}[][], lift: number}[]} zones
  * @property {number[]} ends of the contact
+ * @property {number} height at which the contact is drawn
+ * @property {{x: number, y: number, u: number, v: number, lift: number, text: string} | undefined} most where the quantity is largest
+ * @property {[[number, number], [number, number]] | null} line of the cut
  * @property {[number, number] | null} cross in pixels
  * @property {string} length unit
+ * @property {number} factor from lengths of the job to those shown
  */
 
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
-export function drawOverlay(canvas, { camera, deformation, zones, ends, cross, length }) {
+export function drawOverlay(
+  canvas,
+  { camera, deformation, zones, ends, height, most, line: cut, cross, length, factor },
+) {
   const context = canvas.getContext('2d');
   if (!context) return;
   const ratio = canvas.width / camera.width;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, camera.width, camera.height);
-  for (const { polygons, shift } of zones) outline(context, camera, polygons, deformation, shift);
+  for (const { polygons, lift } of zones) outline(context, camera, polygons, deformation, lift);
   context.font = '11px system-ui, sans-serif';
-  scale(context, camera, length);
+  scale(context, camera, length, factor);
   context.strokeStyle = colour('--ink');
   context.lineWidth = 1;
   for (const x of ends) {
-    const [px, py] = camera.toScreen(x, 0);
+    const [px, py] = camera.toScreen(x, height);
     line(context, px, py - 14, px, py + 14);
+  }
+  if (most) marked(context, camera, most, deformation);
+  if (cut) {
+    const [from, to] = cut.map((point) => camera.toScreen(...point));
+    for (const [style, width] of /** @type {[string, number][]} */ ([
+      ['#000', 3],
+      ['#fff', 1.25],
+    ])) {
+      context.strokeStyle = style;
+      context.lineWidth = width;
+      line(context, from[0], from[1], to[0], to[1]);
+    }
+    context.strokeStyle = colour('--ink');
+    context.lineWidth = 1;
   }
   if (cross) {
     line(context, cross[0] - 8, cross[1], cross[0] + 8, cross[1]);
@@ -35,12 +56,12 @@ export function drawOverlay(canvas, { camera, deformation, zones, ends, cross, l
   }
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {Over['zones'][0]['polygons']} polygons @param {number} deformation @param {number} shift */
-function outline(context, camera, polygons, deformation, shift) {
+/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {Over['zones'][0]['polygons']} polygons @param {number} deformation @param {number} lift */
+function outline(context, camera, polygons, deformation, lift) {
   const path = new Path2D();
   for (const polygon of polygons) {
     polygon.forEach(({ x, y, u, v }, k) => {
-      const [px, py] = camera.toScreen(x + deformation * u, y + deformation * (v + shift));
+      const [px, py] = camera.toScreen(x + deformation * u, y + deformation * v + lift);
       if (k === 0) path.moveTo(px, py);
       else path.lineTo(px, py);
     });
@@ -56,12 +77,33 @@ function outline(context, camera, polygons, deformation, shift) {
   }
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {string} unit */
-function scale(context, camera, unit) {
-  const rough = 70 / camera.scale;
+/** The node where the quantity is largest. @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {NonNullable<Over['most']>} most @param {number} deformation */
+function marked(context, camera, { x, y, u, v, lift, text }, deformation) {
+  const [px, py] = camera.toScreen(x + deformation * u, y + deformation * v + lift);
+  context.lineWidth = 3;
+  for (const style of ['#000', '#fff']) {
+    context.strokeStyle = style;
+    context.beginPath();
+    context.arc(px, py, 4, 0, 2 * Math.PI);
+    context.stroke();
+    context.lineWidth = 1.25;
+  }
+  context.lineJoin = 'round';
+  context.lineWidth = 3;
+  context.strokeStyle = '#000';
+  context.strokeText(text, px + 9, py + 4);
+  context.fillStyle = '#fff';
+  context.fillText(text, px + 9, py + 4);
+  context.strokeStyle = colour('--ink');
+  context.lineWidth = 1;
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {string} unit @param {number} factor */
+function scale(context, camera, unit, factor) {
+  const rough = (70 / camera.scale) * factor;
   const power = 10 ** Math.floor(Math.log10(rough));
   const size = power * ([5, 2, 1].find((step) => step * power <= rough) ?? 1);
-  const [x, y, width] = [12, camera.height - 12, size * camera.scale];
+  const [x, y, width] = [12, camera.height - 12, (size / factor) * camera.scale];
   const text = `${plain(size)} ${unit}`;
   context.fillStyle = colour('--panel');
   context.globalAlpha = 0.85;

@@ -51,7 +51,7 @@ export const rgb = (hex) => /** @type {Rgb} */ ([1, 3, 5].map((at) => parseInt(h
  */
 export function bands(low, high) {
   const signed = low < 0 && high > 0.02 * (high - low);
-  const step = roundStep((high - low) / 11 || 1);
+  const step = roundStep((high - low) / 14 || 1);
   const first = Math.floor(low / step + 1e-9);
   const count = Math.min(MOST_BANDS, Math.max(1, Math.ceil(high / step - 1e-9) - first));
   const most = Math.max(-first, first + count);

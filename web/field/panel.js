@@ -1,25 +1,34 @@
-/** Stress and plastic strain on both deformed meshes. */
+/** Stress, plastic strain and displacement on both deformed meshes. */
 
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
-import { figure, unit } from '../lib/units.js';
+import { factor, figure, plain, unit } from '../lib/units.js';
+import { readNumber } from '../lib/number.js';
 import { Panel } from '../result/panel.js';
 import { Camera } from './camera.js';
+import { CutTool } from './cut-tool.js';
 import { Renderer } from './gl.js';
+import { lifts } from './lift.js';
 import { carried } from './locate.js';
 import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
+import { compose } from './picture.js';
 import { steer } from './pointer.js';
-import { QUANTITIES, colourBar, isOdd, rangeOf, readout } from './read.js';
+import { QUANTITIES, nameOf, valuesOf } from './quantities.js';
+import { colourBar, extremes, readout, scaleOf } from './read.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Report} Report */
-/** @typedef {import('./read.js').Quantity} Quantity */
-/** @typedef {{name: 'upper' | 'lower', mesh: Mesh, shift: number, polygons: ReturnType<typeof carried>}} Body */
+/** @typedef {import('./quantities.js').Quantity} Quantity */
+/** @typedef {import('./read.js').Body & {polygons: ReturnType<typeof carried>}} Body */
+/** @typedef {import('../lib/units.js').UnitSet} UnitSet */
+/** @typedef {{upper: Mesh | null, lower: Mesh | null}} Fields */
+/** @typedef {(step: number) => Promise<Fields | null>} FieldSource the fields of a step, if there are any */
 
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
 const LOUPE = [0, 1, 2, 5, 10, 20];
+const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 
 export class FieldPanel {
   /** @type {Body[]} */
@@ -29,17 +38,26 @@ export class FieldPanel {
   #camera = new Camera();
   #deformation = 1;
   #lines = false;
+  #isolines = false;
   #frame = 0;
   /** Whether the meshes are to be drawn anew. */
   #stale = true;
   /** @type {[number, number] | null} */
   #probe = null;
-  /** @type {{report: Report, at: number} | undefined} */
+  /** @type {{report: Report, at: number, units: UnitSet} | undefined} */
   #shown;
   /** @type {Renderer | undefined} */
   #renderer;
-  /** @type {import('./palette.js').Bands} */
+  /** In the units shown. @type {import('./palette.js').Bands} */
   #bands = bands(0, 1);
+  /** @type {keyof typeof RANGES} */
+  #ranged = 'steps';
+  /** Limits that are held, in the units shown. @type {[number, number]} */
+  #fixed = [0, 1];
+  /** @type {import('./read.js').Extreme | undefined} */
+  #most;
+  /** @type {(deformation: number) => import('./lift.js').Lifts} */
+  #lifts = () => ({ upper: 0, lower: 0, contact: 0 });
 
   /** @param {() => void} wanted called to solve again with fields */
   constructor(wanted) {
@@ -61,10 +79,20 @@ export class FieldPanel {
       h('p', {}, 'This job did not ask for the stress field on the mesh.'),
       h('button', { type: 'button', onclick: wanted }, 'Solve again with it'),
     );
+    this.waiting = h('p', { class: 'empty', role: 'status' }, 'Loading the field of this step…');
+    this.cutter = new CutTool(() => this.#later(false));
     this.controls = this.#controls();
-    this.panel = new Panel('field', 'Field', [this.controls, this.stage, this.readout, this.empty], {
-      picture: () => this.picture(),
-    });
+    this.panel = new Panel(
+      'field',
+      'Field',
+      [this.controls, this.stage, this.readout, this.cutter.element, this.waiting, this.empty],
+      {
+        picture: (title) => {
+          const canvas = this.canvas(title);
+          return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : Promise.resolve(null);
+        },
+      },
+    );
     steer(this.over, this.#camera, {
       moved: () => this.#later(),
       home: () => this.#home(),
@@ -72,6 +100,7 @@ export class FieldPanel {
         this.#probe = at;
         this.#later(false);
       },
+      line: (from, to) => this.cutter.draw(this.#camera.toWorld(...from), this.#camera.toWorld(...to)),
     });
     new ResizeObserver(() => this.#fit()).observe(this.stage);
     onTheme(() => this.#later());
@@ -85,34 +114,28 @@ export class FieldPanel {
   }
 
   #controls() {
-    const quantity = h(
-      'select',
-      {
-        'aria-label': 'Shown',
-        onchange: () => {
-          this.#quantity = /** @type {Quantity} */ (quantity.value);
-          this.#choose();
-        },
-      },
-      Object.entries(QUANTITIES).map(([value, name]) => h('option', { value }, name)),
-    );
+    this.quantities = h('select', { 'aria-label': 'Shown', onchange: () => this.#choose() });
     const loupe = h(
       'select',
       {
         onchange: () => {
           this.#deformation = Number(loupe.value);
+          this.#place();
           this.#later();
         },
       },
-      LOUPE.map((factor) => h('option', { value: factor, selected: factor === 1 }, `×${factor}`)),
+      LOUPE.map((times) => h('option', { value: times, selected: times === 1 }, `×${times}`)),
     );
-    const lines = h('input', {
-      type: 'checkbox',
-      onchange: () => {
-        this.#lines = lines.checked;
-        this.#later();
-      },
-    });
+    const flag = (/** @type {string} */ text, /** @type {(on: boolean) => void} */ set) => {
+      const box = h('input', {
+        type: 'checkbox',
+        onchange: () => {
+          set(box.checked);
+          this.#later();
+        },
+      });
+      return h('label', {}, box, ` ${text}`);
+    };
     const button = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ work) =>
       h(
         'button',
@@ -131,9 +154,18 @@ export class FieldPanel {
     return h(
       'div',
       { class: 'bar tools' },
-      quantity,
-      h('label', { title: 'Above ×1 the two pictures overlap where the bodies touch' }, 'Displacement ', loupe),
-      h('label', {}, lines, ' Mesh'),
+      this.quantities,
+      h('label', {}, 'Displacement ', loupe),
+      flag('Mesh', (on) => {
+        this.#lines = on;
+      }),
+      flag('Isolines', (on) => {
+        this.#isolines = on;
+      }),
+      flag('Cut', (on) => {
+        this.over.classList.toggle('cutting', on);
+        this.cutter.show(on, this.#camera, this.#step()?.contact.half_width ?? 1);
+      }),
       h(
         'span',
         { class: 'group' },
@@ -141,51 +173,112 @@ export class FieldPanel {
         button('+', 'Zoom in', () => this.#camera.zoom(1.25)),
         button('⌂', 'Whole contact', () => this.#home()),
       ),
+      this.#rangeControls(),
     );
   }
 
-  /** @param {Report} report @param {number} at */
-  show(report, at) {
+  /** Which values the colours stand for. */
+  #rangeControls() {
+    this.ranges = h(
+      'select',
+      {
+        'aria-label': 'Colours',
+        onchange: () => {
+          this.#ranged = /** @type {keyof typeof RANGES} */ (this.ranges?.value);
+          this.#colour();
+        },
+      },
+      Object.entries(RANGES).map(([value, text]) => h('option', { value, selected: value === this.#ranged }, text)),
+    );
+    const limit = (/** @type {0 | 1} */ end, /** @type {string} */ name) => {
+      const box = h('input', {
+        type: 'text',
+        inputmode: 'decimal',
+        size: 7,
+        'aria-label': name,
+        onchange: () => {
+          const reading = readNumber(box.value);
+          if ('value' in reading) this.#fixed[end] = reading.value;
+          this.#ranged = 'fixed';
+          if (this.ranges) this.ranges.value = 'fixed';
+          this.#colour();
+        },
+      });
+      return box;
+    };
+    this.limits = [limit(0, 'Least value coloured'), limit(1, 'Largest value coloured')];
+    this.unit = h('span', { class: 'unit' });
+    return h('span', { class: 'range' }, 'Colours ', this.ranges, this.limits[0], ' – ', this.limits[1], this.unit);
+  }
+
+  /** @param {Report} report in the units of its job @param {number} at @param {UnitSet} units shown */
+  show(report, at, units) {
     const step = report.steps[at];
     const there = Boolean(step.fields?.upper ?? step.fields?.lower);
     this.panel.show(true);
+    this.waiting.hidden = true;
     this.stage.hidden = this.readout.hidden = this.controls.hidden = !there;
+    this.cutter.element.hidden = !there || !this.cutter.on;
     this.empty.hidden = there;
     const before = this.#shown;
-    this.#shown = { report, at };
+    this.#shown = { report, at, units };
     if (!there) return;
     performance.mark('field-received');
+    this.#lifts = lifts(step.fields?.upper, step.fields?.lower, step);
     this.#bodies = /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
       const mesh = step.fields?.[name];
-      const zone = step.plasticity[name];
+      const zone = step.plasticity?.[name];
       return mesh
         ? [
             {
               name,
               mesh,
-              shift: name === 'upper' ? -step.approach : 0,
+              lift: 0,
+              moved: name === 'upper' ? -step.approach : 0,
               polygons: carried(zone?.outline ?? [], mesh, name === 'upper' ? 1 : -1, report.mesh.symmetric),
             },
           ]
         : [];
     });
+    this.#place();
+    this.#nameQuantities(report.analysis);
     this.#load();
     this.#fit();
     if (before?.report !== report) this.#home();
   }
 
-  /** @returns {Promise<Blob | null>} */
-  async picture() {
-    if (!this.#renderer) return null;
-    const copy = h('canvas', { width: this.surface.width, height: this.surface.height });
-    const context = copy.getContext('2d');
-    if (!context) return null;
+  /** @param {string} analysis */
+  #nameQuantities(analysis) {
+    this.quantities?.replaceChildren(
+      ...Object.keys(QUANTITIES).map((value) =>
+        h('option', { value, selected: value === this.#quantity }, nameOf(/** @type {Quantity} */ (value), analysis)),
+      ),
+    );
+    if (this.ranges) {
+      const single = this.#shown?.report.steps.length === 1;
+      /** @type {HTMLOptionElement} */ (this.ranges.options[1]).hidden = single;
+      if (this.#ranged !== 'fixed') this.ranges.value = single ? 'step' : this.#ranged;
+    }
+  }
+
+  /** Raises the bodies so that they do not overlap. */
+  #place() {
+    const lifted = this.#lifts(this.#deformation);
+    for (const body of this.#bodies) body.lift = lifted[body.name];
+  }
+
+  /** @param {string} [title] @returns {HTMLCanvasElement | null} the field with its scale of colours */
+  canvas(title = this.panel.caption) {
+    const step = this.#step();
+    if (!this.#renderer || !step || this.stage.hidden) return null;
     this.#draw();
-    context.fillStyle = colour('--panel');
-    context.fillRect(0, 0, copy.width, copy.height);
-    context.drawImage(this.surface, 0, 0);
-    context.drawImage(this.over, 0, 0);
-    return new Promise((resolve) => copy.toBlob(resolve));
+    const { unit: name } = this.#scale();
+    return compose([this.surface, this.over], this.#bands, {
+      title,
+      quantity: `${nameOf(this.#quantity, this.#shown?.report.analysis ?? '')}${name ? ` [${name}]` : ''}${
+        this.#deformation === 1 ? '' : `, displacements ×${this.#deformation}`
+      }`,
+    });
   }
 
   #load() {
@@ -199,26 +292,72 @@ export class FieldPanel {
     this.#choose();
   }
 
-  /** Puts the values of the chosen quantity on the meshes and their limits beside them. */
+  /** Puts the values of the chosen quantity on the meshes. */
   #choose() {
-    const mirrored = this.#shown?.report.mesh.symmetric ?? false;
-    const meshes = this.#bodies.map(({ mesh }) => mesh);
-    const [low, high] = rangeOf(meshes, this.#quantity, mirrored);
-    const signed = this.#quantity.startsWith('sigma') || this.#quantity === 'tau_xy';
-    this.#bands = bands(signed ? low : 0, high > low ? high : low + 1);
-    this.#renderer?.choose(this.#quantity);
-    this.bar.replaceChildren(...colourBar(this.#bands, this.#unit()));
-    this.over.setAttribute(
-      'aria-label',
-      `Field of ${QUANTITIES[this.#quantity]}, from ${figure(low, 4)} to ${figure(high, 4)} ${this.#unit()}.`,
-    );
-    this.#later();
+    const chosen = /** @type {Quantity} */ (this.quantities?.value || this.#quantity);
+    if (chosen !== this.#quantity && this.#ranged === 'fixed' && this.ranges) {
+      this.#ranged = this.#shown && this.#shown.report.steps.length > 1 ? 'steps' : 'step';
+      this.ranges.value = this.#ranged;
+    }
+    this.#quantity = chosen;
+    this.#renderer?.choose((mesh, moved) => valuesOf(mesh, this.#quantity, moved));
+    this.#colour();
   }
 
-  #unit() {
-    return this.#shown && this.#quantity !== 'equivalent_plastic_strain'
-      ? unit('stress', this.#shown.report.units)
-      : '';
+  #scale() {
+    return scaleOf(this.#quantity, this.#scales());
+  }
+
+  /** @returns {import('./read.js').Scales} */
+  #scales() {
+    if (!this.#shown) throw new Error('nothing is shown');
+    const { report, units } = this.#shown;
+    const own = /** @type {import('../lib/units.js').Units} */ (report.units);
+    return {
+      analysis: report.analysis,
+      symmetric: report.mesh.symmetric,
+      units,
+      length: factor('length', own, units),
+      stress: factor('stress', own, units),
+    };
+  }
+
+  /** Limits over all steps that have fields, in the units of the job. @returns {[number, number]} */
+  #overAll() {
+    const limits = (this.#shown?.report.steps ?? []).flatMap((step) => {
+      const bodies = /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
+        const mesh = step.fields?.[name];
+        return mesh ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -step.approach : 0 }] : [];
+      });
+      const { low, high } = extremes(bodies, this.#quantity, this.#shown?.report.mesh.symmetric ?? false);
+      return bodies.length ? [low, high] : [];
+    });
+    return [Math.min(...limits), Math.max(...limits)];
+  }
+
+  /** Gives the values their colours. */
+  #colour() {
+    if (!this.#shown) return;
+    const { report } = this.#shown;
+    const { factor: times, unit: name } = this.#scale();
+    const own = extremes(this.#bodies, this.#quantity, report.mesh.symmetric);
+    this.#most = own.most;
+    const all = this.#ranged === 'steps' && report.steps.length > 1 ? this.#overAll() : [own.low, own.high];
+    const [low, high] = this.#ranged === 'fixed' ? this.#fixed : all.map((value) => value * times);
+    const signed = QUANTITIES[this.#quantity].signed || this.#ranged === 'fixed';
+    this.#bands = bands(signed ? low : 0, high > low ? high : low + 1);
+    this.bar.replaceChildren(...colourBar(this.#bands, name));
+    const end = this.#bands.low + this.#bands.step * this.#bands.colours.length;
+    if (this.#ranged !== 'fixed') this.#fixed = [this.#bands.low, end];
+    this.limits?.forEach((box, k) => {
+      box.value = plain(this.#fixed[k]).replace('−', '-');
+    });
+    if (this.unit) this.unit.textContent = name;
+    this.over.setAttribute(
+      'aria-label',
+      `Field of ${nameOf(this.#quantity, report.analysis)}, from ${figure(own.low * times, 4)} to ${figure(own.high * times, 4)} ${name}.`,
+    );
+    this.#later();
   }
 
   #home() {
@@ -258,6 +397,8 @@ export class FieldPanel {
     const step = this.#step();
     if (!this.#renderer || !step || !this.#shown || this.stage.hidden) return;
     const { report } = this.#shown;
+    const scales = this.#scales();
+    const { factor: times, unit: name } = this.#scale();
     if (meshes) this.#drawMeshes(this.#renderer, report);
     drawOverlay(this.over, {
       camera: this.#camera,
@@ -268,10 +409,24 @@ export class FieldPanel {
           report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right],
         )
         .filter((x) => x !== 0),
+      height: this.#lifts(this.#deformation).contact,
       cross: this.#probe,
-      length: unit('length', report.units),
+      most: this.#most && {
+        ...this.#most,
+        lift: this.#bodies.find((body) => body.name === this.#most?.name)?.lift ?? 0,
+        text: `max ${figure(this.#most.value * times, 4)} ${name}`,
+      },
+      line: this.cutter.line,
+      length: unit('length', scales.units),
+      factor: scales.length,
     });
-    this.#read(report);
+    if (meshes || this.cutter.stale)
+      this.cutter.read(this.#bodies, this.#deformation, {
+        quantity: this.#quantity,
+        mirrored: report.mesh.symmetric,
+        scales,
+      });
+    this.#read(scales);
     performance.mark('field-drawn');
   }
 
@@ -279,23 +434,25 @@ export class FieldPanel {
   #drawMeshes(renderer, report) {
     this.#stale = false;
     const strain = this.#quantity === 'equivalent_plastic_strain';
-    const { low, step: width, colours } = this.#bands;
+    const { factor: times } = this.#scale();
+    const { low, step, colours } = this.#bands;
     renderer.draw({
       camera: this.#camera,
-      bands: this.#bands,
+      bands: { low: low / times, step: step / times, colours },
       deformation: this.#deformation,
       mirrored: report.mesh.symmetric,
-      odd: isOdd(this.#quantity),
+      odd: QUANTITIES[this.#quantity].odd ?? false,
       lines: this.#lines,
-      floor: strain ? PLAIN * (low + width * colours.length) : -Infinity,
+      isolines: this.#isolines,
+      floor: strain ? (PLAIN * (low + step * colours.length)) / times : -Infinity,
       plain: rgb(colour('--metal')),
     });
   }
 
-  /** Says what is under the probe. @param {Report} report */
-  #read(report) {
+  /** Says what is under the probe. @param {import('./read.js').Scales} scales */
+  #read(scales) {
     this.readout.textContent = this.#probe
-      ? readout(this.#bodies, report, this.#deformation, this.#camera.toWorld(...this.#probe))
+      ? readout(this.#bodies, this.#quantity, scales, this.#deformation, this.#camera.toWorld(...this.#probe))
       : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}. White line: plastic zone.`;
   }
 }

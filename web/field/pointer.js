@@ -8,7 +8,7 @@ const FACTOR = 1.25;
 /**
  * @param {HTMLElement} element
  * @param {Camera} camera
- * @param {{moved: () => void, home: () => void, probe: (at: [number, number] | null) => void}} on
+ * @param {{moved: () => void, home: () => void, probe: (at: [number, number] | null) => void, line: (from: [number, number], to: [number, number]) => void}} on
  */
 export function steer(element, camera, on) {
   const down = /** @type {Map<number, [number, number]>} */ (new Map());
@@ -16,7 +16,10 @@ export function steer(element, camera, on) {
     const box = element.getBoundingClientRect();
     return /** @type {[number, number]} */ ([event.clientX - box.left, event.clientY - box.top]);
   };
+  /** Where a line begins that is being drawn. @type {[number, number] | undefined} */
+  let begin;
   element.addEventListener('pointerdown', (event) => {
+    begin = element.classList.contains('cutting') ? at(event) : undefined;
     down.set(event.pointerId, at(event));
     element.setPointerCapture(event.pointerId);
     // A finger that taps reads; it moves the field only from a second one on, for the page scrolls under it.
@@ -25,8 +28,11 @@ export function steer(element, camera, on) {
   element.addEventListener('pointermove', (event) => {
     const now = at(event);
     const before = down.get(event.pointerId);
-    if (before) drag(camera, down, before, now, event.pointerId);
-    if (before) on.moved();
+    if (begin && before) on.line(begin, now);
+    else if (before) {
+      drag(camera, down, before, now, event.pointerId);
+      on.moved();
+    }
     on.probe(now);
   });
   const up = (/** @type {PointerEvent} */ event) => down.delete(event.pointerId);

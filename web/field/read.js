@@ -2,40 +2,50 @@
 
 import { h } from '../lib/dom.js';
 import { figure, plain, unit } from '../lib/units.js';
-import { locate, valueAt } from './locate.js';
+import { locate, valueAt, vectorAt } from './locate.js';
+import { QUANTITIES, nameOf, valuesOf } from './quantities.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
-/** @typedef {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} Quantity */
-
-/** @type {Record<Quantity, string>} */
-export const QUANTITIES = {
-  von_mises: 'von Mises stress',
-  equivalent_plastic_strain: 'plastic strain',
-  sigma_x: 'σx',
-  sigma_y: 'σy',
-  sigma_z: 'σz',
-  tau_xy: 'τxy',
-};
-
-/** Whether a quantity changes its sign from one side of a mirrored half to the other. @param {Quantity} quantity */
-export const isOdd = (quantity) => quantity === 'tau_xy';
+/** @typedef {import('./quantities.js').Quantity} Quantity */
+/** @typedef {{name: 'upper' | 'lower', mesh: Mesh, lift: number, moved: number}} Body */
+/** @typedef {{analysis: string, symmetric: boolean, units: import('../lib/units.js').UnitSet, length: number, stress: number}} Scales factors from units of the job to those shown */
+/** @typedef {{value: number, name: string, x: number, y: number, u: number, v: number, lift: number}} Extreme at a node */
 
 /**
- * @param {Mesh[]} meshes
+ * @param {Body[]} bodies
  * @param {Quantity} quantity
  * @param {boolean} mirrored
- * @returns {[number, number]} its least and largest value
+ * @returns {{low: number, high: number, most?: Extreme}} its limits, and where it is largest in size
  */
-export function rangeOf(meshes, quantity, mirrored) {
+export function extremes(bodies, quantity, mirrored) {
   let [low, high] = [Infinity, -Infinity];
-  for (const mesh of meshes) {
-    for (const value of mesh[quantity]) {
+  let most = /** @type {{body: Body, node: number, value: number} | undefined} */ (undefined);
+  const { signed, odd } = QUANTITIES[quantity];
+  for (const body of bodies) {
+    const values = valuesOf(body.mesh, quantity, body.moved);
+    for (let k = 0; k < values.length; k++) {
+      const value = values[k];
       if (value < low) low = value;
       if (value > high) high = value;
+      if (!most || (signed ? Math.abs(value) > Math.abs(most.value) : value > most.value))
+        most = { body, node: k, value };
     }
   }
-  const most = Math.max(-low, high);
-  return mirrored && isOdd(quantity) ? [-most, most] : [low, high];
+  const size = Math.max(-low, high);
+  const [nodes, moved] = [most?.body.mesh.nodes, most?.body.mesh.displacement];
+  const at =
+    most && nodes && moved
+      ? {
+          value: most.value,
+          name: most.body.name,
+          x: nodes[2 * most.node],
+          y: nodes[2 * most.node + 1],
+          u: moved[2 * most.node],
+          v: moved[2 * most.node + 1],
+          lift: most.body.lift,
+        }
+      : undefined;
+  return mirrored && odd ? { low: -size, high: size, most: at } : { low, high, most: at };
 }
 
 /** The bands from the highest down, each with its upper limit. @param {import('./palette.js').Bands} bands @param {string} unit */
@@ -45,29 +55,52 @@ export function colourBar({ low, step, colours }, unit) {
     swatch.style.setProperty('--band', `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`);
     return swatch;
   });
-  return [...swatches.reverse(), ...(unit ? [h('li', { class: 'unit' }, unit)] : [])];
+  return [
+    ...swatches.reverse(),
+    h('li', { class: 'last' }, plain(low)),
+    ...(unit ? [h('li', { class: 'unit' }, unit)] : []),
+  ];
+}
+
+/** @param {Quantity} quantity @param {Scales} scales @returns {{factor: number, unit: string}} of its figures */
+export function scaleOf(quantity, { units, length, stress }) {
+  const { kind } = QUANTITIES[quantity];
+  if (kind === 'strain') return { factor: 100, unit: '%' };
+  return kind === 'length'
+    ? { factor: length, unit: unit('length', units) }
+    : { factor: stress, unit: unit('stress', units) };
 }
 
 /**
- * What is at a point of the deformed bodies, in words.
- * @param {{name: string, mesh: Mesh, shift: number}[]} bodies
- * @param {import('../types.js').Report} report
+ * What is at a point of the picture, in words: the place is that of the undeformed body.
+ * @param {Body[]} bodies
+ * @param {Quantity} shown
+ * @param {Scales} scales
  * @param {number} deformation
  * @param {[number, number]} point
  * @returns {string}
  */
-export function readout(bodies, { units, mesh: { symmetric } }, deformation, [x, y]) {
-  const [length, stress] = [unit('length', units), unit('stress', units)];
-  const side = symmetric && x < 0 ? -1 : 1;
-  const where = `x ${figure(x, 3)}, y ${figure(y, 3)} ${length}`;
-  for (const { name, mesh, shift } of bodies) {
-    const place = locate(mesh, deformation, shift, side * x, y);
+export function readout(bodies, shown, scales, deformation, [x, y]) {
+  const side = scales.symmetric && x < 0 ? -1 : 1;
+  const [across, up] = scales.analysis === 'axisymmetric' ? ['r', 'z'] : ['x', 'y'];
+  for (const { name, mesh, lift, moved } of bodies) {
+    const place = locate(mesh, deformation, lift, side * x, y);
     if (!place) continue;
-    const at = (/** @type {Quantity} */ quantity) => valueAt(place, mesh[quantity]) * (isOdd(quantity) ? side : 1);
-    const stresses = /** @type {Quantity[]} */ (['von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy']);
-    const figures = stresses.map((one) => `${QUANTITIES[one].replace(' stress', '')} ${figure(at(one), 4)}`);
-    const strain = figure(100 * at('equivalent_plastic_strain'), 3);
-    return `${name} body, ${where}:  ${figures.join(' · ')} ${stress} · plastic strain ${strain} %`;
+    const [px, py] = vectorAt(place, mesh.nodes).map((value) => value * scales.length);
+    const say = (/** @type {Quantity} */ quantity) => {
+      const { factor } = scaleOf(quantity, scales);
+      const value = valueAt(place, valuesOf(mesh, quantity, moved)) * (QUANTITIES[quantity].odd ? side : 1);
+      return `${nameOf(quantity, scales.analysis)
+        .replace(' stress', '')
+        .replace(/^.* (?=[στ])/, '')} ${figure(factor * value, 4)}`;
+    };
+    const stresses = /** @type {Quantity[]} */ (['von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy', 'tau_max']);
+    const where = `${name} body, ${across} ${figure(across === 'r' ? Math.abs(px) : side * px, 3)}, ${up} ${figure(py, 3)} ${unit('length', scales.units)}`;
+    const others =
+      stresses.includes(shown) || shown === 'equivalent_plastic_strain'
+        ? ''
+        : ` · ${say(shown)} ${scaleOf(shown, scales).unit}`;
+    return `${where}:  ${stresses.map(say).join(' · ')} ${unit('stress', scales.units)} · ${say('equivalent_plastic_strain')} %${others}`;
   }
-  return `${where}: outside the bodies`;
+  return 'outside the bodies';
 }

@@ -1,16 +1,23 @@
 /**
- * What the address says: `#job=ID` shows a job of this service, `#draft=…` carries a definition (deflated, base64url), which
- * works on any service.
+ * What the address says: `#job=ID` shows a job of this service, `&with=ID,ID` lays others over it, `#draft=…` carries a
+ * definition (deflated, base64url), which works on any service.
  */
 
-/** @returns {{job?: string, draft?: string}} */
+/** @returns {{job?: string, compared: string[], draft?: string}} */
 export function read() {
   const fragment = new URLSearchParams(location.hash.slice(1));
-  return { job: fragment.get('job') ?? undefined, draft: fragment.get('draft') ?? undefined };
+  return {
+    job: fragment.get('job') ?? undefined,
+    compared: fragment.get('with')?.split(',').filter(Boolean) ?? [],
+    draft: fragment.get('draft') ?? undefined,
+  };
 }
 
-/** @param {string} id @returns {string} */
-export const jobLink = (id) => new URL(`#job=${id}`, document.baseURI).href;
+/** @param {string} id @param {string[]} [compared] jobs laid over it @returns {string} */
+export const jobFragment = (id, compared = []) => `#job=${id}${compared.length ? `&with=${compared.join(',')}` : ''}`;
+
+/** @returns {string} the link to what is shown: job and those compared with it */
+export const jobLink = () => location.href;
 
 /** @param {unknown} job @returns {Promise<string>} */
 export async function draftLink(job) {

@@ -2,7 +2,8 @@
 
 import { ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
-import { duration } from '../lib/units.js';
+import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { loadOf } from '../setup/fields.js';
 import { NAMES, finished } from '../result/watch.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
@@ -17,8 +18,10 @@ export class JobList {
   #next = null;
   /** Jobs beyond the first page stay as they were fetched. */
   #pages = 1;
+  /** What was asked of each job, which does not change. @type {Map<string, import('../types.js').Job>} */
+  #requests = new Map();
 
-  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean, label: string) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} on */
+  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} on */
   constructor(on) {
     this.on = on;
     this.search = h('input', {
@@ -53,6 +56,7 @@ export class JobList {
         this.#next = next;
         this.#pages = 1;
         this.show();
+        return this.#ask();
       },
       (error) => {
         byId('jobs-state').textContent = error.message;
@@ -66,6 +70,17 @@ export class JobList {
     this.#next = next;
     this.#pages += 1;
     this.show();
+    await this.#ask();
+  }
+
+  /** Fetches what was asked of jobs that have not been seen. */
+  async #ask() {
+    const unknown = this.#jobs.filter(({ id }) => !this.#requests.has(id));
+    for (const { id } of unknown) {
+      const request = await ask(`v1/jobs/${id}/request`).catch(() => undefined);
+      if (request) this.#requests.set(id, request);
+    }
+    if (unknown.length) this.show();
   }
 
   /** @param {string | null} [cursor] */
@@ -97,6 +112,18 @@ export class JobList {
     byId('jobs-more').hidden = !this.#next;
   }
 
+  /** Load and peak pressure. @param {JobDocument} job */
+  #words({ id, progress, status }) {
+    const request = this.#requests.get(id);
+    if (!request) return '';
+    const units = unitsOf(request);
+    const peak =
+      status === 'succeeded' && progress.latest
+        ? `, peak ${figure(progress.latest.peak_pressure, 4)} ${unit('stress', units)}`
+        : '';
+    return `${loadWords(request)}${peak}`;
+  }
+
   /** @param {JobDocument} job */
   #row(job) {
     const label = labelOf(job);
@@ -108,7 +135,7 @@ export class JobList {
       disabled: current || !finished(job),
       'aria-label': `Compare ${label}`,
       title: 'Lay over the one shown',
-      onchange: () => this.on.compare(job.id, box.checked, label),
+      onchange: () => this.on.compare(job.id, box.checked),
     });
     if (compared) box.style.setProperty('accent-color', `var(${compared})`);
     const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
@@ -117,7 +144,7 @@ export class JobList {
       { type: 'button', class: 'open', 'aria-current': current ? 'true' : null, onclick: () => this.on.open(job.id) },
       h('span', { class: `dot ${job.status}` }),
       h('span', {}, NAMES[job.status]),
-      h('span', { class: 'quiet' }, `${job.progress.iterations} it.`),
+      h('span', { class: 'load' }, this.#words(job)),
       h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
       h('code', { class: 'quiet' }, job.id.slice(-8)),
       tags,
@@ -128,6 +155,19 @@ export class JobList {
 
 /** @param {{id: string, tags?: Record<string, string>}} job */
 export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
+
+/** @param {import('../types.js').Job} job @returns {string} */
+function loadWords(job) {
+  const kind = loadOf(job.load);
+  const value = job.load?.[kind];
+  if (kind === 'onset') return 'onset of yield';
+  const far = kind.startsWith('approach');
+  const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
+  const figures = Array.isArray(value)
+    ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
+    : plain(Number(value));
+  return `${far ? 'α' : 'P'} ${figures} ${name}`;
+}
 
 /** @param {string} time */
 function age(time) {

@@ -13,6 +13,9 @@ export const onTheme = (listener) => listeners.add(listener);
 /** @param {string} name of a custom property @returns {string} a colour */
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+/** @param {string} name of a custom property @returns {string} the colour it has on paper, which is light */
+export const paper = (name) => getComputedStyle(byId('paper')).getPropertyValue(name).trim();
+
 /** @param {keyof typeof NAMES} theme */
 function apply(theme) {
   const dark = theme === 'auto' ? systemDark.matches : theme === 'dark';

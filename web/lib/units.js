@@ -1,23 +1,17 @@
 /** Quantities, their units in both systems, and how figures are written. */
 
 /** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'strain' | 'stiffness' | 'line_stiffness'} Quantity */
-/** @typedef {'mm_N_MPa' | 'SI'} Units */
+/** @typedef {'mm_N_MPa' | 'SI'} Units of a job */
+/** @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the length that line loads are counted by */
 
-/** @type {Record<Quantity, {mm_N_MPa: string, SI: string, factor: number}>} factor: SI figure of one mm_N_MPa unit */
-const QUANTITIES = {
-  length: { mm_N_MPa: 'mm', SI: 'm', factor: 1e-3 },
-  stress: { mm_N_MPa: 'MPa', SI: 'Pa', factor: 1e6 },
-  force: { mm_N_MPa: 'N', SI: 'N', factor: 1 },
-  line_force: { mm_N_MPa: 'N/mm', SI: 'N/m', factor: 1e3 },
-  area: { mm_N_MPa: 'mm²', SI: 'm²', factor: 1e-6 },
-  stiffness: { mm_N_MPa: 'N/mm', SI: 'N/m', factor: 1e3 },
-  line_stiffness: { mm_N_MPa: 'N/mm²', SI: 'N/m²', factor: 1e6 },
-  number: { mm_N_MPa: '', SI: '', factor: 1 },
-  strain: { mm_N_MPa: '', SI: '', factor: 1 },
+/** @type {Record<Units, UnitSet>} */
+const SETS = {
+  mm_N_MPa: { length: 'mm', per: 'mm', stress: 'MPa', force: 'N' },
+  SI: { length: 'm', per: 'm', stress: 'Pa', force: 'N' },
 };
 
-/** Names of units and what one of each is in SI. @type {Partial<Record<Quantity, Record<string, number>>>} */
-const NAMES = {
+/** Names of units and what one of each is in SI. */
+const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ ({
   length: {
     m: 1,
     cm: 1e-2,
@@ -42,9 +36,42 @@ const NAMES = {
     ksi: 6894757.293168,
   },
   force: { N: 1, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
-  line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 175.12683524647636 },
+  line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 4.4482216152605 / 0.0254 },
   strain: { '%': 1e-2, '‰': 1e-3, 1: 1 },
-};
+});
+
+/** @param {Quantity} quantity @param {UnitSet} set @returns {number} one of its units in SI */
+function inSi(quantity, set) {
+  const one = (/** @type {Quantity} */ kind, /** @type {string} */ name) => NAMES[kind]?.[name] ?? NaN;
+  const [length, per, force] = [one('length', set.length), one('length', set.per), one('force', set.force)];
+  switch (quantity) {
+    case 'length':
+      return length;
+    case 'stress':
+      return one('stress', set.stress);
+    case 'force':
+      return force;
+    case 'line_force':
+      return force / per;
+    case 'area':
+      return length * length;
+    case 'stiffness':
+      return force / length;
+    case 'line_stiffness':
+      return force / per / length;
+    default:
+      return 1;
+  }
+}
+
+/** @param {Units | UnitSet} units @returns {UnitSet} */
+export const setOf = (units) => (typeof units === 'string' ? SETS[units] : units);
+
+/** @param {Quantity} quantity @param {Units | UnitSet} from @param {Units | UnitSet} to @returns {number} */
+export function factor(quantity, from, to) {
+  const [a, b] = [setOf(from), setOf(to)];
+  return unit(quantity, a) === unit(quantity, b) ? 1 : Number((inSi(quantity, a) / inSi(quantity, b)).toPrecision(15));
+}
 
 /**
  * @param {number} value
@@ -54,10 +81,10 @@ const NAMES = {
  * @returns {number | undefined} in these; `undefined` if the unit is none of this quantity
  */
 export function inJobUnits(value, name, quantity, units) {
-  const factor = NAMES[quantity]?.[name.replace('μ', 'µ')];
-  if (factor === undefined) return undefined;
-  const own = units === 'SI' ? 1 : QUANTITIES[quantity].factor;
-  return factor === own ? value : Number(((value * factor) / own).toPrecision(15));
+  const given = NAMES[quantity]?.[name.replace('μ', 'µ')];
+  if (given === undefined) return undefined;
+  const own = inSi(quantity, SETS[units]);
+  return given === own ? value : Number(((value * given) / own).toPrecision(15));
 }
 
 /** @param {{units?: unknown}} job @returns {Units} */
@@ -69,8 +96,28 @@ export const forceOf = (job) => (job.analysis === 'axisymmetric' ? 'force' : 'li
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its dP/dα */
 export const stiffnessOf = (job) => (job.analysis === 'axisymmetric' ? 'stiffness' : 'line_stiffness');
 
-/** @param {Quantity} quantity @param {Units} units */
-export const unit = (quantity, units) => QUANTITIES[quantity][units];
+/** @param {Quantity} quantity @param {Units | UnitSet} units @returns {string} name of its unit */
+export function unit(quantity, units) {
+  const { length, per, stress, force } = setOf(units);
+  switch (quantity) {
+    case 'length':
+      return length;
+    case 'stress':
+      return stress;
+    case 'force':
+      return force;
+    case 'line_force':
+      return `${force}/${per}`;
+    case 'area':
+      return `${length}²`;
+    case 'stiffness':
+      return `${force}/${length}`;
+    case 'line_stiffness':
+      return length === per ? `${force}/${per}²` : `${force}/(${per}·${length})`;
+    default:
+      return '';
+  }
+}
 
 /**
  * @param {number} value
@@ -78,12 +125,8 @@ export const unit = (quantity, units) => QUANTITIES[quantity][units];
  * @param {Units} from
  * @param {Units} to
  */
-export function convert(value, quantity, from, to) {
-  if (from === to) return value;
-  const { factor } = QUANTITIES[quantity];
-  const converted = to === 'SI' ? value * factor : value / factor;
-  return Number(converted.toPrecision(15));
-}
+export const convert = (value, quantity, from, to) =>
+  from === to ? value : Number((value * factor(quantity, from, to)).toPrecision(15));
 
 /**
  * Five significant figures, without an exponent where that reads well.

@@ -1,8 +1,9 @@
 /** Curves by uPlot: the page's colours and type, a legend with units that reads out the point under the cursor, a picture to save. */
 
-import { h } from '../lib/dom.js';
+import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { figure, plain } from '../lib/units.js';
+import { chartSvg, dashOf } from './chart-svg.js';
 
 /** @typedef {any} uPlot */
 /**
@@ -12,6 +13,7 @@ import { figure, plain } from '../lib/units.js';
  * @property {number[]} x
  * @property {(number | null)[]} y
  * @property {boolean} [dashed]
+ * @property {number[]} [dash] lengths of strokes and gaps, where curves have to be told apart without their colours
  * @property {boolean} [right] on the second ordinate
  * @property {boolean} [points]
  * @property {boolean} [filled]
@@ -62,17 +64,51 @@ export class Chart {
     this.#draw(kept);
   }
 
-  /** @returns {Promise<Blob | null>} a PNG on the page's ground */
-  async picture() {
-    if (!this.#uplot) return null;
+  /** @param {string} title @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground */
+  async picture(title) {
+    if (!this.#uplot || !this.#plot) return null;
     const { canvas } = this.#uplot.ctx;
-    const copy = h('canvas', { width: canvas.width, height: canvas.height });
+    const ratio = devicePixelRatio;
+    const rows = this.#legendRows(canvas.width / ratio);
+    const head = 26 + 16 * rows.length;
+    const copy = h('canvas', { width: canvas.width, height: canvas.height + head * ratio });
     const context = copy.getContext('2d');
     if (!context) return null;
     context.fillStyle = colour('--panel');
     context.fillRect(0, 0, copy.width, copy.height);
-    context.drawImage(canvas, 0, 0);
+    context.drawImage(canvas, 0, head * ratio);
+    context.scale(ratio, ratio);
+    context.fillStyle = colour('--ink');
+    context.font = `bold 12px system-ui, sans-serif`;
+    context.fillText(title, 8, 16);
+    context.font = FONT;
+    rows.forEach((row, k) => row.forEach(({ curve, at }) => drawEntry(context, curve, at, 34 + 16 * k)));
     return new Promise((resolve) => copy.toBlob(resolve));
+  }
+
+  /** @param {string} title @returns {SVGSVGElement | null} the same as a vector drawing, on paper */
+  drawing(title, width = 640, height = this.height) {
+    return this.#plot ? chartSvg(this.#plot, title, width, height) : null;
+  }
+
+  /** @param {number} width */
+  #legendRows(width) {
+    const rows = /** @type {{curve: Curve, at: number}[][]} */ ([]);
+    const { ctx } = this.#uplot;
+    ctx.save();
+    ctx.font = FONT;
+    let at = Infinity;
+    for (const curve of this.#plot?.curves ?? []) {
+      const need = 46 + ctx.measureText(curve.label).width;
+      if (at + need > width) {
+        rows.push([]);
+        at = 8;
+      }
+      rows[rows.length - 1].push({ curve, at });
+      at += need;
+    }
+    ctx.restore();
+    return rows;
   }
 
   /** The cut-out that was dragged up, if it is one. */
@@ -151,7 +187,7 @@ export class Chart {
           stroke: colour(curve.colour),
           width: curve.dashed ? 1.25 : 1.75,
           spanGaps: true,
-          dash: curve.dashed ? [5, 4] : undefined,
+          dash: dashOf(curve),
           points: { show: Boolean(curve.points), size: 5, fill: colour(curve.colour) },
           fill: curve.filled ? `${colour(curve.colour)}18` : undefined,
         })),
@@ -206,11 +242,23 @@ function valueAt(curve, x) {
   return a + t * (b - a);
 }
 
+/** @param {CanvasRenderingContext2D} context @param {Curve} curve @param {number} x @param {number} y */
+function drawEntry(context, curve, x, y) {
+  context.strokeStyle = colour(curve.colour);
+  context.lineWidth = 2;
+  context.setLineDash(dashOf(curve) ?? []);
+  context.beginPath();
+  context.moveTo(x, y - 4);
+  context.lineTo(x + 24, y - 4);
+  context.stroke();
+  context.fillText(curve.label, x + 30, y);
+}
+
 /** @param {Curve} curve */
 function swatch(curve) {
-  const line = h('span', { class: `swatch${curve.dashed ? ' dashed' : ''}` });
-  line.style.borderColor = `var(${curve.colour})`;
-  return line;
+  const line = svg('path', { d: 'M0 4h24', 'stroke-width': 2, 'stroke-dasharray': dashOf(curve)?.join(' ') });
+  line.style.stroke = `var(${curve.colour})`;
+  return svg('svg', { class: 'swatch', viewBox: '0 0 24 8', 'aria-hidden': 'true' }, line);
 }
 
 /** @param {number | null} value */

@@ -11,11 +11,12 @@ export class ConvergencePanel {
     this.residual = new Chart(200);
     this.settling = new Chart(140);
     this.panel = new Panel('convergence', 'Convergence', [this.residual.element, this.settling.element], {
-      picture: () => this.residual.picture(),
+      picture: (title) => this.residual.picture(title),
+      drawing: (title) => this.residual.drawing(title),
     });
   }
 
-  /** @param {Iteration[]} history of all steps, one after the other @param {import('../lib/units.js').Units} units @param {number} tolerance */
+  /** @param {Iteration[]} history of all steps, one after the other @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {number} tolerance */
   show(history, units, tolerance) {
     this.panel.show(history.length > 0);
     if (history.length === 0) return;

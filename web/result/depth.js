@@ -1,10 +1,11 @@
 /** Stresses over depth under the peak pressure, of the components one chooses, with the yield stress marked. */
 
 import { h } from '../lib/dom.js';
-import { figure, unit } from '../lib/units.js';
+import { factor, figure, unit, unitsOf } from '../lib/units.js';
 import { yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
+import { elasticStresses } from './elastic.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -19,6 +20,16 @@ const COMPONENTS = {
   sigma_z: { label: 'σ_z', name: 'σz', colour: '--curve-5' },
   equivalent_plastic_strain: { label: 'ε_p', name: 'plastic strain', colour: '--curve-6' },
 };
+
+/** Of components, where colours tell jobs apart. */
+const DASHES = [undefined, [7, 3], [2, 3], [8, 3, 2, 3], [12, 4], [4, 2]];
+
+/** Stresses in axisymmetry have the directions r, z, θ, in this order. */
+const ROUND = /** @type {Partial<Record<Component, string>>} */ ({ sigma_x: 'σr', sigma_y: 'σz', sigma_z: 'σθ' });
+
+/** @param {Component} component @param {string} analysis */
+const nameOf = (component, analysis) =>
+  (analysis === 'axisymmetric' ? ROUND[component] : undefined) ?? COMPONENTS[component].name;
 
 export class DepthPanel {
   /** @type {'upper' | 'lower'} */
@@ -40,12 +51,14 @@ export class DepthPanel {
     );
     this.panel = new Panel('depth', 'Stress over depth', [components, this.chart.element], {
       controls: [bodies],
-      picture: () => this.chart.picture(),
+      picture: (title) => this.chart.picture(title),
+      drawing: (title) => this.chart.drawing(title),
     });
   }
 
   /** @param {Component} component @param {string} label */
   #chip(component, label) {
+    const text = h('span', { 'data-component': component }, symbol(label));
     const input = h('input', {
       type: 'checkbox',
       checked: this.#chosen.has(component),
@@ -55,7 +68,7 @@ export class DepthPanel {
         this.#again();
       },
     });
-    return h('label', {}, input, h('span', {}, symbol(label)));
+    return h('label', {}, input, text);
   }
 
   #again() {
@@ -69,13 +82,24 @@ export class DepthPanel {
     const step = first.report.steps[at];
     const { units } = first.report;
     const profile = step.subsurface?.[this.#body];
+    for (const [component, name] of Object.entries(ROUND))
+      this.panel.element
+        .querySelector(`[data-component=${component}]`)
+        ?.replaceChildren(
+          ...symbol(
+            first.report.analysis === 'axisymmetric'
+              ? `${name[0]}_${name[1]}`
+              : COMPONENTS[/** @type {Component} */ (component)].label,
+          ),
+        );
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
     const curves = shown.flatMap((one, k) =>
       this.#curves(one, k === 0 ? at : one.report.steps.length - 1, shown.length > 1),
     );
-    const strength = yieldStress(first.job[this.#body]?.material);
+    const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
     const [stress, length] = [unit('stress', units), unit('length', units)];
+    if (shown.length === 1 && profile && step.hertz) curves.push(...this.#elastic(first, step, profile.depth));
     this.chart.show({
       x: `depth  [${length}]`,
       y: `stress  [${stress}]`,
@@ -94,6 +118,27 @@ export class DepthPanel {
     });
   }
 
+  /** What the stresses would be without yield. @param {Shown} shown @param {import('../types.js').Step} step @param {number[]} depths @returns {import('./chart.js').Curve[]} */
+  #elastic({ job, report }, { hertz }, depths) {
+    if (!hertz) return [];
+    const ratio = Number(job[this.#body]?.material?.poisson_ratio);
+    const stresses = elasticStresses(depths, hertz, ratio, report.analysis);
+    return [...this.#chosen].flatMap((component) =>
+      component === 'equivalent_plastic_strain'
+        ? []
+        : [
+            {
+              label: `${nameOf(component, report.analysis)}, elastic`,
+              colour: COMPONENTS[component].colour,
+              dash: [2, 3],
+              dashed: true,
+              x: depths,
+              y: stresses[component],
+            },
+          ],
+    );
+  }
+
   /** @param {Shown} one @param {number} at @param {boolean} named @returns {import('./chart.js').Curve[]} */
   #curves(one, at, named) {
     const profile = one.report.steps[at].subsurface?.[this.#body];
@@ -103,11 +148,12 @@ export class DepthPanel {
       (component) => component !== 'equivalent_plastic_strain' || profile[component].some((value) => value > 0),
     );
     return there.map((component, k) => {
-      const { name, colour } = COMPONENTS[component];
+      const { colour } = COMPONENTS[component];
+      const name = nameOf(component, one.report.analysis);
       return {
         label: named ? `${one.label}: ${name}` : name,
         colour: named ? one.colour : colour,
-        dashed: named && k > 0,
+        dash: named ? DASHES[k] : undefined,
         x: profile.depth,
         y: profile[component],
         right: component === 'equivalent_plastic_strain',

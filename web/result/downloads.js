@@ -21,8 +21,11 @@ const FILES = [
   ['Depth profiles, SVG', 'depth.svg', 'depth.svg', 'subsurface'],
 ];
 
-/** @param {string} id @param {import('../types.js').Report} report */
-export function downloads(id, report) {
+/** Files of one step: those of a sweep are of the step that is shown. */
+const OF_STEP = /\.(svg|vtu)$/;
+
+/** @param {string} id @param {import('../types.js').Report} report @param {() => number} shown step, counted from 0 */
+export function downloads(id, report, shown) {
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
     const there = needs === 'nothing' || step?.[needs] !== undefined;
@@ -34,7 +37,13 @@ export function downloads(id, report) {
       {},
       h(
         'button',
-        { type: 'button', class: 'plain', disabled: !there, title, onclick: () => take(id, path, file) },
+        {
+          type: 'button',
+          class: 'plain',
+          disabled: !there,
+          title,
+          onclick: () => take(id, path, file, report.steps.length > 1 && OF_STEP.test(path) ? shown() + 1 : 0),
+        },
         name,
       ),
     );
@@ -42,11 +51,11 @@ export function downloads(id, report) {
   return h('details', { class: 'menu' }, h('summary', {}, 'Download'), h('ul', {}, items));
 }
 
-/** @param {string} id @param {string} path @param {string} file */
-async function take(id, path, file) {
+/** @param {string} id @param {string} path @param {string} file @param {number} step counted from 1; 0 for all */
+async function take(id, path, file, step) {
   try {
-    const response = await request(`v1/jobs/${id}/${path}`);
-    save(await response.blob(), `${id.slice(-8)}-${file}`);
+    const response = await request(`v1/jobs/${id}/${path}${step ? `?step=${step}` : ''}`);
+    save(await response.blob(), `${id.slice(-8)}-${step ? `step-${step}-` : ''}${file}`);
   } catch (error) {
     toast(`${file}: ${error instanceof Problem ? error.message : error}`);
   }

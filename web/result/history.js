@@ -41,7 +41,7 @@ export class HistoryPanel {
     );
   }
 
-  /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units} units */
+  /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
   show(history, units) {
     this.#history = history;
     this.panel.show(history.length > 0);

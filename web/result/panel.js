@@ -1,6 +1,7 @@
 /** A framed part of the result: title, controls, content, and a picture to save where there is one. */
 
 import { h } from '../lib/dom.js';
+import { svgFile } from './chart-svg.js';
 import { save } from './downloads.js';
 
 export class Panel {
@@ -8,32 +9,50 @@ export class Panel {
    * @param {string} id
    * @param {string} title
    * @param {Node[]} content
-   * @param {{controls?: Node[], picture?: () => Promise<Blob | null>}} [options]
+   * @param {{controls?: Node[], picture?: (title: string) => Promise<Blob | null>, drawing?: (title: string) => SVGSVGElement | null}} [options]
    */
-  constructor(id, title, content, { controls = [], picture } = {}) {
-    const button =
-      picture &&
+  constructor(id, title, content, { controls = [], picture, drawing } = {}) {
+    this.title = title;
+    const button = (/** @type {'PNG' | 'SVG'} */ kind, /** @type {(words: string) => Promise<Blob | null>} */ make) =>
       h(
         'button',
         {
           type: 'button',
           class: 'plain',
-          title: 'Save as a picture',
-          'aria-label': `Save ${title.toLowerCase()} as PNG`,
+          'aria-label': `Save ${title.toLowerCase()} as ${kind}`,
           onclick: async () => {
-            const blob = await picture();
-            if (blob) save(blob, `${id}.png`);
+            const blob = await make(this.caption);
+            if (blob) save(blob, `${id}.${kind.toLowerCase()}`);
           },
         },
-        'PNG',
+        kind,
       );
+    const vector = async (/** @type {string} */ words) => {
+      const made = drawing?.(words);
+      return made ? svgFile(made) : null;
+    };
     this.element = h(
       'section',
       { class: 'panel', id: `panel-${id}`, 'aria-labelledby': `panel-${id}-title`, hidden: true },
-      h('div', { class: 'bar' }, h('h3', { id: `panel-${id}-title` }, title), controls, button ?? null),
+      h(
+        'div',
+        { class: 'bar' },
+        h('h3', { id: `panel-${id}-title` }, title),
+        controls,
+        picture && button('PNG', picture),
+        drawing && button('SVG', vector),
+      ),
       content,
     );
   }
+
+  /** Title and what the figures are of, as pictures have it. */
+  get caption() {
+    return [this.title, this.of].filter(Boolean).join(', ');
+  }
+
+  /** What is shown: job and step. */
+  of = '';
 
   /** @param {boolean} shown */
   show(shown) {

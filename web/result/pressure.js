@@ -10,11 +10,12 @@ export class PressurePanel {
   constructor() {
     this.chart = new Chart(290);
     this.panel = new Panel('pressure', 'Contact pressure', [this.chart.element], {
-      picture: () => this.chart.picture(),
+      picture: (title) => this.chart.picture(title),
+      drawing: (title) => this.chart.drawing(title),
     });
   }
 
-  /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units} units @param {boolean} round */
+  /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {boolean} round */
   preview(hertz, units, round) {
     this.panel.show(true);
     this.chart.show({
@@ -33,11 +34,13 @@ export class PressurePanel {
     const step = first.report.steps[at];
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
+    /** @type {import('./chart.js').Curve[]} */
     const curves = shown.flatMap((one, k) => {
       const { nodes } = (k === 0 ? step : one.report.steps[one.report.steps.length - 1]).contact;
       return {
         label: shown.length > 1 ? one.label : 'this contact',
         colour: one.colour,
+        dash: one.dash,
         x: nodes.x,
         y: nodes.pressure,
         filled: shown.length === 1,
@@ -68,7 +71,7 @@ export class PressurePanel {
   }
 }
 
-/** @param {number} x @param {import('../lib/units.js').Units} units @param {number} half */
+/** @param {number} x @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {number} half */
 const mark = (x, units, half) => ({
   across: /** @type {const} */ ('x'),
   at: x,

@@ -1,50 +1,132 @@
-/** Force over approach of a sweep. */
+/** A sweep in curves: force over approach, and every figure over the load. */
 
-import { figure, forceOf, unit } from '../lib/units.js';
+import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
-import { Panel } from './panel.js';
+import { strainOf } from './figures.js';
+import { Panel, segments } from './panel.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../types.js').Step} Step */
+/** @typedef {import('../types.js').Report} Report */
+
+/** @type {Record<string, {text: string, label: string, value: (step: Step) => number, unit: (report: Report) => string}>} */
+const OVER_LOAD = {
+  peak: {
+    text: 'Peak',
+    label: 'peak pressure',
+    value: ({ contact }) => contact.peak_pressure,
+    unit: ({ units }) => unit('stress', units),
+  },
+  width: {
+    text: 'Half-width',
+    label: 'half-width',
+    value: ({ contact }) => contact.half_width,
+    unit: ({ units }) => unit('length', units),
+  },
+  strain: { text: 'Plastic strain', label: 'plastic strain', value: (step) => 100 * strainOf(step), unit: () => '%' },
+  stiffness: {
+    text: 'dP/dα',
+    label: 'dP/dα',
+    value: ({ contact_stiffness: slope }) => slope,
+    unit: (report) => unit(stiffnessOf(report), report.units),
+  },
+};
 
 export class SweepPanel {
+  #kind = 'approach';
+  /** @type {[Shown[], number] | undefined} */
+  #shown;
+
   constructor() {
     this.chart = new Chart();
-    this.panel = new Panel('sweep', 'Load over approach', [this.chart.element], {
-      picture: () => this.chart.picture(),
+    const kinds = {
+      approach: 'Approach',
+      ...Object.fromEntries(Object.entries(OVER_LOAD).map(([key, { text }]) => [key, text])),
+    };
+    const choice = segments('Shown over the load', kinds, (kind) => {
+      this.#kind = kind;
+      if (this.#shown) this.show(...this.#shown);
+    });
+    this.panel = new Panel('sweep', 'Sweep', [this.chart.element], {
+      controls: [choice],
+      picture: (title) => this.chart.picture(title),
+      drawing: (title) => this.chart.drawing(title),
     });
   }
 
-  /** @param {import('../types.js').Shown[]} shown @param {number} at step of the first */
+  /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
-    const swept = shown.filter(({ report }) => report.load_approach);
+    this.#shown = [shown, at];
+    const swept = shown.filter(({ report }) => report.steps.length > 1);
     this.panel.show(swept.length > 0);
     if (swept.length === 0) return;
-    const [{ report }] = swept;
-    const step = shown[0].report.steps[at];
-    const [force, length] = [unit(forceOf(report), report.units), unit('length', report.units)];
-    const onset = shown[0].report.steps[0].hertz?.yield_onset_force;
-    this.chart.show({
-      x: `α  [${length}]`,
-      y: `P  [${force}]`,
-      curves: swept.map((one) => ({
-        label: swept.length > 1 ? one.label : 'force',
-        colour: one.colour,
-        points: true,
-        x: one.report.load_approach?.approach ?? [],
-        y: one.report.load_approach?.force ?? [],
-      })),
-      marks: [
-        ...(onset
-          ? [
-              {
-                across: /** @type {const} */ ('y'),
-                at: onset,
-                text: `first yield ${figure(onset, 4)} ${force}`,
-                colour: '--yield',
-              },
-            ]
-          : []),
-        { across: 'x', at: step.approach, text: 'shown' },
-      ],
-      words: `Force over approach, ${report.load_approach?.force.length} points up to ${figure(Math.max(...(report.load_approach?.force ?? [0])))} ${force}.`,
-    });
+    this.chart.show(
+      this.#kind === 'approach'
+        ? overApproach(swept, shown[0], at)
+        : overLoad(swept, shown[0], at, OVER_LOAD[this.#kind]),
+    );
   }
+}
+
+/** @param {Shown} shown */
+const onsetOf = ({ report }) => report.steps[0].hertz?.yield_onset_force;
+
+/** Force over approach in the order of the steps, so that a history shows its loops. @param {Shown[]} swept @param {Shown} first @param {number} at @returns {import('./chart.js').Plot} */
+function overApproach(swept, first, at) {
+  const { report } = first;
+  const force = unit(forceOf(report), report.units);
+  const onset = onsetOf(first);
+  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.approach - b.approach);
+  return {
+    x: `α  [${unit('length', report.units)}]`,
+    y: `P  [${force}]`,
+    curves: swept.map((one) => ({
+      label: swept.length > 1 ? one.label : 'force',
+      colour: one.colour,
+      dash: one.dash,
+      points: true,
+      x: rising(one.report).map(({ approach }) => approach),
+      y: rising(one.report).map(({ contact }) => contact.force),
+    })),
+    marks: [
+      ...(onset
+        ? [
+            /** @type {const} */ ({
+              across: 'y',
+              at: onset,
+              text: `first yield, elastic theory ${figure(onset, 4)} ${force}`,
+              colour: '--yield',
+            }),
+          ]
+        : []),
+      { across: 'x', at: report.steps[at].approach, text: 'shown' },
+    ],
+    words: `Force over approach, ${report.steps.length} points up to ${figure(Math.max(...report.steps.map(({ contact }) => contact.force)))} ${force}.`,
+  };
+}
+
+/** @param {Shown[]} swept @param {Shown} first @param {number} at @param {typeof OVER_LOAD[string]} figures @returns {import('./chart.js').Plot} */
+function overLoad(swept, first, at, { label, value, unit: unitOf }) {
+  const { report } = first;
+  const force = unit(forceOf(report), report.units);
+  const name = unitOf(report);
+  const onset = onsetOf(first);
+  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.contact.force - b.contact.force);
+  return {
+    x: `P  [${force}]`,
+    y: `${label}  [${name}]`,
+    curves: swept.map((one) => ({
+      label: swept.length > 1 ? one.label : label,
+      colour: one.colour,
+      dash: one.dash,
+      points: true,
+      x: rising(one.report).map(({ contact }) => contact.force),
+      y: rising(one.report).map(value),
+    })),
+    marks: [
+      ...(onset ? [/** @type {const} */ ({ across: 'x', at: onset, text: 'first yield', colour: '--yield' })] : []),
+      { across: 'x', at: report.steps[at].contact.force, text: 'shown' },
+    ],
+    words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(value(report.steps[at]))} ${name}.`,
+  };
 }

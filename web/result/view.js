@@ -1,32 +1,45 @@
 /** All that is shown of solved jobs: the first in figures and pictures, the others laid over its curves. */
 
 import { byId, h } from '../lib/dom.js';
-import { figure, forceOf, unit, unitsOf } from '../lib/units.js';
+import { figure, forceOf, setOf, unit, unitsOf } from '../lib/units.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
 import { DepthPanel } from './depth.js';
+import { DifferencesPanel } from './differences.js';
+import { DisplayUnits, inUnits } from './display.js';
+import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
 import { PressurePanel } from './pressure.js';
+import { showSheet } from './sheet.js';
+import { Steps } from './steps.js';
 import { SweepPanel } from './sweep.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 export class View {
-  /** @type {Shown[]} */
+  /** As they came. @type {Shown[]} */
+  #given = [];
+  /** In the units that are shown. @type {Shown[]} */
   #shown = [];
   #at = 0;
 
-  /** @param {() => void} fieldsWanted */
-  constructor(fieldsWanted) {
+  /** @param {{fieldsWanted: () => void, stepped: (step: number) => void}} on */
+  constructor(on) {
+    this.on = on;
     this.pressure = new PressurePanel();
-    this.field = new FieldPanel(fieldsWanted);
+    this.field = new FieldPanel(on.fieldsWanted);
     this.depth = new DepthPanel();
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
+    this.figures = new FiguresPanel((step) => this.#go(step));
+    this.differences = new DifferencesPanel();
     this.history = new HistoryPanel();
-    this.steps = h('div', { class: 'bar steps', hidden: true });
+    this.steps = new Steps((step) => this.#go(step));
+    this.units = new DisplayUnits(() => this.#again());
+    const report = h('button', { type: 'button', id: 'report', onclick: () => this.report() }, 'Report');
+    this.tools = h('div', { class: 'bar view-tools', hidden: true }, this.steps.element, report, this.units.element);
     const column = (/** @type {{panel: import('./panel.js').Panel}[]} */ ...parts) =>
       h(
         'div',
@@ -34,18 +47,38 @@ export class View {
         parts.map(({ panel }) => panel.element),
       );
     byId('panels').replaceChildren(
-      this.steps,
+      this.tools,
       column(this.pressure, this.depth, this.sweep),
       column(this.field, this.convergence),
+      this.figures.panel.element,
+      this.differences.panel.element,
       this.history.panel.element,
     );
+    addEventListener('beforeprint', () => {
+      if (this.#shown.length) this.#sheet();
+    });
+  }
+
+  /** The step of the first job that is shown, counted from 0. */
+  get step() {
+    return this.#at;
   }
 
   /** Before there is anything. @param {Node} content */
   clear(content) {
-    this.#shown = [];
-    this.steps.hidden = true;
-    for (const { panel } of [this.sweep, this.pressure, this.field, this.depth, this.convergence, this.history])
+    this.#given = this.#shown = [];
+    this.tools.hidden = true;
+    this.steps.stop();
+    for (const { panel } of [
+      this.sweep,
+      this.pressure,
+      this.field,
+      this.depth,
+      this.convergence,
+      this.figures,
+      this.differences,
+      this.history,
+    ])
       panel.show(false);
     byId('headline').replaceChildren(content);
   }
@@ -59,54 +92,77 @@ export class View {
 
   /** While it runs. @param {Iteration[]} history @param {import('../types.js').Job} job */
   iterate(history, job) {
-    this.convergence.show(history, unitsOf(job), Number(job.solver?.tolerance ?? 1e-6));
+    const units = unitsOf(job);
+    const set = this.units.set(units);
+    const shown = inUnits(history, { analysis: job.analysis, units }, set);
+    this.convergence.show(shown, set, Number(job.solver?.tolerance ?? 1e-6));
   }
 
   /** @param {Shown[]} shown the first is the one in figures */
   show(shown) {
-    const anew = shown[0]?.report !== this.#shown[0]?.report;
-    this.#shown = shown;
+    const anew = shown[0]?.id !== this.#given[0]?.id;
+    this.#given = shown;
     if (shown.length === 0) return;
-    if (anew) this.#at = shown[0].report.steps.length - 1;
-    this.#showSteps();
+    const last = shown[0].report.steps.length - 1;
+    this.#at = anew ? last : Math.min(this.#at, last);
+    this.#again();
+  }
+
+  /** The sheet of what is shown, to be printed. */
+  report() {
+    this.#sheet();
+    document.documentElement.dataset.view = 'sheet';
+    scrollTo(0, 0);
+  }
+
+  #sheet() {
+    showSheet({
+      shown: this.#shown,
+      at: this.#at,
+      drawings: [this.pressure, this.depth, this.sweep].flatMap(({ panel, chart }) =>
+        panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
+      ),
+      field: this.field.canvas(),
+    });
+  }
+
+  /** @param {number} step */
+  #go(step) {
+    this.#at = step;
+    this.on.stepped(step);
     this.#showStep();
   }
 
-  #showSteps() {
-    const [{ report }] = this.#shown;
-    const last = report.steps.length - 1;
-    this.steps.hidden = last < 1;
-    if (last < 1) return;
-    const label = h('output');
-    const say = () => {
-      const { contact } = report.steps[this.#at];
-      label.textContent = `${this.#at + 1} of ${last + 1}: ${figure(contact.force)} ${unit(forceOf(report), report.units)}`;
-    };
-    const slider = h('input', {
-      type: 'range',
-      min: 0,
-      max: last,
-      value: this.#at,
-      oninput: () => {
-        this.#at = Number(slider.value);
-        say();
-        this.#showStep();
-      },
+  #again() {
+    if (this.#given.length === 0) return;
+    const set = this.units.set(/** @type {import('../lib/units.js').Units} */ (this.#given[0].report.units));
+    this.#shown = this.#given.map((one) => {
+      const { analysis, units } = one.report;
+      const of = { analysis, units: /** @type {import('../lib/units.js').Units} */ (units) };
+      return { ...one, raw: one.report, report: { ...inUnits(one.report, of, set), units: set } };
     });
-    say();
-    this.steps.replaceChildren(h('label', {}, 'Step ', slider), label);
+    this.tools.hidden = false;
+    this.#showStep();
   }
 
   #showStep() {
     const shown = this.#shown;
-    const [{ job, report }] = shown;
+    const [{ job, report, raw, label }] = shown;
     const step = report.steps[this.#at];
+    const many = report.steps.length;
+    const load = `${figure(step.contact.force, 4)} ${unit(forceOf(report), report.units)}`;
+    for (const { panel } of [this.pressure, this.depth, this.field])
+      panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
+    for (const { panel } of [this.sweep, this.convergence]) panel.of = label;
+    this.steps.show(many, this.#at, load);
     showHeadline(shown[0], this.#at);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
     this.depth.show(shown, this.#at);
+    this.figures.show(shown, this.#at);
+    this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    this.field.show(report, this.#at);
+    if (raw) this.field.show(raw, this.#at, setOf(report.units));
   }
 }

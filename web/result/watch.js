@@ -20,6 +20,7 @@ const LOOK = 2000;
 /**
  * @typedef {object} Handlers
  * @property {(state: string) => void} titled
+ * @property {() => number} step that is shown
  * @property {(history: Iteration[]) => void} iterated
  * @property {(id: string, report: Report) => void} solved
  * @property {(document: JobDocument) => void} ended in whatever state
@@ -142,7 +143,7 @@ export class Watch {
       document.cancel_requested ? 'Stopping…' : 'Cancel',
     );
     cancel.disabled = document.cancel_requested;
-    const link = h('button', { type: 'button', class: 'plain', onclick: () => copy(jobLink(id), 'Link') }, 'Copy link');
+    const link = h('button', { type: 'button', class: 'plain', onclick: () => copy(jobLink(), 'Link') }, 'Copy link');
     this.place.replaceChildren(
       h(
         'div',
@@ -156,7 +157,7 @@ export class Watch {
           h('code', { class: 'quiet', title: id }, id.slice(-8)),
           finished(document) ? null : cancel,
           link,
-          report ? downloads(id, report) : null,
+          report ? downloads(id, report, this.on.step) : null,
         ),
       ),
     );

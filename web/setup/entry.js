@@ -91,7 +91,7 @@ export function entry(field, change, surroundings) {
 /** @param {string} text with `_x` and `^x` for what is written below and above @returns {(Node | string)[]} */
 export function symbol(text) {
   return text
-    .split(/([_^][\wσ.]+)/)
+    .split(/([_^][\wσθ.]+)/)
     .map((part) =>
       part[0] === '_' ? h('sub', {}, part.slice(1)) : part[0] === '^' ? h('sup', {}, part.slice(1)) : part,
     );

@@ -24,7 +24,7 @@ export function startSketch(draft) {
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz */
-function picture(job, hertz) {
+export function picture(job, hertz) {
   const bodies = [outline(job.upper?.shape), outline(job.lower?.shape)];
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
   const drawn = bodies.filter((body) => body !== null);

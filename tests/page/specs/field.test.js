@@ -135,3 +135,168 @@ test('a job without fields offers to solve again with them', async () => {
   await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
   await close();
 });
+
+/** Shows the reference problem with its field. @param {import('playwright-core').Page} page @param {object} [change] */
+async function reference(page, change = {}) {
+  const id = await page.evaluate(async (change) => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+    const body = JSON.stringify({
+      ...job,
+      mesh: { elements_per_half_width: 10 },
+      output: { fields: true },
+      ...change,
+    });
+    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
+    const answer = await fetch('v1/jobs', { method: 'POST', headers, body });
+    return (answer.headers.get('content-location') ?? '').split('/')[3];
+  }, change);
+  await page.goto(`${server.url}/#job=${id}`);
+  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+  return id;
+}
+
+/** @param {import('playwright-core').Page} page @param {RegExp} wanted */
+const labelled = (page, wanted) =>
+  page.waitForFunction(
+    (wanted) => new RegExp(wanted).test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
+    wanted.source,
+  );
+
+test('stresses that follow from the others are right', async () => {
+  const { page, close } = await visit(browser, server.url);
+  const id = await reference(page);
+  const worst = await page.evaluate(async (id) => {
+    const { valuesOf } = await import(/** @type {any} */ ('/web/field/quantities.js'));
+    const report = await (await fetch(`v1/jobs/${id}/result`)).json();
+    const mesh = report.steps[0].fields.upper;
+    for (const [key, list] of Object.entries(mesh))
+      if (typeof list[0] === 'number') mesh[key] = Float32Array.from(list);
+    const at = (/** @type {string} */ name) => valuesOf(mesh, name, 0);
+    const [one, two, three, shear, mean] = ['sigma_1', 'sigma_2', 'sigma_3', 'tau_max', 'mean_stress'].map(at);
+    let worst = 0;
+    mesh.von_mises.forEach((/** @type {number} */ q, /** @type {number} */ k) => {
+      const [a, b, c] = [one[k], two[k], three[k]];
+      const mises = Math.sqrt(((a - b) ** 2 + (b - c) ** 2 + (c - a) ** 2) / 2);
+      worst = Math.max(
+        worst,
+        Math.abs(mises - q),
+        Math.abs(shear[k] - (a - c) / 2),
+        Math.abs(mean[k] - (a + b + c) / 3),
+        a >= b && b >= c ? 0 : 1e9,
+      );
+    });
+    return worst / Math.max(...mesh.von_mises);
+  }, id);
+  // Nodal values are averages of elements: von Mises of the averages differs a little from the average of von Mises.
+  assert.ok(worst < 0.05, `${worst}`);
+  await close();
+});
+
+test('bodies do not overlap however much their displacements are exaggerated', async () => {
+  const { page, close } = await visit(browser, server.url);
+  const id = await reference(page);
+  const gaps = await page.evaluate(async (id) => {
+    const { lifts, surfaceNodes } = await import(/** @type {any} */ ('/web/field/lift.js'));
+    const report = await (await fetch(`v1/jobs/${id}/result`)).json();
+    const [step] = report.steps;
+    const [upper, lower] = ['upper', 'lower'].map((name) => ({
+      nodes: step.fields[name].nodes.flat(),
+      displacement: step.fields[name].displacement.flat(),
+    }));
+    const lift = lifts(upper, lower, step);
+    const { x } = step.contact.nodes;
+    const [up, low] = [surfaceNodes(upper, x, -1), surfaceNodes(lower, x, 1)];
+    return [0, 1, 2, 20].map((factor) => {
+      const lifted = lift(factor);
+      const height = (/** @type {any} */ mesh, /** @type {number} */ node, /** @type {number} */ by) =>
+        mesh.nodes[2 * node + 1] + factor * mesh.displacement[2 * node + 1] + by;
+      const gaps = x.flatMap((/** @type {number} */ _, /** @type {number} */ k) =>
+        up[k] >= 0 && low[k] >= 0 ? [height(upper, up[k], lifted.upper) - height(lower, low[k], lifted.lower)] : [],
+      );
+      return { least: Math.min(...gaps), most: Math.max(...gaps), count: gaps.length };
+    });
+  }, id);
+  for (const { least, count } of gaps) {
+    assert.ok(count > 10, `${count} pairs`);
+    assert.ok(least > -1e-6, `they overlap by ${-least} mm`);
+    assert.ok(least < 1e-3, 'and still touch');
+  }
+  await close();
+});
+
+test('the range of colours is held over the steps, and can be given', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await reference(page, { load: { forces: [100, 200, 400] } });
+  const legend = () => page.locator('.colours').textContent();
+  const last = await legend();
+  await page.getByLabel('Step', { exact: true }).focus();
+  await page.keyboard.press('Home');
+  await page.locator('.steps output').getByText('1 of 3').waitFor();
+  assert.equal(await legend(), last, 'the same over all steps');
+  await page.getByLabel('Colours', { exact: true }).selectOption('step');
+  assert.notEqual(await legend(), last);
+  await page.getByLabel('Largest value coloured').fill('250');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.getByLabel('Colours', { exact: true }).inputValue(), 'fixed');
+  assert.match((await legend()) ?? '', /^(26|25)0/);
+  const play = page.getByRole('button', { name: 'Play through the steps' });
+  await play.click();
+  await page.locator('.steps output').getByText('3 of 3').waitFor();
+  await play.waitFor();
+  assert.match((await legend()) ?? '', /^(26|25)0/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a cut anywhere has its curve', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await reference(page);
+  await page.getByLabel('Cut', { exact: true }).check();
+  const plot = page.locator('.cut .plot');
+  await page.waitForFunction(() =>
+    /^von Mises stress along the cut, at most 5\d\d/.test(
+      document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? '',
+    ),
+  );
+  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_y');
+  await page.waitForFunction(() =>
+    /^σy along the cut/.test(document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? ''),
+  );
+  const box = await page.locator('.stage .over').boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + 50, box.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 250, box.y + 45);
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelectorAll('.cut .legend li').length === 1, undefined);
+  const words = await plot.getAttribute('aria-label');
+  // By figures, as from the keyboard: outside of the bodies there is nothing.
+  for (const [name, value] of [
+    ['x', '50'],
+    ['y', '1'],
+  ])
+    await page.getByLabel(`Cut from ${name}`).fill(value);
+  await page.getByLabel('Cut to x').fill('60');
+  await page.getByLabel('Cut to y').fill('1');
+  await page.keyboard.press('Enter');
+  await page.getByRole('img', { name: 'The cut misses the bodies.' }).waitFor();
+  assert.notEqual(words, await plot.getAttribute('aria-label'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a finger that taps reads, and the page scrolls under the field', async () => {
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+  const { page, close } = await visit(browser, server.url, phone);
+  await reference(page);
+  const over = page.locator('.stage .over');
+  await over.scrollIntoViewIfNeeded();
+  assert.equal(await over.evaluate((one) => getComputedStyle(one).touchAction), 'pan-y');
+  const box = await over.boundingBox();
+  assert.ok(box);
+  await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height * 0.25);
+  await page.getByText(/^upper body, x/).waitFor();
+  await labelled(page, /^Field of von Mises stress/);
+  await close();
+});

@@ -1,0 +1,87 @@
+/** What jobs differ in, and names for them that say it. */
+
+import { ELASTIC, LAWS, LOADS, SETTINGS, SHAPES } from '../setup/fields.js';
+import { plain } from '../lib/units.js';
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{pointer: string, label: string, symbol: string, values: unknown[]}} Difference */
+
+const FIELDS = new Map(
+  [
+    ...Object.values({ ...SHAPES, ...LAWS }).flatMap(({ fields }) => fields),
+    ...ELASTIC,
+    ...SETTINGS,
+    ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
+  ].map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]),
+);
+const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
+/** Parts that change no answer. */
+const LEFT = new Set(['tags', 'output']);
+
+/** Every figure and word of a job. @param {any} part @param {string} pointer @returns {Generator<[string, unknown]>} */
+function* leaves(part, pointer = '') {
+  if (part === null || typeof part !== 'object' || Array.isArray(part)) yield [pointer, part];
+  else
+    for (const [key, one] of Object.entries(part))
+      if (pointer !== '' || !LEFT.has(key)) yield* leaves(one, `${pointer}/${key}`);
+}
+
+/** @param {Job[]} jobs @returns {Difference[]} */
+export function differences(jobs) {
+  const maps = jobs.map((job) => new Map(leaves(job)));
+  const pointers = [...new Set(maps.flatMap((map) => [...map.keys()]))];
+  return pointers
+    .map((pointer) => ({ pointer, ...nameOf(pointer), values: maps.map((map) => map.get(pointer)) }))
+    .filter(({ values }) => new Set(values.map((value) => JSON.stringify(value))).size > 1)
+    .sort((a, b) => rank(a.pointer) - rank(b.pointer));
+}
+
+/** Loads tell most, then what bodies are; settings of the solver least. @param {string} pointer */
+const rank = (pointer) => (pointer.startsWith('/load') ? 0 : /^\/(upper|lower)/.test(pointer) ? 1 : 2);
+
+/** @param {string} pointer */
+function nameOf(pointer) {
+  const parts = pointer.split('/').slice(1);
+  const key = parts[parts.length - 1];
+  const field = FIELDS.get(key);
+  const body = BODIES[parts[0]];
+  const label = field?.label ?? key.replaceAll('_', ' ');
+  return { label: body ? `${body} ${label.toLowerCase()}` : label, symbol: field?.symbol ?? label.toLowerCase() };
+}
+
+/** @param {unknown} value */
+export function writeValue(value) {
+  if (value === undefined) return '—';
+  if (typeof value === 'number') return plain(value);
+  if (Array.isArray(value))
+    return value.every((one) => typeof one === 'number')
+      ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
+      : `${value.length} points`;
+  return String(value).replaceAll('_', ' ');
+}
+
+/**
+ * A short name for each of the jobs: by its tag if tags tell them apart, else by what they differ in.
+ * @param {{id: string, job: Job}[]} jobs
+ * @returns {string[]}
+ */
+export function names(jobs) {
+  const last = (/** @type {string} */ id) => id.slice(-8);
+  const tags = jobs.map(({ job }) => String(Object.values(job.tags ?? {})[0] ?? '').slice(0, 28));
+  if (jobs.length === 1) return [tags[0] || last(jobs[0].id)];
+  if (tags.every(Boolean) && new Set(tags).size === tags.length) return tags;
+  const found = differences(jobs.map(({ job }) => job));
+  for (let count = 1; count <= Math.min(3, found.length); count++) {
+    const made = jobs.map((_, k) =>
+      found
+        .slice(0, count)
+        .map(({ symbol, values }) => `${symbol.replaceAll('_', '')} ${writeValue(values[k])}`)
+        .join(', '),
+    );
+    if (new Set(made).size === made.length || count === Math.min(3, found.length))
+      return made.map((name, k) =>
+        made.indexOf(name) === made.lastIndexOf(name) ? name : `${name} (${last(jobs[k].id)})`,
+      );
+  }
+  return jobs.map(({ id }) => last(id));
+}

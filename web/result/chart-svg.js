@@ -1,0 +1,247 @@
+/** A chart as an SVG by itself: title, legend, axes with units, in the light colours of paper. */
+
+import { svg } from '../lib/dom.js';
+import { paper } from '../lib/theme.js';
+import { plain } from '../lib/units.js';
+
+/** @typedef {import('./chart.js').Plot} Plot */
+/** @typedef {import('./chart.js').Curve} Curve */
+/** @typedef {{at: (value: number) => number, ticks: number[], from: number, to: number}} Axis */
+
+/** Width of a letter at 11 px, on average. */
+const LETTER = 6;
+const LINE = 16;
+
+let count = 0;
+
+/**
+ * @param {Plot} plot
+ * @param {string} title
+ * @param {number} width
+ * @param {number} height of the axes' box and what belongs to it, without title and legend
+ * @returns {SVGSVGElement}
+ */
+export function chartSvg(plot, title, width, height) {
+  const legend = legendRows(plot.curves, width);
+  const head = 22 + LINE * legend.length;
+  const left = plot.curves.filter(({ right }) => !right);
+  const right = plot.curves.filter((curve) => curve.right);
+  const [x0, x1] = plot.range ?? extent(plot.curves.flatMap(({ x }) => [x[0], x[x.length - 1]]));
+  const seen = (/** @type {Curve[]} */ curves) =>
+    curves.flatMap(({ x, y }) => y.filter((value, k) => value !== null && x[k] >= x0 && x[k] <= x1));
+  const yRange = grown(
+    seen(left),
+    plot.log,
+    (plot.marks ?? []).filter(({ across }) => across === 'y').map(({ at }) => at),
+  );
+  const rightRange = grown(seen(right), false, []);
+  const labels = (/** @type {number[]} */ ticks) => Math.max(0, ...ticks.map((tick) => plain(tick).length)) * LETTER;
+  const box = { left: 0, right: width - 10, top: head + 6, bottom: head + height - 38 };
+  const yTicks = ticksOf(yRange, 5, plot.log);
+  box.left = labels(yTicks) + 30;
+  const rightTicks = plot.right ? ticksOf(rightRange, 5) : [];
+  if (plot.right) box.right = width - labels(rightTicks) - 30;
+  const x = axis([x0, x1], [box.left, box.right], ticksOf([x0, x1], Math.round((box.right - box.left) / 80)));
+  const y = axis(yRange, [box.bottom, box.top], yTicks, plot.log);
+  const yr = axis(rightRange, [box.bottom, box.top], rightTicks);
+  const clip = `clip-${++count}`;
+  const root = svg('svg', {
+    xmlns: 'http://www.w3.org/2000/svg',
+    viewBox: `0 0 ${width} ${head + height}`,
+    width,
+    height: head + height,
+    role: 'img',
+    'aria-label': plot.words,
+    'font-family': 'system-ui, sans-serif',
+    'font-size': 11,
+  });
+  root.append(
+    svg(
+      'defs',
+      {},
+      svg(
+        'clipPath',
+        { id: clip },
+        svg('rect', { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top }),
+      ),
+    ),
+    svg('text', { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: paper('--ink') }, title),
+    ...legend.flatMap((row, k) => row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k))),
+    ...grid(plot, x, y, yr, box),
+    svg(
+      'g',
+      { 'clip-path': `url(#${clip})`, fill: 'none' },
+      plot.curves.map((curve) => path(curve, x, curve.right ? yr : y)),
+    ),
+    ...(plot.marks ?? []).flatMap((mark) => markOf(mark, x, y, box)),
+  );
+  return root;
+}
+
+/** @param {SVGSVGElement} picture @returns {Blob} */
+export const svgFile = (picture) =>
+  new Blob([new XMLSerializer().serializeToString(picture)], { type: 'image/svg+xml' });
+
+/** @param {Plot} plot @param {Axis} x @param {Axis} y @param {Axis} yr @param {{left: number, right: number, top: number, bottom: number}} box */
+function grid(plot, x, y, yr, box) {
+  const text = (/** @type {Record<string, any>} */ where, /** @type {string} */ words) =>
+    svg('text', { fill: paper('--quiet'), ...where }, words);
+  const line = (/** @type {string} */ d, /** @type {string} */ stroke) =>
+    svg('path', { d, stroke: paper(stroke), fill: 'none' });
+  const turned = (/** @type {number} */ at, /** @type {string} */ words) =>
+    text(
+      { x: 0, y: 0, 'text-anchor': 'middle', transform: `translate(${at} ${(box.top + box.bottom) / 2}) rotate(-90)` },
+      words,
+    );
+  return [
+    ...y.ticks.map((tick) => line(`M${box.left} ${y.at(tick).toFixed(1)}H${box.right}`, '--rule')),
+    line(`M${box.left} ${box.top}V${box.bottom}H${box.right}${plot.right ? `V${box.top}` : ''}`, '--edge'),
+    ...y.ticks.map((tick) => text({ x: box.left - 5, y: y.at(tick) + 4, 'text-anchor': 'end' }, plain(tick))),
+    ...x.ticks.map((tick) => line(`M${x.at(tick).toFixed(1)} ${box.bottom}v4`, '--edge')),
+    ...x.ticks.map((tick) => text({ x: x.at(tick), y: box.bottom + 16, 'text-anchor': 'middle' }, plain(tick))),
+    ...(plot.right ? yr.ticks.map((tick) => text({ x: box.right + 5, y: yr.at(tick) + 4 }, plain(tick))) : []),
+    text({ x: (box.left + box.right) / 2, y: box.bottom + 32, 'text-anchor': 'middle' }, plot.x),
+    turned(11, plot.y),
+    plot.right
+      ? turned(
+          box.right + (box.right > 0 ? Math.max(0, ...yr.ticks.map((tick) => plain(tick).length)) * LETTER + 20 : 0),
+          plot.right,
+        )
+      : svg('g'),
+  ];
+}
+
+/** @param {Curve} curve @param {Axis} x @param {Axis} y */
+function path(curve, x, y) {
+  let d = '';
+  let pen = false;
+  curve.x.forEach((value, k) => {
+    const at = curve.y[k];
+    if (at === null || !Number.isFinite(at)) pen = false;
+    else {
+      d += `${pen ? 'L' : 'M'}${x.at(value).toFixed(2)} ${y.at(at).toFixed(2)}`;
+      pen = true;
+    }
+  });
+  const dots = curve.points
+    ? curve.x.map((value, k) =>
+        svg('circle', { cx: x.at(value), cy: y.at(curve.y[k] ?? NaN), r: 2.2, fill: paper(curve.colour) }),
+      )
+    : [];
+  return svg(
+    'g',
+    {},
+    svg('path', {
+      d,
+      stroke: paper(curve.colour),
+      'stroke-width': curve.dashed ? 1.1 : 1.6,
+      'stroke-dasharray': dashOf(curve)?.join(' '),
+    }),
+    dots,
+  );
+}
+
+/** @param {Curve} curve @returns {number[] | undefined} */
+export const dashOf = (curve) => curve.dash ?? (curve.dashed ? [5, 4] : undefined);
+
+/** @param {import('./chart.js').Mark} mark @param {Axis} x @param {Axis} y @param {{left: number, right: number, top: number, bottom: number}} box */
+function markOf(mark, x, y, box) {
+  const upright = mark.across === 'x';
+  const at = upright ? x.at(mark.at) : y.at(mark.at);
+  const [from, to] = upright ? [box.left, box.right] : [box.top, box.bottom];
+  if (!(at >= from - 0.5 && at <= to + 0.5)) return [];
+  const stroke = paper(mark.colour ?? '--quiet');
+  const d = upright ? `M${at} ${box.top}V${box.bottom}` : `M${box.left} ${at}H${box.right}`;
+  const last = upright ? at + mark.text.length * LETTER + 6 > box.right : !mark.left;
+  const place = upright
+    ? { x: at + (last ? -4 : 4), y: box.top + 12 }
+    : { x: last ? box.right - 4 : box.left + 4, y: at - 4 };
+  return [
+    svg('path', { d, stroke, 'stroke-dasharray': '2 3' }),
+    svg(
+      'text',
+      {
+        ...place,
+        fill: stroke,
+        'text-anchor': last ? 'end' : 'start',
+        stroke: '#fff',
+        'stroke-width': 3,
+        'paint-order': 'stroke',
+      },
+      mark.text,
+    ),
+  ];
+}
+
+/** Entries of the legend in rows that fit. @param {Curve[]} curves @param {number} width */
+function legendRows(curves, width) {
+  const rows = /** @type {{curve: Curve, at: number}[][]} */ ([]);
+  let at = Infinity;
+  for (const curve of curves) {
+    const need = 46 + (curve.label.length + (curve.right ? 8 : 0)) * LETTER;
+    if (at + need > width) {
+      rows.push([]);
+      at = 4;
+    }
+    rows[rows.length - 1].push({ curve, at });
+    at += need;
+  }
+  return rows;
+}
+
+/** @param {Curve} curve @param {number} x @param {number} y */
+const legendItem = (curve, x, y) =>
+  svg(
+    'g',
+    {},
+    svg('path', {
+      d: `M${x} ${y - 4}h24`,
+      stroke: paper(curve.colour),
+      'stroke-width': 1.8,
+      'stroke-dasharray': dashOf(curve)?.join(' '),
+    }),
+    svg('text', { x: x + 30, y, fill: paper('--ink') }, curve.label + (curve.right ? ' (right)' : '')),
+  );
+
+/** @param {number[]} values @returns {[number, number]} */
+function extent(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low < high ? [low, high] : [Number.isFinite(low) ? low : 0, (Number.isFinite(low) ? low : 0) + 1];
+}
+
+/** Range of an ordinate, from zero where nothing is negative. @param {(number | null)[]} values @param {boolean | undefined} log @param {number[]} marks @returns {[number, number]} */
+function grown(values, log, marks) {
+  const given = /** @type {number[]} */ (values.filter((value) => value !== null && Number.isFinite(value)));
+  if (log) {
+    const [low, high] = extent(given.filter((value) => value > 0));
+    return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
+  }
+  const [low, high] = extent([0, ...given, ...marks]);
+  const size = high - low;
+  return [low < 0 ? low - 0.04 * size : 0, high > 0 ? high + 0.04 * size : 0];
+}
+
+/** @param {[number, number]} range @param {number} many @param {boolean} [log] @returns {number[]} */
+function ticksOf([from, to], many, log) {
+  if (log) {
+    const [first, last] = [Math.round(Math.log10(from)), Math.round(Math.log10(to))];
+    return Array.from({ length: last - first + 1 }, (_, k) => 10 ** (first + k));
+  }
+  const rough = (to - from) / Math.max(2, many);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 2.5, 5].find((one) => one * power >= rough) ?? 10);
+  const first = Math.ceil(from / step - 1e-9);
+  const last = Math.floor(to / step + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => Number(((first + k) * step).toPrecision(12)));
+}
+
+/** @param {[number, number]} range @param {[number, number]} pixels @param {number[]} ticks @param {boolean} [log] @returns {Axis} */
+function axis([from, to], [low, high], ticks, log) {
+  const place = log ? Math.log10 : (/** @type {number} */ value) => value;
+  const [a, b] = [place(from), place(to)];
+  return { from, to, ticks, at: (value) => low + ((place(value) - a) / (b - a || 1)) * (high - low) };
+}

@@ -1,0 +1,35 @@
+/** What the compared jobs differ in. */
+
+import { h } from '../lib/dom.js';
+import { differences, writeValue } from '../jobs/names.js';
+import { scrolled, tableElements, takeAlong } from './figures.js';
+import { Panel } from './panel.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+
+export class DifferencesPanel {
+  /** @type {import('../lib/tabular.js').Table} */
+  #content = { columns: [], rows: [], write: String };
+
+  constructor() {
+    this.table = h('table');
+    this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')], {
+      controls: takeAlong(() => this.#content, 'differences'),
+    });
+  }
+
+  /** @param {Shown[]} shown */
+  show(shown) {
+    this.panel.show(shown.length > 1);
+    if (shown.length < 2) return;
+    const found = differences(shown.map(({ job }) => job));
+    this.#content = {
+      columns: [{ title: 'in the set-up' }, ...shown.map(({ label }) => ({ title: label }))],
+      rows: found.length
+        ? found.map(({ label, values }) => [label, ...values.map(writeValue)])
+        : [['nothing: the jobs ask the same', ...shown.map(() => '')]],
+      write: String,
+    };
+    this.table.replaceChildren(...tableElements(this.#content));
+  }
+}

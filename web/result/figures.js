@@ -1,0 +1,142 @@
+/** Every step, and every job compared, in figures: to be read, and to be taken into a report. */
+
+import { copy, h } from '../lib/dom.js';
+import { toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
+import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
+import { save } from './downloads.js';
+import { Panel } from './panel.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../types.js').Step} Step */
+/** @typedef {import('../types.js').Report} Report */
+/** @typedef {import('../lib/units.js').Quantity} Quantity */
+
+/** @type {{title: string, quantity: (report: Report) => Quantity | 'percent', value: (step: Step) => number | null | undefined, error?: keyof NonNullable<Step['estimated_error']>}[]} */
+export const FIGURES = [
+  { title: 'force', quantity: forceOf, value: ({ contact }) => contact.force },
+  { title: 'approach', quantity: () => 'length', value: ({ approach }) => approach, error: 'approach' },
+  {
+    title: 'peak pressure',
+    quantity: () => 'stress',
+    value: ({ contact }) => contact.peak_pressure,
+    error: 'peak_pressure',
+  },
+  { title: 'half-width', quantity: () => 'length', value: ({ contact }) => contact.half_width, error: 'half_width' },
+  { title: 'mean pressure', quantity: () => 'stress', value: ({ contact }) => contact.mean_pressure },
+  { title: 'plastic strain', quantity: () => 'percent', value: (step) => 100 * strainOf(step) },
+  { title: 'dP/dα', quantity: stiffnessOf, value: ({ contact_stiffness: slope }) => slope },
+  { title: 'Hertz peak', quantity: () => 'stress', value: ({ hertz }) => hertz?.peak_pressure },
+];
+
+/** Largest equivalent plastic strain of both bodies. @param {Step} step */
+export const strainOf = ({ plasticity }) =>
+  Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
+
+/**
+ * @param {Shown[]} shown in the same units
+ * @returns {import('../lib/tabular.js').Table}
+ */
+export function figuresTable(shown) {
+  const [{ report }] = shown;
+  const several = shown.length > 1;
+  const columns = [
+    ...(several ? [{ title: 'job' }] : []),
+    { title: 'step' },
+    ...FIGURES.flatMap(({ title, quantity, error }) => {
+      const kind = quantity(report);
+      return [
+        { title, unit: kind === 'percent' ? '%' : unit(kind, report.units) },
+        ...(error ? [{ title: '±', unit: '%' }] : []),
+      ];
+    }),
+    { title: 'state' },
+  ];
+  const rows = shown.flatMap(({ report, label }) =>
+    report.steps.map((step, k) => [
+      ...(several ? [label] : []),
+      k + 1,
+      ...FIGURES.flatMap(({ value, error }) => {
+        const bar = error && step.status === 'converged' ? step.estimated_error?.[error] : undefined;
+        return [value(step) ?? null, ...(error ? [bar === undefined ? null : 100 * bar] : [])];
+      }),
+      step.status.replaceAll('_', ' '),
+    ]),
+  );
+  const write = (/** @type {import('../lib/tabular.js').Cell} */ cell, /** @type {number} */ k) =>
+    typeof cell !== 'number'
+      ? (cell ?? '')
+      : columns[k].title === 'step'
+        ? String(cell)
+        : figure(cell, columns[k].title === '±' ? 2 : 5);
+  return { columns, rows, write };
+}
+
+/** Buttons that take a table along. @param {() => import('../lib/tabular.js').Table} table @param {string} name of the file */
+export function takeAlong(table, name) {
+  const button = (/** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ work) =>
+    h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+  return [
+    button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
+    button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
+    button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
+    button('CSV', 'Save as a file', () => save(new Blob([toCsv(table())], { type: 'text/csv' }), `${name}.csv`)),
+  ];
+}
+
+/** @param {import('../lib/tabular.js').Table} table @param {(row: number) => Record<string, any>} [properties] of its rows */
+export const tableElements = ({ columns, rows, write }, properties = () => ({})) => [
+  h(
+    'thead',
+    {},
+    h(
+      'tr',
+      {},
+      columns.map(({ title, unit }) =>
+        h('th', { scope: 'col' }, title, unit ? h('span', { class: 'unit' }, ` ${unit}`) : null),
+      ),
+    ),
+  ),
+  h(
+    'tbody',
+    {},
+    rows.map((row, k) =>
+      h(
+        'tr',
+        properties(k),
+        row.map((cell, j) => h('td', { class: typeof cell === 'string' ? 'text' : null }, write(cell, j))),
+      ),
+    ),
+  ),
+];
+
+/** A table that scrolls within its panel. @param {HTMLTableElement} table @param {string} id of the panel */
+export const scrolled = (table, id) =>
+  h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': `panel-${id}-title` }, table);
+
+export class FiguresPanel {
+  /** @type {Shown[]} */
+  #shown = [];
+
+  /** @param {(step: number) => void} choose called with the step of the first job that is to be shown */
+  constructor(choose) {
+    this.choose = choose;
+    this.table = h('table');
+    this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')], {
+      controls: takeAlong(() => figuresTable(this.#shown), 'figures'),
+    });
+  }
+
+  /** @param {Shown[]} shown @param {number} at step of the first */
+  show(shown, at) {
+    this.#shown = shown;
+    const steps = shown[0].report.steps.length;
+    this.panel.show(true);
+    this.table.replaceChildren(
+      ...tableElements(figuresTable(shown), (row) =>
+        row < steps && steps > 1
+          ? { 'aria-current': row === at ? 'step' : null, class: 'choice', onclick: () => this.choose(row) }
+          : { 'aria-current': row === at && shown.length > 1 ? 'step' : null },
+      ),
+    );
+  }
+}

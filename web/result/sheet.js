@@ -1,0 +1,232 @@
+/** One sheet for a report: inputs, sketch, figures with error bars, charts, remarks, and where it all comes from. */
+
+import { byId, h } from '../lib/dom.js';
+import { figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
+import { ANALYSES, DEFAULTS, ELASTIC, LAWS, LOADS, SHAPES, SUPPORTS, lawOf, loadOf } from '../setup/fields.js';
+import { picture } from '../setup/sketch.js';
+import { symbol } from '../setup/entry.js';
+import { writeValue } from '../jobs/names.js';
+import { FIGURES, figuresTable, tableElements } from './figures.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../types.js').Job} Job */
+
+/**
+ * @param {object} of
+ * @param {Shown[]} of.shown
+ * @param {number} of.at step of the first
+ * @param {SVGSVGElement[]} of.drawings
+ * @param {HTMLCanvasElement | null} of.field
+ */
+export function showSheet({ shown, at, drawings, field }) {
+  const [{ id, job, report, label }] = shown;
+  const step = report.steps[at];
+  const bodies = `${nameOf(job, 'upper')} on ${nameOf(job, 'lower')}`;
+  const many = report.steps.length;
+  const sketch = h(
+    'figure',
+    { class: 'sketch' },
+    picture(
+      job,
+      step.hertz && {
+        effective_radius: 0,
+        yield_onset_force: null,
+        steps: [{ ...step.hertz, force: 0, yields: false, half_width: inJob(step.hertz.half_width, shown[0]) }],
+      },
+    ),
+  );
+  byId('sheet').replaceChildren(
+    h(
+      'div',
+      { class: 'bar sheet-tools' },
+      h('button', { type: 'button', class: 'primary', onclick: () => print() }, 'Print or save as PDF'),
+      h('button', { type: 'button', onclick: close }, 'Back'),
+    ),
+    h(
+      'header',
+      {},
+      h('h1', {}, bodies),
+      h(
+        'p',
+        {},
+        `${ANALYSES[job.analysis] ?? ''}${many > 1 ? `, step ${at + 1} of ${many}` : ''}${Object.entries(job.tags ?? {})
+          .map(([name, text]) => `, ${name}: ${text}`)
+          .join('')}`,
+      ),
+    ),
+    h('div', { class: 'sheet-columns' }, h('section', {}, h('h2', {}, 'Set-up'), inputs(job)), sketch),
+    h('h2', {}, `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`),
+    answers(shown[0], at),
+    h('div', { class: 'sheet-drawings' }, drawings, field),
+    ...(many > 1 || shown.length > 1
+      ? [
+          h('h2', {}, shown.length > 1 ? 'Jobs compared' : 'All steps'),
+          h('table', {}, tableElements(figuresTable(shown))),
+        ]
+      : []),
+    h('h2', {}, 'Remarks'),
+    h(
+      'ul',
+      {},
+      h('li', {}, `Approach: from ${step.approach_datum}.`),
+      step.validity.map(({ message }) => h('li', {}, message)),
+      h(
+        'li',
+        {},
+        'The error bars are estimated bounds of the error of the mesh; they say nothing of the model or the figures put in.',
+      ),
+    ),
+    h(
+      'footer',
+      {},
+      `Brinell ${report.version}, job ${id}${label && label !== id.slice(-8) ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
+      h('span', { class: 'link' }, location.href),
+    ),
+  );
+}
+
+/** Back to the page. */
+export function close() {
+  delete document.documentElement.dataset.view;
+  byId('report').focus();
+}
+
+/** @param {Job} job @param {'upper' | 'lower'} body */
+function nameOf(job, body) {
+  const type = job[body]?.shape?.type;
+  return type === 'cylinder' && job.analysis === 'axisymmetric'
+    ? 'sphere'
+    : (SHAPES[type]?.label ?? 'body').toLowerCase();
+}
+
+/** A length in the units of the job again. @param {number} length @param {Shown} shown */
+const inJob = (length, { raw, report }) =>
+  raw?.steps[0]?.hertz && report.steps[0].hertz
+    ? (length * raw.steps[0].hertz.half_width) / report.steps[0].hertz.half_width
+    : length;
+
+/** What was asked, in the units of the job. @param {Job} job */
+function inputs(job) {
+  const units = unitsOf(job);
+  const row = (
+    /** @type {string} */ name,
+    /** @type {string} */ mark,
+    /** @type {unknown[]} */ values,
+    /** @type {string} */ of,
+  ) =>
+    h(
+      'tr',
+      {},
+      h('th', { scope: 'row' }, name, mark ? [' ', h('i', {}, symbol(mark))] : null),
+      values.map((value) => h('td', {}, value === undefined ? '—' : writeValue(value))),
+      h('td', { class: 'unit' }, of),
+    );
+  const bodies = [job.upper, job.lower];
+  const fieldsOf = (
+    /** @type {(body: any) => import('../setup/fields.js').Field[]} */ pick,
+    /** @type {(body: any) => any} */ place,
+  ) => {
+    const fields = new Map(bodies.flatMap((body) => pick(body).map((field) => [field.key, field])));
+    return [...fields.values()].map((field) =>
+      row(
+        field.label,
+        field.symbol ?? '',
+        bodies.map((body) => place(body)?.[field.key]),
+        field.pair
+          ? field.pair.map((one) => unit(one, units) || '1').join(', ')
+          : field.quantity && field.quantity !== 'load'
+            ? unit(field.quantity, units)
+            : '',
+      ),
+    );
+  };
+  const kind = loadOf(job.load);
+  const load = LOADS[kind].field;
+  const elements = job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
+  const whole = (/** @type {any} */ name, /** @type {string} */ value, /** @type {string} */ of) =>
+    h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, value), h('td', { class: 'unit' }, of));
+  return h(
+    'table',
+    { class: 'inputs' },
+    h(
+      'thead',
+      {},
+      h('tr', {}, h('td'), h('th', { scope: 'col' }, 'upper'), h('th', { scope: 'col' }, 'lower'), h('td')),
+    ),
+    h(
+      'tbody',
+      {},
+      row(
+        'Shape',
+        '',
+        bodies.map((body) =>
+          body?.shape?.type === 'cylinder' && job.analysis === 'axisymmetric' ? 'sphere' : body?.shape?.type,
+        ),
+        '',
+      ),
+      fieldsOf(
+        (body) => SHAPES[body?.shape?.type]?.fields ?? [],
+        (body) => body?.shape,
+      ),
+      row(
+        'Support',
+        '',
+        bodies.map((body) => SUPPORTS[body?.support ?? 'clamped']?.toLowerCase()),
+        '',
+      ),
+      fieldsOf(
+        (body) => (body?.material?.rigid ? [] : ELASTIC),
+        (body) => body?.material,
+      ),
+      row(
+        'Hardening',
+        '',
+        bodies.map((body) => LAWS[lawOf(body?.material)]?.label),
+        '',
+      ),
+      fieldsOf(
+        (body) => LAWS[lawOf(body?.material)]?.fields ?? [],
+        (body) => body?.material?.plasticity,
+      ),
+      whole(
+        load ? [`${load.label} `, h('i', {}, load.symbol ?? '')] : 'Load',
+        load ? writeValue(job.load?.[kind]) : 'onset of yield',
+        load ? unit(load.quantity === 'load' ? forceOf(job) : (load.quantity ?? 'number'), units) : '',
+      ),
+      whole('Elements per half-width', writeValue(elements), ''),
+    ),
+  );
+}
+
+/** The figures of one step, error bar and elastic theory beside them. @param {Shown} shown @param {number} at */
+function answers({ report }, at) {
+  const step = report.steps[at];
+  const { hertz } = step;
+  const elastic = /** @type {Record<string, number | undefined>} */ ({
+    'peak pressure': hertz?.peak_pressure,
+    'half-width': hertz?.half_width,
+    'mean pressure': hertz
+      ? hertz.peak_pressure * (report.analysis === 'axisymmetric' ? 2 / 3 : Math.PI / 4)
+      : undefined,
+  });
+  const rows = FIGURES.filter(({ title }) => title !== 'Hertz peak').map(({ title, quantity, value, error }) => {
+    const kind = quantity(report);
+    const figures = value(step);
+    const bar = error && step.status === 'converged' ? step.estimated_error?.[error] : undefined;
+    const beside = elastic[title];
+    return h(
+      'tr',
+      {},
+      h('th', { scope: 'row' }, title.startsWith('dP') ? title : title[0].toUpperCase() + title.slice(1)),
+      h('td', {}, figure(figures)),
+      h('td', { class: 'unit' }, kind === 'percent' ? '%' : unit(kind, report.units)),
+      h('td', {}, bar === undefined ? '' : `± ${percent(bar)}`),
+      h('td', {}, beside ? figure(beside) : ''),
+      h('td', {}, beside && figures ? figure(figures / beside, 3) : ''),
+    );
+  });
+  const head = ['', '', '', 'error of mesh', 'Hertz, elastic', 'ratio'].map((text) =>
+    text ? h('th', { scope: 'col' }, text) : h('td'),
+  );
+  return h('table', { class: 'answers' }, h('thead', {}, h('tr', {}, head)), h('tbody', {}, rows));
+}
