@@ -5,12 +5,14 @@ import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
 import { same } from './lib/pointer.js';
+import { duration } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
 import { showTitle, startKeys, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
+import { Live } from './setup/live.js';
 import { startSketch } from './setup/sketch.js';
 import { JobList } from './jobs/list.js';
 import { names } from './jobs/names.js';
@@ -28,7 +30,7 @@ const KEPT = 'draft';
 
 startTheme();
 const draft = new Draft();
-const form = new Form(draft);
+const form = new Form(draft, (moving) => live.ask(draft.job, moving));
 const readJson = startJson(draft);
 const sketch = startSketch(draft);
 const view = new View({
@@ -64,6 +66,25 @@ const watch = new Watch({
     const errors = document.error?.errors ?? [];
     if (errors.length) form.showError(errors);
     if (!first) nothing(document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '');
+  },
+});
+
+/** Answers that are shown while a slider moves. */
+const live = new Live({
+  solved: ({ job, solved }, report) => {
+    if (current?.id !== '') history.pushState(null, '', location.pathname);
+    current = { id: '', job };
+    first = { id: '', report, job: solved, colour: COLOURS[0], label: '' };
+    const { total } = report.timings_ms;
+    const elements = solved.mesh?.elements_per_half_width;
+    const coarse = elements !== job.mesh?.elements_per_half_width ? `, on ${elements} elements while it moves` : '';
+    watch.showLive(`solved in ${duration(total)}${coarse}; Solve makes a job of it that has a link`);
+    compareWithDraft();
+    show();
+  },
+  failed: ({ status, message }) => {
+    if (status === 202) watch.showLive('this job takes too long to follow a slider');
+    else if (status !== 422) refuse(message);
   },
 });
 
@@ -103,6 +124,7 @@ async function solve() {
     const job = structuredClone(draft.job);
     const { id } = await post('v1/jobs', job);
     refuse('');
+    live.stop();
     current = { id, job };
     history.pushState(null, '', `#job=${id}`);
     follow(id);

@@ -3,28 +3,47 @@
 import { Problem, authorization, keyWanted } from './client.js';
 import { reportLost } from './connection.js';
 
+/** @typedef {import('../types.js').Report} Report */
+
 /** @type {Worker | undefined} */
 let worker;
 let count = 0;
-const waiting = /** @type {Map<number, {resolve: (report: any) => void, reject: (error: Error) => void}>} */ (
-  new Map()
-);
+const waiting =
+  /** @type {Map<number, {resolve: (value: any) => void, reject: (error: Error) => void, progress?: (received: number, total: number) => void}>} */ (
+    new Map()
+  );
 
 /**
  * @param {string} id of a job
- * @returns {Promise<import('../types.js').Report>} with its fields as typed arrays
+ * @param {(received: number, total: number) => void} [progress] in bytes; the total is 0 while it is not known
+ * @returns {Promise<Report>} with its fields as typed arrays
  * @throws {Problem}
  */
-export function fetchResult(id) {
+export const fetchResult = (id, progress) => ask(`v1/jobs/${id}/result`, {}, { progress });
+
+/**
+ * Solves a job at once and keeps nothing of it.
+ * @param {import('../types.js').Job} job
+ * @param {AbortSignal} signal hangs up, which cancels the job
+ * @returns {Promise<Report>}
+ * @throws {Problem}
+ */
+export const solveNow = (job, signal) => ask('v1/solve', { method: 'POST', body: JSON.stringify(job) }, { signal });
+
+/**
+ * @param {string} path
+ * @param {{method?: string, body?: string}} options
+ * @param {{signal?: AbortSignal, progress?: (received: number, total: number) => void}} about
+ * @returns {Promise<any>}
+ */
+function ask(path, options, { signal, progress }) {
   worker ??= start();
   const number = ++count;
+  signal?.addEventListener('abort', () => worker?.postMessage({ number, abort: true }), { once: true });
   return new Promise((resolve, reject) => {
-    waiting.set(number, { resolve, reject });
-    worker?.postMessage({
-      number,
-      url: new URL(`v1/jobs/${id}/result`, document.baseURI).href,
-      headers: authorization(),
-    });
+    waiting.set(number, { resolve, reject, progress });
+    const headers = { ...authorization(), ...(options.body && { 'Content-Type': 'application/json' }) };
+    worker?.postMessage({ number, url: new URL(path, document.baseURI).href, options: { ...options, headers } });
   });
 }
 
@@ -32,11 +51,12 @@ function start() {
   const started = new Worker(new URL('result-worker.js', import.meta.url), { type: 'module' });
   started.addEventListener('message', ({ data }) => {
     const asker = waiting.get(data.number);
+    if (data.received !== undefined) return asker?.progress?.(data.received, data.total);
     waiting.delete(data.number);
-    if (data.status === 0) reportLost();
+    if (data.answer) return asker?.resolve(data.answer);
+    if (data.status === 0 && !data.aborted) reportLost();
     if (data.status === 401) keyWanted();
-    if (data.report) asker?.resolve(data.report);
-    else asker?.reject(new Problem(data.status, data.problem.detail ?? 'the service does not answer', data.problem));
+    asker?.reject(new Problem(data.status, data.problem.detail ?? 'the service does not answer', data.problem));
   });
   return started;
 }

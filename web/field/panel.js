@@ -211,8 +211,8 @@ export class FieldPanel {
     return h('span', { class: 'range' }, 'Colours ', this.ranges, this.limits[0], ' – ', this.limits[1], this.unit);
   }
 
-  /** @param {Report} report in the units of its job @param {number} at @param {UnitSet} units shown */
-  show(report, at, units) {
+  /** @param {Report} report in the units of its job @param {number} at @param {UnitSet} units shown @param {boolean} anew whether it is another job's, of which the whole contact is to be seen */
+  show(report, at, units, anew) {
     const step = report.steps[at];
     const there = Boolean(step.fields?.upper ?? step.fields?.lower);
     this.panel.show(true);
@@ -220,7 +220,6 @@ export class FieldPanel {
     this.stage.hidden = this.readout.hidden = this.controls.hidden = !there;
     this.cutter.element.hidden = !there || !this.cutter.on;
     this.empty.hidden = there;
-    const before = this.#shown;
     this.#shown = { report, at, units };
     if (!there) return;
     performance.mark('field-received');
@@ -244,7 +243,7 @@ export class FieldPanel {
     this.#nameQuantities(report.analysis);
     this.#load();
     this.#fit();
-    if (before?.report !== report) this.#home();
+    if (anew) this.#home();
   }
 
   /** @param {string} analysis */

@@ -66,7 +66,7 @@ export function writeValue(value) {
  * @returns {string[]}
  */
 export function names(jobs) {
-  const last = (/** @type {string} */ id) => id.slice(-8);
+  const last = (/** @type {string} */ id) => id.slice(-8) || 'live';
   const tags = jobs.map(({ job }) => String(Object.values(job.tags ?? {})[0] ?? '').slice(0, 28));
   if (jobs.length === 1) return [tags[0] || last(jobs[0].id)];
   if (tags.every(Boolean) && new Set(tags).size === tags.length) return tags;

@@ -9,7 +9,8 @@ const heading = ({ title, unit }) => (unit ? `${title} [${unit}]` : title);
 
 /** @param {Cell} cell @param {string} separator */
 const raw = (cell, separator) => {
-  const text = cell === null ? '' : String(cell);
+  // Beyond twelve digits stands the noise of conversions.
+  const text = cell === null ? '' : String(typeof cell === 'number' ? Number(cell.toPrecision(12)) : cell);
   return text.includes(separator) || text.includes('"') ? `"${text.replaceAll('"', '""')}"` : text;
 };
 

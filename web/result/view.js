@@ -24,6 +24,8 @@ export class View {
   /** In the units that are shown. @type {Shown[]} */
   #shown = [];
   #at = 0;
+  /** Whether the field has not shown this job. */
+  #anew = false;
 
   /** @param {{fieldsWanted: () => void, stepped: (step: number) => void}} on */
   constructor(on) {
@@ -105,6 +107,7 @@ export class View {
     if (shown.length === 0) return;
     const last = shown[0].report.steps.length - 1;
     this.#at = anew ? last : Math.min(this.#at, last);
+    this.#anew ||= anew;
     this.#again();
   }
 
@@ -163,6 +166,7 @@ export class View {
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    if (raw) this.field.show(raw, this.#at, setOf(report.units));
+    if (raw) this.field.show(raw, this.#at, setOf(report.units), this.#anew);
+    this.#anew = false;
   }
 }

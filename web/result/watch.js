@@ -43,6 +43,19 @@ export class Watch {
     this.place.replaceChildren();
   }
 
+  /** Says what is shown while a slider moves. @param {string} words */
+  showLive(words) {
+    this.#running?.abort();
+    this.on.titled('Live');
+    if (this.#bar !== 'live')
+      this.place.replaceChildren(
+        h('div', { class: 'state live', 'data-status': 'live' }, h('b', {}, 'Live'), h('span', { class: 'words' })),
+      );
+    this.#bar = 'live';
+    const text = this.place.querySelector('.words');
+    if (text) text.textContent = words;
+  }
+
   /** @param {string} id */
   async start(id) {
     this.#running?.abort();

@@ -5,6 +5,7 @@ import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { help } from './help.js';
 import { pointsControl } from './points.js';
+import { slider } from './slider.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -14,6 +15,7 @@ import { pointsControl } from './points.js';
  * @property {() => Units} units
  * @property {(field: Field) => Quantity | undefined} quantity
  * @property {() => Record<string, any> | undefined} parent the object that the field is a key of
+ * @property {(value: number, moving: boolean) => void} [slide] called while a slider moves the figure
  */
 /**
  * @typedef {object} Control
@@ -61,12 +63,18 @@ export function entry(field, change, surroundings) {
   };
   input.addEventListener('blur', () => show(false));
   const own = () => problem?.(shown.value) ?? '';
+  const { slide } = surroundings;
+  const slides =
+    slide && (field.kind ?? 'number') === 'number'
+      ? slider({ name: field.label, value: () => shown.value ?? shown.otherwise, bounds: field.bounds, move: slide })
+      : undefined;
   return {
     element: h(
       'div',
       { class: `entry ${field.kind ?? 'number'}` },
-      h('span', { class: 'name' }, label, help(field.help ?? field.key, field.label, `${id}-label`)),
-      h('div', { class: 'value' }, input, unit),
+      h('span', { class: 'name' }, label, help(field.help ?? field.key, field.label, `${id}-label`, field.description)),
+      h('div', { class: 'value' }, input, unit, slides?.button),
+      slides?.element,
       beside ?? null,
       hint,
       error,

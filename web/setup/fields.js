@@ -14,6 +14,7 @@ import * as tables from './tables.js';
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
  * @property {[Quantity, Quantity]} [pair] quantities of points
+ * @property {[number, number]} [bounds] between which a slider moves
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
  * @property {boolean} [optional]
@@ -40,7 +41,13 @@ function withHints({ fields, ...kind }) {
     if (field.kind === 'points') return 'One point a line; paste from a spreadsheet.';
     return index === 1 && kind.description?.includes(' = ') ? kind.description : undefined;
   };
-  return { ...kind, fields: fields.map((field, index) => ({ ...field, hint: hint(field, index) })) };
+  // Strains may be pasted in per cent.
+  const pair = (/** @type {Field['pair']} */ given) =>
+    given && /** @type {[Quantity, Quantity]} */ (given.map((one) => (one === 'number' ? 'strain' : one)));
+  return {
+    ...kind,
+    fields: fields.map((field, index) => ({ ...field, pair: pair(field.pair), hint: hint(field, index) })),
+  };
 }
 
 /**
@@ -56,7 +63,7 @@ function mapValues(record, change) {
 /** @type {Field[]} */
 export const ELASTIC = [
   { key: 'young_modulus', label: 'Young’s modulus', symbol: 'E', quantity: 'stress' },
-  { key: 'poisson_ratio', label: 'Poisson’s ratio', symbol: 'ν', quantity: 'number' },
+  { key: 'poisson_ratio', label: 'Poisson’s ratio', symbol: 'ν', quantity: 'number', bounds: [0, 0.49] },
 ];
 
 /** @type {Record<string, {label: string, field?: Field}>} */

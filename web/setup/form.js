@@ -35,9 +35,13 @@ export class Form {
   /** What the service has said of each field. @type {Map<string, string>} */
   #reported = new Map();
 
-  /** @param {import('./draft.js').Draft} draft */
-  constructor(draft) {
+  /**
+   * @param {import('./draft.js').Draft} draft
+   * @param {(moving: boolean) => void} slid called when a slider has changed the draft
+   */
+  constructor(draft, slid) {
     this.draft = draft;
+    this.slid = slid;
     this.root = byId('form');
     draft.addEventListener('change', () => this.#show());
   }
@@ -270,6 +274,12 @@ export class Form {
       units: () => unitsOf(this.draft.job),
       quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
       parent: () => this.draft.job[body]?.material,
+      slide: place.startsWith('/solver')
+        ? undefined
+        : (value, moving) => {
+            change(value);
+            this.slid(moving);
+          },
     });
     made.element.dataset.place = place;
     this.#fields.set(place, { entry: made, field });

@@ -40,9 +40,10 @@ let count = 0;
  * @param {string} key
  * @param {string} name
  * @param {string} label id of the element that names it
+ * @param {string} [description] where there is no other text
  */
-export function help(key, name, label) {
-  const text = TEXTS[key];
+export function help(key, name, label, description) {
+  const text = TEXTS[key] ?? description;
   if (!text) return null;
   const id = `help-${++count}`;
   return h(

@@ -17,7 +17,7 @@ after(async () => {
 });
 
 const SOLVED = '[data-status=succeeded]';
-const FORCE = '[data-place="/load/force"] input';
+const FORCE = '[data-place="/load/force"] input[type=text]';
 
 /** @param {import('playwright-core').Page} page @param {string} text that the field is to show */
 const shows = (page, text) =>

@@ -53,7 +53,9 @@ test('a definition travels in a link by itself', async () => {
   const address = await page.evaluate(() => navigator.clipboard.readText());
   const other = await visit(browser, address);
   await other.page.waitForFunction(
-    () => /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input'))?.value === '321',
+    () =>
+      /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input[type=text]'))?.value ===
+      '321',
   );
   await other.close();
   await close();

@@ -77,7 +77,7 @@ test('a sweep has its curve, and every step can be seen', async () => {
   assert.match((await page.locator('#panel-sweep .plot').getAttribute('aria-label')) ?? '', /6 points up to 600/);
   const force = page.locator('.steps output');
   assert.match((await force.textContent()) ?? '', /^6 of 6: 600\.0+ N\/mm/);
-  await page.getByLabel('Step').focus();
+  await page.getByLabel('Step', { exact: true }).focus();
   await page.keyboard.press('Home');
   assert.match((await force.textContent()) ?? '', /^1 of 6: 100\.0/);
   assert.match(
@@ -109,3 +109,47 @@ function inked({ within, name, pixels }) {
     if (data[k + 3] > 128 && channels.every((c, j) => Math.abs(data[k + j] - c) < 12)) count += 1;
   return count > pixels;
 }
+
+test('figures follow a slider, and the last one wins', async (context) => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  const place = page.locator('[data-place="/load/force"]');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  const range = place.getByRole('slider');
+  // The hand moves on whenever an answer is shown: so many answers are seen, whatever the machine.
+  const seen = await range.evaluate(async (input) => {
+    const slider = /** @type {HTMLInputElement} */ (input);
+    const card = () => document.querySelectorAll('#headline .figure')[3]?.textContent ?? '';
+    const forces = [];
+    const begin = performance.now();
+    for (let k = 0; k < 20; k++) {
+      const last = card();
+      slider.value = String(60 + 3 * k);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+      while (card() === last) await new Promise(requestAnimationFrame);
+      forces.push(card());
+    }
+    return { forces, rate: 20e3 / (performance.now() - begin) };
+  });
+  assert.equal(new Set(seen.forces).size, 20);
+  context.diagnostic(`${seen.rate.toFixed(1)} answers a second shown`);
+  // Now faster than anything is solved: what is shown in the end is the last.
+  await range.evaluate((input) => {
+    const slider = /** @type {HTMLInputElement} */ (input);
+    for (let k = 0; k < 100; k++) {
+      slider.value = String(k);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+    slider.dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  const last = Number(await page.locator('[data-place="/load/force"] input[type=text]').inputValue());
+  await page.waitForFunction(
+    (last) => parseFloat(document.querySelectorAll('#headline .figure')[3]?.textContent ?? '') === last,
+    last,
+  );
+  await page.locator('[data-status=live]').getByText('Solve makes a job of it').waitFor();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.waitForSelector(SOLVED);
+  assert.deepEqual(faults, []);
+  await close();
+});

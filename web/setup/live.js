@@ -1,0 +1,63 @@
+/**
+ * Solves while a slider moves. One job is under way at a time, and the newest draft is next: every answer is shown, the last
+ * one wins. A job that is slow is given up as soon as there is a newer draft, which costs the service nothing more.
+ */
+
+import { Problem } from '../api/client.js';
+import { solveNow } from '../api/result.js';
+
+/** Elements per half-width while the slider moves. */
+export const COARSE = 10;
+/** Time [ms] after which a job that has been overtaken is given up. */
+const SLOW = 400;
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{job: Job, solved: Job}} Asked the draft, and what of it is solved */
+
+export class Live {
+  /** @type {Asked | undefined} */
+  #next;
+  /** @type {{since: number, controller: AbortController} | undefined} */
+  #running;
+
+  /** @param {{solved: (asked: Asked, report: import('../types.js').Report) => void, failed: (problem: Problem) => void}} on */
+  constructor(on) {
+    this.on = on;
+  }
+
+  /** @param {Job} job @param {boolean} moving whether more is to come */
+  ask(job, moving) {
+    const copy = structuredClone(job);
+    const elements = Number(job.mesh?.elements_per_half_width ?? 20);
+    const solved =
+      moving && elements > COARSE ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: COARSE } } : copy;
+    this.#next = { job: copy, solved };
+    if (!this.#running) this.#run();
+    else if (performance.now() - this.#running.since > SLOW) this.#running.controller.abort();
+  }
+
+  /** Forgets what is under way. */
+  stop() {
+    this.#next = undefined;
+    this.#running?.controller.abort();
+  }
+
+  async #run() {
+    while (this.#next) {
+      const asked = this.#next;
+      this.#next = undefined;
+      const controller = new AbortController();
+      this.#running = { since: performance.now(), controller };
+      try {
+        const report = await solveNow(asked.solved, controller.signal);
+        if (!controller.signal.aborted) this.on.solved(asked, report);
+      } catch (error) {
+        if (controller.signal.aborted) continue;
+        if (!(error instanceof Problem)) throw error;
+        this.on.failed(error);
+      } finally {
+        this.#running = undefined;
+      }
+    }
+  }
+}

@@ -1,0 +1,53 @@
+/** A slider beside a figure, that solves as it moves. */
+
+import { h } from '../lib/dom.js';
+
+/** Steps from one end to the other. */
+const STEPS = 200;
+/** Largest value over the one it began with. */
+const REACH = 3;
+
+/**
+ * @param {object} of
+ * @param {string} of.name
+ * @param {() => unknown} of.value in the job
+ * @param {[number, number]} [of.bounds] of figures that have some
+ * @param {(value: number, moving: boolean) => void} of.move
+ * @returns {{button: HTMLElement, element: HTMLElement}}
+ */
+export function slider({ name, value, bounds, move }) {
+  /** @type {[number, number]} */
+  let ends = [0, 1];
+  const range = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, solved as it moves` });
+  const element = h('div', { class: 'slider' });
+  // Figures without bounds go in equal ratios, and land on three digits.
+  const at = (/** @type {number} */ t) =>
+    bounds ? ends[0] + t * (ends[1] - ends[0]) : ends[0] * (ends[1] / ends[0]) ** t;
+  const read = () => Number(at(Number(range.value) / STEPS).toPrecision(3));
+  const place = (/** @type {number} */ figure) =>
+    bounds ? (figure - ends[0]) / (ends[1] - ends[0]) : Math.log(figure / ends[0]) / Math.log(ends[1] / ends[0]);
+  range.addEventListener('input', () => move(read(), true));
+  range.addEventListener('change', () => move(read(), false));
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain slide',
+      'aria-label': 'Slider',
+      'aria-pressed': 'false',
+      title: `Move ${name.toLowerCase()} by a slider and see it solved at once`,
+      onclick: () => {
+        const figure = value();
+        const open = !element.firstChild && typeof figure === 'number' && (bounds !== undefined || figure > 0);
+        button.setAttribute('aria-pressed', String(open));
+        if (!open) return element.replaceChildren();
+        element.replaceChildren(range);
+        ends = bounds ?? [figure / REACH, figure * REACH];
+        range.value = String(Math.round(STEPS * Math.min(1, Math.max(0, place(figure)))));
+        range.focus();
+      },
+    },
+    '⟷',
+  );
+  return { button, element };
+}
