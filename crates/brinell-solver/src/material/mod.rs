@@ -7,14 +7,15 @@
 
 mod deformation;
 mod model;
+mod moduli;
 mod return_mapping;
 mod tangent;
 
 pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
-pub use model::{ConstitutiveModel, ElasticModuli, OutOfPlane, PerPoint, PointResponse};
+pub use model::{ConstitutiveModel, PerPoint, PointResponse};
+pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::ReturnMapping;
-pub use tangent::{Moduli, ModuliReduction, ReferenceModuli};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 #[inline]

@@ -2,58 +2,11 @@
 
 use std::fmt::Debug;
 
-use super::{HardeningLaw, ModuliReduction, ReferenceModuli};
-use crate::job::Elastic;
+use super::HardeningLaw;
+use super::moduli::{ElasticModuli, ModuliReduction, OutOfPlane, ReferenceModuli};
 
 /// One value for each Gauss point of an element; the innermost index, so that loops over it vectorize.
 pub type PerPoint = [f64; 4];
-
-/// What is known of the out-of-plane direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OutOfPlane {
-    /// The strain ε_zz is given (zero in plane strain, hoop strain in axisymmetry).
-    Strained,
-    /// The stress σ_zz is zero and the strain follows.
-    PlaneStress,
-}
-
-/// Isotropic linear elasticity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElasticModuli {
-    /// K \[MPa\].
-    pub bulk: f64,
-    /// G \[MPa\].
-    pub shear: f64,
-}
-
-impl From<&Elastic> for ElasticModuli {
-    fn from(elastic: &Elastic) -> Self {
-        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
-    }
-}
-
-impl ElasticModuli {
-    /// Lamé's `λ = K - 2G/3` \[MPa\].
-    pub fn lame(&self) -> f64 {
-        self.bulk - 2.0 / 3.0 * self.shear
-    }
-
-    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not looked at.
-    pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
-        let [x, y, z, g] = strain;
-        let (lame, double_shear) = (self.lame(), 2.0 * self.shear);
-        match out_of_plane {
-            OutOfPlane::Strained => {
-                let mean = lame * (x + y + z);
-                [mean + double_shear * x, mean + double_shear * y, mean + double_shear * z, self.shear * g]
-            }
-            OutOfPlane::PlaneStress => {
-                let mean = double_shear * lame / (lame + double_shear) * (x + y);
-                [mean + double_shear * x, mean + double_shear * y, 0.0, self.shear * g]
-            }
-        }
-    }
-}
 
 /// The answer of a material point to a strain.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

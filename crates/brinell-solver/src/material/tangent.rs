@@ -10,58 +10,15 @@
 //! the yield point the tangent jumps from 3G to a fraction of it, and which side a point is on is known no better than
 //! the state that D is taken from. So H and G_s are means over a range of strains, and a part of κ is left out.
 
-use super::{ElasticModuli, OutOfPlane, equivalent_strain};
+use nalgebra::Vector4;
 
-/// A symmetric matrix over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
-pub type Moduli = [[f64; 4]; 4];
-
-/// By how much the moduli of reference of one point fall short of the elastic ones.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ModuliReduction {
-    /// `D_e - D` \[MPa\]. Positive semidefinite. The part over the mean strain is zero, except in plane stress, where ε_zz
-    /// has been eliminated and its row and column are zero instead.
-    pub moduli: Moduli,
-    /// Whether the point is beyond yield, and not only near it.
-    pub is_beyond_yield: bool,
-}
+use super::moduli::deviatoric_projection;
+use super::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli, equivalent_strain};
 
 /// Half of the range of equivalent strains that the moduli are means over, relative to the strain.
 const RANGE: f64 = 0.07;
 /// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
 const SOFTEST: f64 = 1e-3;
-
-/// How near to the tangent the moduli are that an iteration refers to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum ReferenceModuli {
-    /// As near as errors in the strain allow.
-    #[default]
-    Tangent,
-    /// In the middle between tangent and secant.
-    Damped,
-    /// The secant moduli of deformation theory. An iteration that takes them anew each time always ends (L. M. Kachanov),
-    /// if slowly.
-    Secant,
-}
-
-impl ReferenceModuli {
-    /// The next stiffer ones; `None` after the stiffest of plastic flow.
-    pub fn stiffer(self) -> Option<Self> {
-        match self {
-            Self::Tangent => Some(Self::Damped),
-            Self::Damped => Some(Self::Secant),
-            Self::Secant => None,
-        }
-    }
-
-    /// Part of κ that counts.
-    fn share(self) -> f64 {
-        match self {
-            Self::Tangent => 0.9,
-            Self::Damped => 0.5,
-            Self::Secant => 0.0,
-        }
-    }
-}
 
 /// The reduction at a trial strain deviator: the strain deviator of deformation theory or, for a law with a memory, the
 /// deviator of the elastic strain if the increment were elastic, less the backstress over 2G. `stress(f)` is the
@@ -84,52 +41,35 @@ pub(super) fn reduction(
     let (below, above) = (stress(1.0 - RANGE), stress(1.0 + RANGE));
     let tangent = (above - below) / (2.0 * RANGE * equivalent);
     let triple_secant = 0.5 * (below / (1.0 - RANGE) + above / (1.0 + RANGE)) / equivalent;
-    let kappa = 4.0 / 9.0 * reference.share() * (triple_secant - tangent) / (equivalent * equivalent);
+    let kappa = 4.0 / 9.0 * reference.tangent_share() * (triple_secant - tangent) / (equivalent * equivalent);
     let [x, y, z, g] = trial;
-    let direction = [x, y, z, 0.5 * g];
+    let direction = Vector4::new(x, y, z, 0.5 * g);
     let shear = (triple_secant / 3.0).max(SOFTEST * elastic.shear);
     let moduli = match out_of_plane {
         OutOfPlane::Strained => deviatoric_reduction(elastic.shear - shear, kappa, direction),
         OutOfPlane::PlaneStress => {
-            let whole = condensed_moduli(elastic, elastic.shear, 0.0, direction);
-            let left = condensed_moduli(elastic, shear, kappa, direction);
-            std::array::from_fn(|i| std::array::from_fn(|j| whole[i][j] - left[i][j]))
+            let whole = condensed(elastic.matrix());
+            whole
+                - condensed(elastic.matrix() - deviatoric_reduction(elastic.shear - shear, kappa, direction))
         }
     };
     Some(ModuliReduction { moduli, is_beyond_yield: trial_stress > yield_stress })
 }
 
-/// `K 1⊗1 + 2 G_s dev - κ s'⊗s'`, with σ_zz eliminated.
-fn condensed_moduli(elastic: ElasticModuli, shear: f64, kappa: f64, direction: [f64; 4]) -> Moduli {
-    let reduction = deviatoric_reduction(elastic.shear - shear, kappa, direction);
-    let lame = elastic.lame();
-    let whole = |i: usize, j: usize| match (i, j) {
-        (3, 3) => elastic.shear,
-        (3, _) | (_, 3) => 0.0,
-        _ if i == j => lame + 2.0 * elastic.shear,
-        _ => lame,
-    };
-    let full = |i: usize, j: usize| whole(i, j) - reduction[i][j];
-    let condensed = |i: usize, j: usize| match (i, j) {
-        (2, _) | (_, 2) => 0.0,
-        _ => full(i, j) - full(i, 2) * full(2, j) / full(2, 2),
-    };
-    std::array::from_fn(|i| std::array::from_fn(|j| condensed(i, j)))
+/// Moduli with σ_zz = 0 and ε_zz eliminated: `D_ij - D_i3 D_3j / D_33`.
+fn condensed(moduli: Moduli) -> Moduli {
+    moduli - moduli.column(2) * moduli.row(2) / moduli[(2, 2)]
 }
 
 /// `2 (G - G_s) dev + κ s'⊗s'`.
-fn deviatoric_reduction(lost_shear: f64, kappa: f64, direction: [f64; 4]) -> Moduli {
-    let isotropic = |i: usize, j: usize| match (i, j) {
-        (3, 3) => lost_shear,
-        (3, _) | (_, 3) => 0.0,
-        _ if i == j => 4.0 / 3.0 * lost_shear,
-        _ => -2.0 / 3.0 * lost_shear,
-    };
-    std::array::from_fn(|i| std::array::from_fn(|j| isotropic(i, j) + kappa * direction[i] * direction[j]))
+fn deviatoric_reduction(lost_shear: f64, kappa: f64, direction: Vector4<f64>) -> Moduli {
+    2.0 * lost_shear * deviatoric_projection() + kappa * direction * direction.transpose()
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Matrix4;
+
     use super::*;
     use crate::material::ConstitutiveModel;
     use crate::material::deformation::tests::law;
@@ -142,8 +82,7 @@ mod tests {
             unit[k] = 1e-6;
             law.update(unit, &()).0.stress.map(|s| s / 1e-6)
         };
-        let columns: Moduli = std::array::from_fn(stress);
-        std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
+        Matrix4::from_fn(|i, j| stress(j)[i])
     }
 
     /// Well beyond yield the curve is straight over the range of the means, so that H is exact; G_s is a mean, and
@@ -164,8 +103,8 @@ mod tests {
                 let (more, less) = (stress(more), stress(less));
                 for i in [0, 1, 3] {
                     let derivative = (more[i] - less[i]) / (2.0 * step);
-                    let found = elastic[i][j] - reduction[i][j];
-                    assert!((found - derivative).abs() < 0.05 * elastic[i][i], "{out_of_plane:?} {i}{j}");
+                    let found = elastic[(i, j)] - reduction[(i, j)];
+                    assert!((found - derivative).abs() < 0.05 * elastic[(i, i)], "{out_of_plane:?} {i}{j}");
                 }
             }
         }
@@ -178,19 +117,13 @@ mod tests {
             let reduction =
                 law.tangent([6e-3, -4e-3, 1e-3, 5e-3], &(), ReferenceModuli::Tangent).unwrap().moduli;
             let elastic = elastic(out_of_plane);
-            let work = |moduli: &Moduli, e: [f64; 4]| -> f64 {
-                (0..4).flat_map(|i| (0..4).map(move |j| e[i] * moduli[i][j] * e[j])).sum()
-            };
+            let work = |moduli: &Moduli, e: Vector4<f64>| e.dot(&(moduli * e));
             for k in 0..200u32 {
-                let e = [0, 1, 2, 3].map(|c| f64::from((k * 7919 + c * 104_729) % 101) - 50.0);
+                let e = Vector4::from([0, 1, 2, 3].map(|c| f64::from((k * 7919 + c * 104_729) % 101) - 50.0));
                 let (all, lost) = (work(&elastic, e), work(&reduction, e));
                 assert!(lost >= -1e-9 * all && lost < all);
             }
-            for (i, row) in reduction.iter().enumerate() {
-                for (entry, mirrored) in row.iter().zip(&reduction) {
-                    assert!((entry - mirrored[i]).abs() < 1e-9);
-                }
-            }
+            assert!((reduction - reduction.transpose()).amax() < 1e-9);
         }
     }
 

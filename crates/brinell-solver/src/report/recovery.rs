@@ -11,11 +11,12 @@
 
 use std::collections::HashMap;
 
+use nalgebra::{Matrix2, Matrix3, RowSVector, SMatrix, Vector2, Vector3};
+
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::QUADRATURE_POINTS;
 use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
-use sparse_cholesky::dense::{DenseCholesky, SymmetricMatrix};
 
 /// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p]` at a point \[MPa, MPa, MPa, MPa, 1\].
 pub(super) type Values = [f64; 5];
@@ -165,24 +166,14 @@ fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
         .iter()
         .map(|([x, y], _)| (x - centre[0]).abs().max((y - centre[1]).abs()))
         .fold(f64::MIN_POSITIVE, f64::max);
-    let basis = |[x, y]: [f64; 2]| [1.0, (x - centre[0]) / scale, (y - centre[1]) / scale];
-    let at_samples: Vec<[f64; 3]> = samples.iter().map(|(position, _)| basis(*position)).collect();
-    let normal = SymmetricMatrix::from_fn(3, |i, j| at_samples.iter().map(|b| b[i] * b[j]).sum());
-    let mut right = [[0.0; 3]; 5];
-    for (b, (_, values)) in at_samples.iter().zip(samples) {
-        for (row, value) in right.iter_mut().zip(values) {
-            for (entry, b) in row.iter_mut().zip(b) {
-                *entry += b * value;
-            }
-        }
+    let (mut normal, mut right) = (Matrix3::zeros(), SMatrix::<f64, 3, 5>::zeros());
+    for ([x, y], values) in samples {
+        let basis = Vector3::new(1.0, (x - centre[0]) / scale, (y - centre[1]) / scale);
+        normal += basis * basis.transpose();
+        right += basis * RowSVector::from(*values);
     }
-    match DenseCholesky::factor(normal) {
-        Ok(factor) => right.map(|mut coefficients| {
-            factor.solve_in_place(&mut coefficients);
-            coefficients[0]
-        }),
-        Err(_) => right.map(|row| row[0] / samples.len() as f64),
-    }
+    let at_centre = normal.cholesky().map(|factor| factor.solve(&right).row(0).into_owned());
+    at_centre.unwrap_or_else(|| right.row(0) / samples.len() as f64).into()
 }
 
 /// Shape functions of a quadrilateral at a point; `None` if the point lies outside it.
@@ -216,16 +207,12 @@ fn shape_functions(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]>
         let d_eta = [-0.25 * (1.0 - xi), -0.25 * (1.0 + xi), 0.25 * (1.0 + xi), 0.25 * (1.0 - xi)];
         let sum =
             |weights: &[f64; 4], k: usize| weights.iter().zip(corners).map(|(w, c)| w * c[k]).sum::<f64>();
-        let rest = [point[0] - sum(&n, 0), point[1] - sum(&n, 1)];
-        let [a, b, c, d] = [sum(&d_xi, 0), sum(&d_eta, 0), sum(&d_xi, 1), sum(&d_eta, 1)];
-        let determinant = a * d - b * c;
-        if determinant == 0.0 {
-            return None;
-        }
-        let step = [(d * rest[0] - b * rest[1]) / determinant, (a * rest[1] - c * rest[0]) / determinant];
-        xi += step[0];
-        eta += step[1];
-        if step[0].abs() + step[1].abs() < 1e-12 {
+        let rest = Vector2::new(point[0] - sum(&n, 0), point[1] - sum(&n, 1));
+        let jacobian = Matrix2::new(sum(&d_xi, 0), sum(&d_eta, 0), sum(&d_xi, 1), sum(&d_eta, 1));
+        let step = jacobian.try_inverse()? * rest;
+        xi += step.x;
+        eta += step.y;
+        if step.lp_norm(1) < 1e-12 {
             break;
         }
     }

@@ -19,7 +19,7 @@ impl ElementReduction {
         if points.iter().all(Option::is_none) {
             return None;
         }
-        let moduli = PAIRS.map(|(i, j)| points.map(|moduli| moduli.map_or(0.0, |moduli| moduli[i][j])));
+        let moduli = PAIRS.map(|(i, j)| points.map(|moduli| moduli.map_or(0.0, |moduli| moduli[(i, j)])));
         Some(Self { moduli })
     }
 
@@ -88,7 +88,7 @@ mod tests {
             (3, _) | (_, 3) => 0.0,
             _ => 2.0 * (whole - left) * (f64::from(u8::from(i == j)) - 1.0 / 3.0),
         };
-        let moduli: Moduli = std::array::from_fn(|i| std::array::from_fn(|j| isotropic(i, j)));
+        let moduli = Moduli::from_fn(isotropic);
         for stress_state in [StressState::PlaneStrain, StressState::Axisymmetric] {
             let quad = Quad::new(&corners, stress_state);
             let elastic = element_stiffness(&quad, bulk, &[whole; 4]);

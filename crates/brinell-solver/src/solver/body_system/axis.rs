@@ -5,7 +5,7 @@
 //! Pressure is smooth and even in the radius there, so that `p = c_0 + c_2 r² + c_4 r⁴`, fitted to the nodes around,
 //! says what it is.
 
-use sparse_cholesky::dense::{DenseCholesky, SymmetricMatrix};
+use nalgebra::{Matrix3, Vector3};
 
 /// Innermost nodes whose pressures are replaced.
 const REPLACED: usize = 3;
@@ -22,13 +22,16 @@ pub(crate) fn recover(pressures: &mut [f64]) {
     }
     // Squared radius in units of the outermost fitted node, to keep the normal equations tame.
     let square = |k: usize| (k as f64 / FITTED.end as f64).powi(2);
-    let basis = |k: usize| [1.0, square(k), square(k).powi(2)];
-    let normal = SymmetricMatrix::from_fn(3, |i, j| FITTED.map(|k| basis(k)[i] * basis(k)[j]).sum());
-    let mut right = [0, 1, 2].map(|i| FITTED.map(|k| basis(k)[i] * pressures[k]).sum());
-    let Ok(factor) = DenseCholesky::factor(normal) else { return };
-    factor.solve_in_place(&mut right);
+    let basis = |k: usize| Vector3::new(1.0, square(k), square(k).powi(2));
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for k in FITTED {
+        normal += basis(k) * basis(k).transpose();
+        right += basis(k) * pressures[k];
+    }
+    let Some(factor) = normal.cholesky() else { return };
+    let coefficients = factor.solve(&right);
     for (k, pressure) in pressures.iter_mut().enumerate().take(REPLACED) {
-        *pressure = basis(k).iter().zip(&right).map(|(b, c)| b * c).sum();
+        *pressure = basis(k).dot(&coefficients);
     }
 }
 

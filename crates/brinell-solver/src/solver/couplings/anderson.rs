@@ -10,7 +10,7 @@
 
 use std::collections::VecDeque;
 
-use sparse_cholesky::dense::{DenseCholesky, SymmetricMatrix};
+use nalgebra::{DMatrix, DVector};
 use sparse_cholesky::{dot, simd_dispatch};
 
 /// Steps that are combined at most.
@@ -76,15 +76,14 @@ impl Anderson {
     /// `g - Σ γ_j ΔG_j` with the γ that minimise `‖f - Σ γ_j ΔF_j‖`.
     fn combine(&self, image: &[f64], residual: &[f64]) -> Vec<f64> {
         let n = self.differences.len();
-        let gram = SymmetricMatrix::from_fn(n, |i, j| {
-            self.gram[i][j] * if i == j { 1.0 + REGULARIZATION } else { 1.0 }
-        });
+        let gram =
+            DMatrix::from_fn(n, n, |i, j| self.gram[i][j] * if i == j { 1.0 + REGULARIZATION } else { 1.0 });
         let mut next = image.to_vec();
-        let Ok(factor) = DenseCholesky::factor(gram) else { return next };
+        let Some(factor) = gram.cholesky() else { return next };
         simd_dispatch(|| {
-            let mut gamma: Vec<f64> = self.differences.iter().map(|d| dot(&d.residual, residual)).collect();
-            factor.solve_in_place(&mut gamma);
-            for (difference, weight) in self.differences.iter().zip(gamma) {
+            let products = self.differences.iter().map(|d| dot(&d.residual, residual));
+            let gamma = factor.solve(&DVector::from_iterator(n, products));
+            for (difference, weight) in self.differences.iter().zip(&gamma) {
                 for (value, d) in next.iter_mut().zip(&difference.image) {
                     *value -= weight * d;
                 }

@@ -1,0 +1,127 @@
+//! Elastic moduli, and those that the stiffness of an iteration refers to.
+
+use nalgebra::{Matrix4, Vector4};
+
+use crate::job::Elastic;
+
+/// A symmetric matrix over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
+pub type Moduli = Matrix4<f64>;
+
+/// By how much the moduli of reference of one point fall short of the elastic ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModuliReduction {
+    /// `D_e - D` \[MPa\]. Positive semidefinite. The part over the mean strain is zero, except in plane stress, where ε_zz
+    /// has been eliminated and its row and column are zero instead.
+    pub moduli: Moduli,
+    /// Whether the point is beyond yield, and not only near it.
+    pub is_beyond_yield: bool,
+}
+
+/// What is known of the out-of-plane direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutOfPlane {
+    /// The strain ε_zz is given (zero in plane strain, hoop strain in axisymmetry).
+    Strained,
+    /// The stress σ_zz is zero and the strain follows.
+    PlaneStress,
+}
+
+/// Isotropic linear elasticity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticModuli {
+    /// K \[MPa\].
+    pub bulk: f64,
+    /// G \[MPa\].
+    pub shear: f64,
+}
+
+impl From<&Elastic> for ElasticModuli {
+    fn from(elastic: &Elastic) -> Self {
+        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
+    }
+}
+
+impl ElasticModuli {
+    /// Lamé's `λ = K - 2G/3` \[MPa\].
+    pub fn lame(&self) -> f64 {
+        self.bulk - 2.0 / 3.0 * self.shear
+    }
+
+    /// `K 1⊗1 + 2G dev` over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
+    pub fn matrix(&self) -> Moduli {
+        let one = Vector4::new(1.0, 1.0, 1.0, 0.0);
+        self.bulk * one * one.transpose() + 2.0 * self.shear * deviatoric_projection()
+    }
+
+    /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not looked at.
+    pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
+        let [x, y, z, g] = strain;
+        let (lame, double_shear) = (self.lame(), 2.0 * self.shear);
+        match out_of_plane {
+            OutOfPlane::Strained => {
+                let mean = lame * (x + y + z);
+                [mean + double_shear * x, mean + double_shear * y, mean + double_shear * z, self.shear * g]
+            }
+            OutOfPlane::PlaneStress => {
+                let mean = double_shear * lame / (lame + double_shear) * (x + y);
+                [mean + double_shear * x, mean + double_shear * y, 0.0, self.shear * g]
+            }
+        }
+    }
+}
+
+/// How near to the tangent the moduli are that an iteration refers to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum ReferenceModuli {
+    /// As near as errors in the strain allow.
+    #[default]
+    Tangent,
+    /// In the middle between tangent and secant.
+    Damped,
+    /// The secant moduli of deformation theory. An iteration that takes them anew each time always ends (L. M. Kachanov),
+    /// if slowly.
+    Secant,
+}
+
+impl ReferenceModuli {
+    /// The next stiffer ones; `None` after the stiffest of plastic flow.
+    pub fn stiffer(self) -> Option<Self> {
+        match self {
+            Self::Tangent => Some(Self::Damped),
+            Self::Damped => Some(Self::Secant),
+            Self::Secant => None,
+        }
+    }
+
+    /// Part of κ that counts.
+    pub(super) fn tangent_share(self) -> f64 {
+        match self {
+            Self::Tangent => 0.9,
+            Self::Damped => 0.5,
+            Self::Secant => 0.0,
+        }
+    }
+}
+
+/// `dev` over `[ε_xx, ε_yy, ε_zz, γ_xy]`: the deviator of the strain, with half of the engineering shear strain.
+pub(super) fn deviatoric_projection() -> Moduli {
+    let third = 1.0 / 3.0;
+    Matrix4::new(
+        2.0 * third,
+        -third,
+        -third,
+        0.0,
+        -third,
+        2.0 * third,
+        -third,
+        0.0,
+        -third,
+        -third,
+        2.0 * third,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.5,
+    )
+}
