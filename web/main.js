@@ -10,6 +10,7 @@ import { startTheme } from './lib/theme.js';
 import { showTitle, startKeys, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
+import { examplesOf } from './setup/examples.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
 import { Live } from './setup/live.js';
@@ -252,30 +253,20 @@ async function applyAddress() {
   }
 }
 
-/** @param {import('./types.js').Job} job with the stress field, which is what one comes here to see */
-const withFields = (job) => ({ ...job, output: { ...job.output, fields: true } });
-
 async function begin() {
-  const { examples } = await ask('v1/examples').catch(() => ({ examples: [] }));
+  const served = await ask('v1/examples').catch(() => ({ examples: [] }));
+  const examples = examplesOf(served.examples);
   const choice = /** @type {HTMLSelectElement} */ (byId('example'));
-  choice.append(
-    ...examples.map((/** @type {{name: string}} */ { name }) =>
-      h('option', { value: name }, name.replaceAll('_', ' ')),
-    ),
-  );
+  choice.append(...examples.map(({ title }) => h('option', { value: title }, title)));
   choice.addEventListener('change', () => {
-    const example = examples.find((/** @type {{name: string}} */ { name }) => name === choice.value);
-    if (example) draft.replace(withFields(example.job), 'example');
+    const example = examples.find(({ title }) => title === choice.value);
+    if (example) draft.replace(example.job, 'example');
+  });
+  draft.addEventListener('change', () => {
+    choice.value = examples.find(({ job }) => same(job, draft.job))?.title ?? '';
   });
   const kept = sessionStorage.getItem(KEPT);
-  if (kept) draft.replace(JSON.parse(kept), 'kept');
-  else if (examples.length)
-    draft.replace(
-      withFields(
-        (examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders') ?? examples[0]).job,
-      ),
-      'example',
-    );
+  draft.replace(kept ? JSON.parse(kept) : examples[0].job, kept ? 'kept' : 'example');
   nothing('Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.');
   draft.addEventListener('change', () => sessionStorage.setItem(KEPT, JSON.stringify(draft.job)));
   await applyAddress();

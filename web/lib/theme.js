@@ -22,7 +22,7 @@ function apply(theme) {
   document.documentElement.dataset.colours = dark ? 'dark' : 'light';
   const button = byId('theme');
   button.textContent = theme[0].toUpperCase() + theme.slice(1);
-  button.setAttribute('aria-label', `Colours: ${NAMES[theme]}`);
+  button.setAttribute('aria-label', `${button.textContent}: colours ${NAMES[theme]}`);
   for (const listener of listeners) listener();
 }
 

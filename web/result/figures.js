@@ -111,7 +111,7 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
 
 /** A table that scrolls within its panel. @param {HTMLTableElement} table @param {string} id of the panel */
 export const scrolled = (table, id) =>
-  h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': `panel-${id}-title` }, table);
+  h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Table of ${id}` }, table);
 
 export class FiguresPanel {
   /** @type {Shown[]} */

@@ -4,12 +4,13 @@ import { h } from '../lib/dom.js';
 import { duration, figure, unit } from '../lib/units.js';
 import { Panel } from './panel.js';
 import { save } from './downloads.js';
+import { scrolled } from './figures.js';
 
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 /** @type {[string, keyof Iteration, (value: number) => string, import('../lib/units.js').Quantity?][]} */
 const COLUMNS = [
-  ['', 'iteration', String],
+  ['no.', 'iteration', String],
   ['out of balance', 'equilibrium_residual', (value) => figure(value, 3)],
   ['displacement change', 'displacement_change', (value) => figure(value, 3)],
   ['approach', 'approach', (value) => figure(value, 6), 'length'],
@@ -27,18 +28,7 @@ export class HistoryPanel {
   constructor() {
     this.table = h('table');
     const csv = h('button', { type: 'button', class: 'plain', onclick: () => this.#save() }, 'CSV');
-    this.panel = new Panel(
-      'history',
-      'Iterations',
-      [
-        h(
-          'div',
-          { class: 'scroll', tabindex: 0, role: 'region', 'aria-labelledby': 'panel-history-title' },
-          this.table,
-        ),
-      ],
-      { controls: [csv] },
-    );
+    this.panel = new Panel('history', 'Iterations', [scrolled(this.table, 'iterations')], { controls: [csv] });
   }
 
   /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */

@@ -43,8 +43,8 @@ export function showSheet({ shown, at, drawings, field }) {
       h('button', { type: 'button', onclick: close }, 'Back'),
     ),
     h(
-      'header',
-      {},
+      'div',
+      { class: 'sheet-head' },
       h('h1', {}, bodies),
       h(
         'p',
@@ -61,7 +61,11 @@ export function showSheet({ shown, at, drawings, field }) {
     ...(many > 1 || shown.length > 1
       ? [
           h('h2', {}, shown.length > 1 ? 'Jobs compared' : 'All steps'),
-          h('table', {}, tableElements(figuresTable(shown))),
+          h(
+            'div',
+            { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures of every step' },
+            h('table', {}, tableElements(figuresTable(shown))),
+          ),
         ]
       : []),
     h('h2', {}, 'Remarks'),
@@ -77,8 +81,8 @@ export function showSheet({ shown, at, drawings, field }) {
       ),
     ),
     h(
-      'footer',
-      {},
+      'div',
+      { class: 'sheet-foot' },
       `Brinell ${report.version}, job ${id}${label && label !== id.slice(-8) ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
       h('span', { class: 'link' }, location.href),
     ),

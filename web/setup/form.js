@@ -19,7 +19,8 @@ import {
   plasticityLike,
   shapeLike,
 } from './fields.js';
-import { PRESETS, materialOf, presetOf } from './materials.js';
+import { allMaterials, askHardness, askToKeep, forget, ownMaterials } from './library.js';
+import { PRESETS, inMegapascals, materialOf, presetOf } from './materials.js';
 import { inWords } from './words.js';
 import { curvePreview, profilePreview } from './preview.js';
 
@@ -140,10 +141,12 @@ export class Form {
   /** @param {string} body */
   #showPreset(body) {
     const material = this.draft.job[body]?.material;
-    const preset = presetOf(material, unitsOf(this.draft.job));
+    const preset = presetOf(allMaterials(), material, unitsOf(this.draft.job));
     const choice = /** @type {HTMLSelectElement | null} */ (this.root.querySelector(`[data-preset=${body}]`));
     const source = this.root.querySelector(`[data-source=${body}]`);
-    if (choice && document.activeElement !== choice) choice.value = preset?.name ?? '';
+    if (choice) choice.value = preset?.name ?? '';
+    const drop = /** @type {HTMLElement | null} */ (this.root.querySelector(`[data-forget=${body}]`));
+    if (drop) drop.hidden = !ownMaterials().some(({ name }) => name === preset?.name);
     source?.replaceChildren(...(preset ? symbol(preset.source) : []));
   }
 
@@ -188,8 +191,7 @@ export class Form {
     const preset = h(
       'select',
       { 'data-preset': body, onchange: (/** @type {Event} */ event) => this.#usePreset(body, event) },
-      h('option', { value: '' }, 'own figures'),
-      PRESETS.map(({ name }) => h('option', {}, name)),
+      presetOptions(),
     );
     const shapes = Object.fromEntries(
       Object.entries(SHAPES).map(([key, { label }]) => [
@@ -220,6 +222,17 @@ export class Form {
         h('div', { 'data-preview': `${body}-shape` }),
         this.#choice(`${at}/support`, 'Support', SUPPORTS),
         h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, preset))),
+        h(
+          'div',
+          { class: 'bar beside' },
+          h('button', { type: 'button', class: 'plain', onclick: () => this.#fromHardness(body) }, 'From hardness…'),
+          h('button', { type: 'button', class: 'plain', onclick: () => this.#keepMaterial(body) }, 'Keep as own…'),
+          h(
+            'button',
+            { type: 'button', class: 'plain', 'data-forget': body, onclick: () => this.#forgetMaterial(body) },
+            'Forget',
+          ),
+        ),
         h('p', { class: 'source', 'data-source': body }),
         law !== 'rigid' && ELASTIC.map((field) => this.#field(`${at}/material`, field)),
         this.#choice(
@@ -289,8 +302,33 @@ export class Form {
   /** @param {'upper' | 'lower'} body @param {Event} event */
   #usePreset(body, event) {
     const name = /** @type {HTMLSelectElement} */ (event.target).value;
-    const preset = PRESETS.find((one) => one.name === name);
+    const preset = allMaterials().find((one) => one.name === name);
     if (preset) this.draft.set(`/${body}/material`, materialOf(preset, unitsOf(this.draft.job)), SOURCE);
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #fromHardness(body) {
+    askHardness((material) =>
+      this.draft.set(`/${body}/material`, materialOf({ material }, unitsOf(this.draft.job)), SOURCE),
+    );
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #keepMaterial(body) {
+    askToKeep(inMegapascals(this.draft.job[body]?.material ?? {}, unitsOf(this.draft.job)), () =>
+      this.#listMaterials(),
+    );
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #forgetMaterial(body) {
+    forget(/** @type {HTMLSelectElement} */ (this.root.querySelector(`[data-preset=${body}]`)).value);
+    this.#listMaterials();
+  }
+
+  #listMaterials() {
+    for (const choice of this.root.querySelectorAll('[data-preset]')) choice.replaceChildren(...presetOptions());
+    this.#show();
   }
 
   /** @param {'upper' | 'lower'} body @param {string} law */
@@ -321,6 +359,19 @@ export class Form {
     });
     this.draft.set('/load', { [kind]: loads[kind] }, SOURCE);
   }
+}
+
+/** Materials to choose from, one's own first. */
+function presetOptions() {
+  const own = ownMaterials();
+  const options = (/** @type {import('./materials.js').Preset[]} */ list) =>
+    list.map(({ name }) => h('option', {}, name));
+  return [
+    h('option', { value: '' }, 'own figures'),
+    ...(own.length
+      ? [h('optgroup', { label: 'Own' }, options(own)), h('optgroup', { label: 'Library' }, options(PRESETS))]
+      : options(PRESETS)),
+  ];
 }
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */

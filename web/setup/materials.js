@@ -58,23 +58,36 @@ export const PRESETS = [
   },
 ];
 
-const STRESSES = new Set(['young_modulus', 'yield_stress', 'tangent_modulus', 'reference_stress']);
+const STRESSES = new Set([
+  'young_modulus',
+  'yield_stress',
+  'tangent_modulus',
+  'reference_stress',
+  'saturation_stress',
+  'coefficient',
+]);
 
-/** @param {any} value @param {import('../lib/units.js').Units} units @returns {any} */
-function inUnits(value, units) {
+/** @param {any} value @param {import('../lib/units.js').Units} from @param {import('../lib/units.js').Units} to @returns {any} */
+function converted(value, from, to) {
+  const stress = (/** @type {number} */ figure) => convert(figure, 'stress', from, to);
   const entry = (/** @type {[string, any]} */ [key, figure]) => [
     key,
-    typeof figure === 'object'
-      ? inUnits(figure, units)
-      : STRESSES.has(key)
-        ? convert(figure, 'stress', 'mm_N_MPa', units)
-        : figure,
+    key === 'points' && Array.isArray(figure)
+      ? figure.map(([strain, q]) => [strain, stress(q)])
+      : typeof figure === 'object'
+        ? converted(figure, from, to)
+        : STRESSES.has(key)
+          ? stress(figure)
+          : figure,
   ];
   return Object.fromEntries(Object.entries(value).map(entry));
 }
 
-/** @param {Preset} preset @param {import('../lib/units.js').Units} units */
-export const materialOf = (preset, units) => inUnits(preset.material, units);
+/** @param {{material: Record<string, any>}} preset @param {import('../lib/units.js').Units} units */
+export const materialOf = ({ material }, units) => (units === 'SI' ? converted(material, 'mm_N_MPa', 'SI') : material);
 
-/** @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset | undefined} that it is */
-export const presetOf = (material, units) => PRESETS.find((preset) => same(materialOf(preset, units), material));
+/** @param {Record<string, any>} material @param {import('../lib/units.js').Units} units @returns {Record<string, any>} as presets have it */
+export const inMegapascals = (material, units) => (units === 'SI' ? converted(material, 'SI', 'mm_N_MPa') : material);
+
+/** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset | undefined} that it is */
+export const presetOf = (all, material, units) => all.find((preset) => same(materialOf(preset, units), material));

@@ -270,3 +270,55 @@ test('a tensile test becomes a hardening table', async () => {
   await page.locator('.preview svg[aria-label="Hardening curve"]').first().waitFor();
   await close();
 });
+
+test('a strength follows from hardness, and materials of one’s own are kept with their source', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByRole('button', { name: 'From hardness…' }).first().click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByLabel('Hardness', { exact: true }).fill('900');
+  await dialog.getByRole('button', { name: 'Use' }).click();
+  await dialog.getByText('The line stands for').waitFor();
+  await dialog.getByLabel('Hardness', { exact: true }).fill('285');
+  await dialog.getByLabel('Scale').selectOption('HBW');
+  await dialog.getByRole('button', { name: 'Use' }).click();
+  // 285 HBW are 300 HV: 2.876 · 300 − 90.7.
+  assert.equal((await draft(page)).upper.material.plasticity.yield_stress, 772);
+  await page.getByRole('button', { name: 'Keep as own…' }).first().click();
+  await dialog.getByLabel('Name').fill('Race of pump P-12');
+  await dialog.getByLabel('Source of its figures').fill('hardness test 2026-11');
+  await dialog.getByRole('button', { name: 'Keep' }).click();
+  await page.locator('[data-source=upper]').getByText('hardness test 2026-11').waitFor();
+  await page.reload();
+  await page.locator('[data-preset=lower]').selectOption('Race of pump P-12');
+  assert.equal((await draft(page)).lower.material.plasticity.yield_stress, 772);
+  await page.getByLabel('Units').selectOption('SI');
+  assert.equal(await page.locator('[data-preset=lower]').inputValue(), 'Race of pump P-12', 'in other units too');
+  await page.locator('[data-forget=lower]').click();
+  assert.equal(await page.locator('[data-preset=lower]').inputValue(), '');
+  assert.equal(await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(), 0);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('every example converges', async () => {
+  const { page, close } = await visit(browser, server.url);
+  const states = await page.evaluate(async () => {
+    const { examplesOf } = await import(/** @type {any} */ ('/web/setup/examples.js'));
+    const { examples } = await (await fetch('v1/examples')).json();
+    const states = /** @type {string[]} */ ([]);
+    for (const { title, job } of examplesOf(examples)) {
+      const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: 6 }, output: {} });
+      const headers = { 'Content-Type': 'application/json' };
+      const answer = await (await fetch('v1/solve', { method: 'POST', headers, body })).json();
+      const codes = (answer.steps ?? []).flatMap((/** @type {any} */ step) =>
+        step.validity.map((/** @type {any} */ one) => one.code),
+      );
+      states.push(`${title}: ${answer.status ?? JSON.stringify(answer)} ${[...new Set(codes)].join(' ')}`);
+    }
+    return states;
+  });
+  assert.ok(states.length >= 8);
+  for (const state of states) assert.match(state, /: converged/);
+  await close();
+});

@@ -172,7 +172,7 @@ test('a report is one sheet with inputs, figures, error bars, remarks and where 
   const id = await shown(page, { load: { force: 612.6106 }, output: { fields: true }, tags: { pump: 'P-12' } });
   await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
   await page.getByRole('button', { name: 'Report' }).click();
-  const sheet = page.getByRole('article', { name: 'Report' });
+  const sheet = page.getByRole('main', { name: 'Report' });
   const text = (await sheet.textContent()) ?? '';
   for (const part of [
     /Brinell 0\.\d+\.\d+/,

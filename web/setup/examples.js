@@ -1,0 +1,91 @@
+/** Set-ups to begin with: those of the service under names that say what they are, and some more of the page's own. */
+
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{title: string, job: Job}} Example */
+
+/** Of the service's examples. */
+const TITLES = /** @type {Record<string, string>} */ ({
+  two_cylinders: 'Two steel rollers beyond yield',
+  cylinder_on_block: 'Steel roller on an aluminium block (NAFEMS)',
+  ramberg_osgood: 'Two rollers of Ramberg–Osgood steel',
+});
+
+const HARD = { young_modulus: 207000, poisson_ratio: 0.3 };
+/** @param {number} strength */
+const steel = (strength) => ({
+  young_modulus: 210000,
+  poisson_ratio: 0.3,
+  plasticity: { law: 'bilinear', yield_stress: strength, tangent_modulus: 2100 },
+});
+
+/** @type {Example[]} */
+const OWN = [
+  {
+    title: 'Bearing ball pressed into a steel plate, ten loads',
+    job: {
+      analysis: 'axisymmetric',
+      upper: { shape: { type: 'cylinder', radius: 5 }, material: HARD },
+      lower: { shape: { type: 'block', width: 40, depth: 20 }, material: steel(750) },
+      load: { forces: [10, 50, 100, 200, 300, 400, 500, 650, 800, 1000] },
+    },
+  },
+  {
+    title: 'When does a roller begin to mark its raceway?',
+    job: {
+      analysis: 'plane_strain',
+      upper: { shape: { type: 'cylinder', radius: 6 }, material: HARD },
+      lower: { shape: { type: 'block', width: 60, depth: 40 }, material: steel(750) },
+      load: { onset: true },
+    },
+  },
+  {
+    title: 'Roller in a groove',
+    job: {
+      analysis: 'plane_strain',
+      upper: { shape: { type: 'cylinder', radius: 20 }, material: steel(430) },
+      lower: { shape: { type: 'groove', radius: 40, width: 50, depth: 40 }, material: steel(430) },
+      load: { force: 1200 },
+    },
+  },
+  {
+    title: 'Crowned face from measured points',
+    job: {
+      analysis: 'plane_strain',
+      upper: {
+        shape: {
+          type: 'profile',
+          depth: 20,
+          points: [-8, -6, -4, -2, -1, 0, 1, 2, 4, 6, 8].map((x) => [x, -Number(((x * x) / 120).toPrecision(4))]),
+        },
+        material: steel(355),
+      },
+      lower: { shape: { type: 'block', width: 80, depth: 40 }, material: steel(355) },
+      load: { force: 900 },
+    },
+  },
+  {
+    title: 'Rigid roller on bronze, pressed in by steps',
+    job: {
+      analysis: 'plane_strain',
+      upper: { shape: { type: 'cylinder', radius: 15 }, material: { rigid: true } },
+      lower: {
+        shape: { type: 'block', width: 90, depth: 45 },
+        material: {
+          young_modulus: 93000,
+          poisson_ratio: 0.34,
+          plasticity: { law: 'bilinear', yield_stress: 130, tangent_modulus: 930 },
+        },
+      },
+      load: { approaches: [0.002, 0.004, 0.006, 0.008, 0.01] },
+    },
+  },
+];
+
+/** @param {{name: string, job: Job}[]} served @returns {Example[]} with the stress field, which is what one comes here to see */
+export const examplesOf = (served) =>
+  [...served.map(({ name, job }) => ({ title: TITLES[name] ?? name.replaceAll('_', ' '), job })), ...OWN].map(
+    ({ title, job }) => ({
+      title,
+      job: { ...job, output: { ...job.output, fields: true } },
+    }),
+  );
