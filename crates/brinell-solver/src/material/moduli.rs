@@ -70,35 +70,41 @@ impl ElasticModuli {
     }
 }
 
-/// How near to the tangent the moduli are that an iteration refers to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+/// The moduli that an iteration refers to.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum ReferenceModuli {
-    /// As near as errors in the strain allow.
+    /// As near to the tangent as errors in the strain allow.
     #[default]
     Tangent,
-    /// In the middle between tangent and secant.
-    Damped,
-    /// The secant moduli of deformation theory. An iteration that takes them anew each time always ends (L. M. Kachanov),
-    /// if slowly.
-    Secant,
+    /// The tangent at the strain itself, less this part of κ, with a secant modulus of at least as much of G. Between 0,
+    /// the tangent, and 1, the secant moduli of deformation theory: an iteration that takes those anew each time always ends
+    /// (L. M. Kachanov), if slowly.
+    Stiffened(f64),
 }
 
 impl ReferenceModuli {
-    /// The next stiffer ones; `None` after the stiffest of plastic flow.
-    pub fn stiffer(self) -> Option<Self> {
+    /// Half of the range of equivalent strains that the moduli are means over, relative to the strain.
+    pub(super) fn range(self) -> f64 {
         match self {
-            Self::Tangent => Some(Self::Damped),
-            Self::Damped => Some(Self::Secant),
-            Self::Secant => None,
+            Self::Tangent => 0.07,
+            // A difference quotient.
+            Self::Stiffened(_) => 1e-5,
         }
     }
 
-    /// Part of κ that counts.
-    pub(super) fn tangent_share(self) -> f64 {
+    /// Part of κ that is left out.
+    pub(super) fn left_out(self) -> f64 {
         match self {
-            Self::Tangent => 0.9,
-            Self::Damped => 0.5,
-            Self::Secant => 0.0,
+            Self::Tangent => 0.1,
+            Self::Stiffened(part) => part,
+        }
+    }
+
+    /// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
+    pub(super) fn softest(self) -> f64 {
+        match self {
+            Self::Tangent => 1e-3,
+            Self::Stiffened(part) => part.min(1e-3),
         }
     }
 }

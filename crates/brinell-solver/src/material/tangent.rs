@@ -15,11 +15,6 @@ use nalgebra::Vector4;
 use super::moduli::deviatoric_projection;
 use super::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli, equivalent_strain};
 
-/// Half of the range of equivalent strains that the moduli are means over, relative to the strain.
-const RANGE: f64 = 0.07;
-/// Least secant modulus over the elastic one. A wild iterate must not make the stiffness numerically singular.
-const SOFTEST: f64 = 1e-3;
-
 /// The reduction at a trial strain deviator: the strain deviator of deformation theory or, for a law with a memory, the
 /// deviator of the elastic strain if the increment were elastic, less the backstress over 2G. `stress(f)` is the
 /// equivalent stress at which the law ends from f times that trial, `yield_stress` its elastic limit \[MPa\]. `None`
@@ -34,17 +29,19 @@ pub(super) fn reduction(
 ) -> Option<ModuliReduction> {
     let equivalent = equivalent_strain(trial);
     let trial_stress = 3.0 * elastic.shear * equivalent;
-    if trial_stress * (1.0 + RANGE) <= yield_stress {
+    let range = reference.range();
+    if trial_stress * (1.0 + range) <= yield_stress {
         return None;
     }
     let stress = |factor: f64| stress(factor).min(factor * trial_stress);
-    let (below, above) = (stress(1.0 - RANGE), stress(1.0 + RANGE));
-    let tangent = (above - below) / (2.0 * RANGE * equivalent);
-    let triple_secant = 0.5 * (below / (1.0 - RANGE) + above / (1.0 + RANGE)) / equivalent;
-    let kappa = 4.0 / 9.0 * reference.tangent_share() * (triple_secant - tangent) / (equivalent * equivalent);
+    let (below, above) = (stress(1.0 - range), stress(1.0 + range));
+    let tangent = (above - below) / (2.0 * range * equivalent);
+    let triple_secant = 0.5 * (below / (1.0 - range) + above / (1.0 + range)) / equivalent;
+    let kappa =
+        4.0 / 9.0 * (1.0 - reference.left_out()) * (triple_secant - tangent) / (equivalent * equivalent);
     let [x, y, z, g] = trial;
     let direction = Vector4::new(x, y, z, 0.5 * g);
-    let shear = (triple_secant / 3.0).max(SOFTEST * elastic.shear);
+    let shear = (triple_secant / 3.0).max(reference.softest() * elastic.shear);
     let moduli = match out_of_plane {
         OutOfPlane::Strained => deviatoric_reduction(elastic.shear - shear, kappa, direction),
         OutOfPlane::PlaneStress => {

@@ -202,8 +202,11 @@ pub(crate) fn run(
             (system, Vec::new(), start)
         };
         let zone = system.zone;
-        let initial =
-            InitialState { displacement: start, history: std::mem::take(&mut history), factorizations: 0 };
+        let initial = InitialState {
+            displacement: start,
+            history: std::mem::take(&mut history),
+            ..InitialState::default()
+        };
         let mut outcome = iterate(&mut system, &request, initial, phases, observer)?;
         let fields =
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
@@ -286,58 +289,48 @@ fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
 }
 
-/// Linearizations at most.
-const MAX_LINEARIZATIONS: usize = 8;
-/// Part of its first residual that a linearization must have come down to, and farther than the one before, if the next
-/// is to have moduli as near to the tangent. The softer they are, the sooner errors grow instead of falling.
-const PROGRESS: f64 = 0.5;
-
-/// Iterates; the accelerated coupling on stiffnesses that are linearized anew where one does not get on.
+/// Iterates. Where the accelerated coupling does not get on it is linearized anew, once, and then left to Newton's method.
 fn iterate(
     system: &mut System,
     request: &MeshSolveRequest<'_>,
-    mut initial: InitialState,
+    initial: InitialState,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, SolveError> {
     let coupling = couplings::of(request.solver.coupling);
-    let mut linearizations = 0;
-    let mut reference = ReferenceModuli::Tangent;
-    // Residual where the last stiffness led.
-    let mut reached = f64::INFINITY;
-    loop {
-        let renewable = coupling.uses_tangent_moduli() && linearizations < MAX_LINEARIZATIONS;
-        let controls = Controls {
-            contact: request.contact,
-            load: system.part_of(request.load),
-            tolerance: request.solver.tolerance.get(),
-            max_iterations: request.solver.max_iterations as usize,
-            renewable,
-        };
-        let begun = initial.history.len();
-        let outcome = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
-        if !outcome.stalled {
-            return Ok(outcome);
-        }
-        let residuals = outcome.history[begun..].iter().map(|record| record.equilibrium_residual);
-        let (first, last) = (outcome.history[begun].equilibrium_residual, residuals.fold(0.0, |_, r| r));
-        let displacement = &outcome.state.response.displacement;
-        let gets_on = system.is_elastic() || (last < PROGRESS * first && last < reached);
-        reached = last;
-        let moduli = if gets_on { Some(reference) } else { reference.stiffer() };
-        reference = moduli.unwrap_or_default();
-        match system.linearize(moduli.map(|moduli| (displacement, moduli)), phases, observer) {
-            // The iterations so far are kept.
-            Err(SolveError::Interrupted(interrupt)) => {
-                return Ok(Outcome { status: interrupt.into(), ..outcome });
-            }
-            linearized => linearized?,
-        }
-        linearizations += 1;
-        let factorizations = system.bodies.len();
-        let Outcome { state, history, .. } = outcome;
-        initial = InitialState { displacement: Some(state.response.displacement), history, factorizations };
+    let controls = Controls {
+        contact: request.contact,
+        load: system.part_of(request.load),
+        tolerance: request.solver.tolerance.get(),
+        max_iterations: request.solver.max_iterations as usize,
+        renewable: coupling.uses_tangent_moduli(),
+    };
+    let first = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
+    if !first.stalled {
+        return Ok(first);
     }
+    let at = (&first.state.response.displacement, ReferenceModuli::Tangent);
+    match system.linearize(Some(at), phases, observer) {
+        Ok(()) => {}
+        // What has been iterated is worth keeping.
+        Err(SolveError::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
+        Err(SolveError::Factorization(_)) => {
+            return couplings::newton::run(system, controls, first, phases, observer);
+        }
+        Err(error) => return Err(error),
+    }
+    let Outcome { state, history, .. } = first;
+    let initial = InitialState {
+        displacement: Some(state.response.displacement),
+        history,
+        factorizations: system.bodies.len(),
+        contact: Some(state.response.contact),
+    };
+    let second = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
+    if second.stalled {
+        return couplings::newton::run(system, controls, second, phases, observer);
+    }
+    Ok(second)
 }
 
 /// Where the contact is, and whether it goes beyond the zone.

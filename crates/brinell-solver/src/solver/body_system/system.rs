@@ -163,13 +163,6 @@ impl System {
         }
     }
 
-    /// Whether the present stiffness is the elastic one.
-    pub fn is_elastic(&self) -> bool {
-        self.bodies
-            .iter()
-            .all(|body| body.plastic_region.points.as_ref().is_none_or(|points| points.refers_to_elastic()))
-    }
-
     fn sum_flexibility(&mut self) {
         let parts: Vec<&SymmetricMatrix> = self.bodies.iter().map(|body| &body.flexibility).collect();
         self.flexibility = total_flexibility(self.zone.columns + 1, &parts, &self.bodies_represented);

@@ -48,6 +48,8 @@ pub(crate) struct InitialState {
     pub history: Vec<IterationRecord>,
     /// Factorizations made for this iteration, recorded with its first step.
     pub factorizations: usize,
+    /// Contact of the last iteration.
+    pub contact: Option<ContactSolution>,
 }
 
 /// Iterations on one linearization before its convergence rate is estimated.
@@ -98,7 +100,7 @@ impl<'a> Iteration<'a> {
             begun: initial.history.len(),
             history: initial.history,
             start: initial.displacement,
-            previous: None,
+            previous: initial.contact,
         }
     }
 

@@ -15,6 +15,7 @@
 
 mod anderson;
 pub(crate) mod iteration;
+pub(crate) mod newton;
 mod secant;
 mod strong;
 mod weak;
