@@ -12,11 +12,11 @@ use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use crate::config::{DatabaseUrl, MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
+use crate::config::{MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
 use crate::http::{HttpSettings, HttpState, Metrics, metrics_router, router, serve};
 use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
 use crate::store::{
-    MemoryStore, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_keys,
+    PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory, open_sqlite_keys,
 };
 use crate::telemetry::collect;
 use crate::worker::Worker;
@@ -203,11 +203,13 @@ async fn drain(worker: Worker, grace: Duration) {
 }
 
 async fn open_store(config: &StorageConfig, notifier: &Arc<JobNotifier>) -> Result<Arc<dyn Store>, AppError> {
-    let (capacity, notifier, clock) = (config.queue_capacity, Arc::clone(notifier), Arc::new(SystemClock));
+    let (limits, notifier, clock) = (config.limits(), Arc::clone(notifier), Arc::new(SystemClock));
     Ok(match &config.database_url {
-        Some(DatabaseUrl::Memory) => Arc::new(MemoryStore::new(config.memory(), notifier, clock)),
-        Some(DatabaseUrl::Postgres(url)) => open_postgres(url, capacity, notifier, None).await?,
-        None => open_sqlite(&config.data_dir, capacity, notifier, clock).await?,
+        Some(url) => open_postgres(url.as_str(), limits, notifier, None).await?,
+        None if config.is_in_memory() => {
+            open_sqlite_in_memory(config.memory_bytes(), limits, notifier, clock).await?
+        }
+        None => open_sqlite(&config.data_dir, limits, notifier, clock).await?,
     })
 }
 

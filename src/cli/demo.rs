@@ -16,7 +16,7 @@ use super::style::Style;
 use super::table::table;
 use super::{NOT_CONVERGED, block_on};
 use crate::app::Service;
-use crate::config::{DatabaseUrl, ServeConfig, StorageConfig};
+use crate::config::{ServeConfig, StorageConfig};
 use crate::jobs::{CoreSolver, IterationRecord, JobId, JobState};
 use crate::lifecycle::stop_on_signal;
 use brinell_solver::job::Job;
@@ -65,7 +65,7 @@ struct Progress {
 pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let stop = stop_on_signal()?;
-        let storage = StorageConfig { database_url: Some(DatabaseUrl::Memory), ..StorageConfig::default() };
+        let storage = StorageConfig { data_dir: ":memory:".into(), ..StorageConfig::default() };
         let config = ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
         let service =
             Service::bind(&config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;

@@ -9,49 +9,48 @@ use clap::Args;
 
 use super::parse::hours;
 use crate::jobs::Retention;
-use crate::store::MemoryLimits;
+use crate::store::StoreLimits;
 
-/// Address of a database. Shown without what may be a password.
+/// The name of the data directory that stands for this process's memory.
+const MEMORY: &str = ":memory:";
+
+/// Address of a PostgreSQL database. Shown without what may be a password.
 #[derive(Clone, PartialEq, Eq)]
-pub enum DatabaseUrl {
-    /// `memory:`: this process's memory, gone with it.
-    Memory,
-    /// `postgres://...`.
-    Postgres(String),
+pub struct DatabaseUrl(String);
+
+impl DatabaseUrl {
+    /// The address, password included.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
 }
 
 impl FromStr for DatabaseUrl {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if text == "memory:" {
-            Ok(Self::Memory)
-        } else if text.starts_with("postgres://") || text.starts_with("postgresql://") {
-            Ok(Self::Postgres(text.to_owned()))
+        if text.starts_with("postgres://") || text.starts_with("postgresql://") {
+            Ok(Self(text.to_owned()))
         } else {
-            Err("must begin with postgres:// (or be memory:); without it, jobs are kept in --data-dir"
-                .to_owned())
+            Err("must begin with postgres://; without it, jobs are kept in --data-dir".to_owned())
         }
     }
 }
 
 impl fmt::Debug for DatabaseUrl {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Memory => "memory:",
-            Self::Postgres(_) => "postgres://...",
-        })
+        f.write_str("postgres://...")
     }
 }
 
 /// Settings of the store.
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct StorageConfig {
-    /// Directory of the embedded database; one process owns it
+    /// Directory of the embedded database, which one process owns; `:memory:` keeps jobs in memory only
     #[arg(long, env = "BRINELL_DATA_DIR", value_name = "DIR", default_value = "brinell-data")]
     pub data_dir: PathBuf,
 
-    /// Shared database instead of the embedded one, a `postgres://` address; `memory:` keeps nothing
+    /// Shared database instead of the embedded one, a `postgres://` address
     #[arg(long, env = "BRINELL_DATABASE_URL", value_name = "URL", hide_env_values = true)]
     pub database_url: Option<DatabaseUrl>,
 
@@ -67,11 +66,11 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_KEEP_FAILURES", value_name = "HOURS", default_value = "72", value_parser = hours)]
     pub keep_failures: Duration,
 
-    /// Most finished jobs that are kept in memory (memory: only)
-    #[arg(long, env = "BRINELL_KEEP_JOBS", value_name = "N", default_value = "1000")]
-    pub keep_jobs: usize,
+    /// Room on the disk of --data-dir below which no job is accepted
+    #[arg(long, env = "BRINELL_MIN_FREE_DISK", value_name = "MIB", default_value = "256")]
+    pub min_free_disk: u32,
 
-    /// Most memory that finished jobs may take (memory: only)
+    /// Most memory that jobs may take with `--data-dir :memory:`
     #[arg(long, env = "BRINELL_KEEP_MEMORY", value_name = "MIB", default_value = "256")]
     pub keep_memory: u32,
 }
@@ -84,7 +83,7 @@ impl Default for StorageConfig {
             queue_capacity: 10_000,
             keep_results: Duration::from_hours(168),
             keep_failures: Duration::from_hours(72),
-            keep_jobs: 1000,
+            min_free_disk: 256,
             keep_memory: 256,
         }
     }
@@ -93,12 +92,17 @@ impl Default for StorageConfig {
 impl StorageConfig {
     /// Whether other processes see the same jobs.
     pub const fn is_shared(&self) -> bool {
-        matches!(self.database_url, Some(DatabaseUrl::Postgres(_)))
+        self.database_url.is_some()
     }
 
     /// Whether jobs outlive the process.
-    pub const fn is_durable(&self) -> bool {
-        !matches!(self.database_url, Some(DatabaseUrl::Memory))
+    pub fn is_durable(&self) -> bool {
+        !self.is_in_memory()
+    }
+
+    /// Whether jobs are kept in this process's memory.
+    pub fn is_in_memory(&self) -> bool {
+        self.database_url.is_none() && self.data_dir.as_os_str() == MEMORY
     }
 
     /// How long finished jobs are kept.
@@ -106,14 +110,17 @@ impl StorageConfig {
         Retention { succeeded: self.keep_results, failed: self.keep_failures }
     }
 
-    /// Bounds of the store in memory.
-    pub fn memory(&self) -> MemoryLimits {
-        MemoryLimits {
-            queued_jobs: self.queue_capacity,
-            finished_jobs: self.keep_jobs,
-            finished_bytes: usize::try_from(u64::from(self.keep_memory) << 20).unwrap_or(usize::MAX),
-            ..MemoryLimits::default()
+    /// Bounds of the store.
+    pub fn limits(&self) -> StoreLimits {
+        StoreLimits {
+            queue_capacity: self.queue_capacity,
+            min_free_bytes: u64::from(self.min_free_disk) << 20,
         }
+    }
+
+    /// Most memory \[bytes\] of a store in memory.
+    pub fn memory_bytes(&self) -> u64 {
+        u64::from(self.keep_memory) << 20
     }
 }
 

@@ -82,7 +82,7 @@ impl IntoResponse for Problem {
         if status == StatusCode::UNAUTHORIZED {
             headers.insert(WWW_AUTHENTICATE, HeaderValue::from_static("Bearer"));
         }
-        if matches!(status, StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE) {
+        if matches!(status, StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE | StatusCode::INSUFFICIENT_STORAGE) {
             headers.insert(RETRY_AFTER, HeaderValue::from(self.retry_after));
         }
         response
@@ -124,6 +124,10 @@ impl From<StoreError> for Problem {
             StoreError::KeyReused => ProblemType::IdempotencyKeyReused,
             StoreError::Unfinished(_) => ProblemType::JobUnfinished,
             StoreError::LeaseLost => ProblemType::Internal,
+            StoreError::DiskFull => {
+                tracing::error!("the disk is full");
+                ProblemType::InsufficientStorage
+            }
             StoreError::Unavailable(source) => {
                 tracing::error!(
                     error = source.as_ref() as &dyn std::error::Error,

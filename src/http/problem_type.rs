@@ -111,6 +111,11 @@ problem_types! {
     /// The store does not answer.
     StoreUnavailable, "store-unavailable", SERVICE_UNAVAILABLE, "The job store does not answer",
         "The place where jobs are kept cannot be reached. Try again.";
+    /// The disk is full.
+    InsufficientStorage, "insufficient-storage", INSUFFICIENT_STORAGE, "There is no room for another job",
+        "The disk where jobs are kept is full, or has less room left than is reserved for the jobs that are accepted \
+         already. Results can still be fetched. Try again after the seconds in the `Retry-After` header, or remove \
+         jobs that are no longer needed.";
     /// The service is shutting down.
     ShuttingDown, "shutting-down", SERVICE_UNAVAILABLE, "The service is shutting down",
         "The service takes no new jobs because it is about to stop. Try again.";

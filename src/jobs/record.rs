@@ -24,9 +24,9 @@ pub struct NewJob {
     pub submitter: Option<KeyId>,
     /// What makes a repeated submission recognisable.
     pub idempotency: Option<Idempotency>,
-    /// Somebody waits for the answer on an open connection: the job may be lost with the process, as the connection
-    /// is. Until [`JobStore::keep`](super::JobStore::keep).
-    pub ephemeral: bool,
+    /// Somebody waits for the answer on an open connection. The job survives the end of the process like any other,
+    /// but is not synced to the disk before it is acknowledged ([`JobStore::sync`](super::JobStore::sync)).
+    pub interactive: bool,
 }
 
 impl NewJob {
@@ -40,7 +40,7 @@ impl NewJob {
             memory: 0,
             submitter: None,
             idempotency: None,
-            ephemeral: false,
+            interactive: false,
         }
     }
 }

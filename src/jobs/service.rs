@@ -39,8 +39,8 @@ pub struct Submission {
     pub submitter: Option<KeyId>,
     /// The client's name for this submission, if it may come twice.
     pub idempotency_key: Option<String>,
-    /// The client waits for the answer and is told of the job only by [`JobService::keep`].
-    pub ephemeral: bool,
+    /// The client waits for the answer.
+    pub interactive: bool,
 }
 
 /// Why a job is not taken in.
@@ -150,7 +150,7 @@ impl JobService {
             memory: estimate.bytes,
             submitter: submission.submitter,
             idempotency,
-            ephemeral: submission.ephemeral,
+            interactive: submission.interactive,
         };
         let enqueued = self.store.enqueue(new).await?;
         tracing::info!(job = %enqueued.job.id, replayed = enqueued.replayed, "queued");
@@ -181,12 +181,12 @@ impl JobService {
         }
     }
 
-    /// Makes an ephemeral job as durable as any other.
+    /// Returns once everything that was acknowledged survives a loss of power.
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn keep(&self, id: JobId) -> Result<JobRecord, StoreError> {
-        self.store.keep(id).await
+    pub async fn sync(&self) -> Result<(), StoreError> {
+        self.store.sync().await
     }
 
     /// Listens to a job.

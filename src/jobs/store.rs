@@ -20,17 +20,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// with an idempotency key that is known already is not taken in: the job that came with the key is returned.
     ///
     /// # Errors
-    /// [`StoreError::QueueFull`], [`StoreError::KeyReused`]; nothing is kept then.
+    /// [`StoreError::QueueFull`], [`StoreError::KeyReused`], [`StoreError::DiskFull`]; nothing is kept then.
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError>;
-
-    /// Makes an ephemeral job as durable as any other, because its client has been told of it. Returns the job as it
-    /// is then.
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
-    async fn keep(&self, id: JobId) -> Result<JobRecord, StoreError> {
-        self.get(id).await
-    }
 
     /// What is known about a job.
     ///
@@ -130,10 +121,17 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`].
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError>;
 
-    /// Shows that the store answers.
+    /// Returns once everything that was acknowledged survives a loss of power. Jobs that are not interactive need no
+    /// such call.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].
+    async fn sync(&self) -> Result<(), StoreError>;
+
+    /// Shows that the store can be written to and has room for another job.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
     async fn ping(&self) -> Result<(), StoreError>;
 }
 
@@ -270,6 +268,9 @@ pub enum StoreError {
     /// The job is still queued or running.
     #[error("the job is {0}")]
     Unfinished(JobState),
+    /// The disk is full, or has less room left than is reserved for jobs that are accepted already.
+    #[error("the disk is full")]
+    DiskFull,
     /// The storage does not answer.
     #[error("storage is unavailable")]
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),

@@ -2,15 +2,12 @@
 //!
 //! | store | for |
 //! |---|---|
-//! | [`MemoryStore`] | demonstrations and tests |
-//! | [`open_sqlite`] | one process; its jobs survive whatever happens to it, save those somebody waits for |
+//! | [`open_sqlite`] | one process; its jobs survive whatever happens to it |
+//! | [`open_sqlite_in_memory`] | demonstrations and tests: the same tables, gone with the process |
 //! | [`open_postgres`] | any number of processes on any number of machines |
 
-mod express;
-pub mod memory;
 mod migration;
 mod postgres;
-mod shelf;
 mod sql;
 mod sqlite;
 
@@ -19,6 +16,15 @@ pub trait Store: crate::jobs::JobStore + crate::jobs::KeyStore {}
 
 impl<T: crate::jobs::JobStore + crate::jobs::KeyStore> Store for T {}
 
-pub use memory::{MemoryLimits, MemoryStore};
+/// Bounds of a store.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StoreLimits {
+    /// Most jobs that may wait.
+    pub queue_capacity: usize,
+    /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a server is its own
+    /// matter.
+    pub min_free_bytes: u64,
+}
+
 pub use postgres::{PostgresError, open_postgres};
-pub use sqlite::{SqliteError, open_sqlite, open_sqlite_keys};
+pub use sqlite::{SqliteError, open_sqlite, open_sqlite_in_memory, open_sqlite_keys};

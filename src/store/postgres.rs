@@ -15,13 +15,16 @@ use thiserror::Error;
 use tokio::task::AbortHandle;
 use tokio::time::sleep;
 
-use super::Store;
+use super::{Store, StoreLimits};
 use super::migration::{self, Step};
-use super::sql::{Backend, Change, SqlStore};
+use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use crate::jobs::{Clock, JobId, JobNotifier, StoreError, WorkerId};
 
 const STEPS: &[Step] =
-    &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") }];
+    &[
+    Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
+    Step { version: 2, name: "requests", sql: include_str!("../../migrations/postgres/0002_requests.sql") },
+];
 
 /// Connections of one process.
 const CONNECTIONS: u32 = 10;
@@ -61,7 +64,7 @@ struct PostgresPool {
 /// [`PostgresError`].
 pub async fn open_postgres(
     url: &str,
-    queue_capacity: usize,
+    limits: StoreLimits,
     notifier: Arc<JobNotifier>,
     clock: Option<Arc<dyn Clock>>,
 ) -> Result<Arc<dyn Store>, PostgresError> {
@@ -71,7 +74,14 @@ pub async fn open_postgres(
     let node = WorkerId::generate();
     let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
     let backend = PostgresPool { pool, node, clock, listener };
-    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity }))
+    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
+}
+
+#[async_trait]
+impl WriteTransaction for Transaction<'static, Postgres> {
+    async fn commit(self) -> Result<(), StoreError> {
+        Ok(Transaction::commit(self).await?)
+    }
 }
 
 impl Drop for PostgresPool {
@@ -83,12 +93,13 @@ impl Drop for PostgresPool {
 #[async_trait]
 impl Backend for PostgresPool {
     type Database = Postgres;
+    type Write = Transaction<'static, Postgres>;
 
     async fn read(&self) -> Result<PoolConnection<Postgres>, StoreError> {
         Ok(self.pool.acquire().await?)
     }
 
-    async fn write(&self) -> Result<(Transaction<'static, Postgres>, i64), StoreError> {
+    async fn write(&self) -> Result<(Self::Write, i64), StoreError> {
         let mut transaction = self.pool.begin().await?;
         if let Some(clock) = &self.clock {
             return Ok((transaction, clock.now().as_microsecond()));
@@ -96,6 +107,16 @@ impl Backend for PostgresPool {
         let now = sqlx::query_scalar("SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint");
         let now = now.fetch_one(&mut *transaction).await?;
         Ok((transaction, now))
+    }
+
+    async fn sync(&self) -> Result<(), StoreError> {
+        // The server syncs every commit.
+        Ok(())
+    }
+
+    async fn check_space(&self) -> Result<(), StoreError> {
+        // The server's disk is out of sight; a write that does not fit fails as such.
+        Ok(())
     }
 
     async fn notify(&self, connection: &mut PgConnection, changes: &[Change]) -> Result<(), StoreError> {

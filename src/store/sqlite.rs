@@ -1,12 +1,18 @@
-//! Jobs in an embedded SQLite file: nothing to set up, and nothing acknowledged is lost.
+//! Jobs in an embedded SQLite file: nothing to set up, and nothing acknowledged is lost. `:memory:` keeps the same
+//! tables in this process's memory.
 //!
-//! WAL and `synchronous = FULL`: a commit is on the disk when it returns. All writing goes through one connection,
-//! so that nobody waits for a lock; readers have their own and never wait for the writer. One process owns the
-//! directory, by a lock on a file in it; therefore whatever is marked as running at the start was interrupted, and
-//! runs again at once.
+//! All writing goes through one connection, so that no statement waits for a lock; readers have their own and never
+//! wait for the writer. The file has a write-ahead log with `synchronous = NORMAL`: a commit survives the end of the
+//! process at once, and a loss of power after [`Backend::sync`], which several commits share. One process owns the
+//! directory, by a lock on a file in it; therefore whatever is marked as running at the start was interrupted, and runs
+//! again at once.
+
+mod space;
+mod wal;
 
 use std::fs::{self, File, TryLockError};
 use std::io;
+use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,23 +20,35 @@ use std::time::Duration;
 use async_trait::async_trait;
 use sqlx::pool::PoolConnection;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
-use sqlx::{Sqlite, SqliteConnection, SqlitePool, Transaction};
+use sqlx::{Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
 
-use super::Store;
-use super::express::ExpressStore;
+use self::space::FreeSpace;
+use self::wal::WalSync;
 use super::migration::{self, Step};
-use super::sql::{Backend, Change, SqlStore};
+use super::sql::{Backend, Change, SqlStore, WriteTransaction};
+use super::{Store, StoreLimits};
 use crate::jobs::{Clock, JobNotifier, StoreError};
 
-const STEPS: &[Step] =
-    &[Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") }];
+const STEPS: &[Step] = &[
+    Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") },
+    Step { version: 2, name: "requests", sql: include_str!("../../migrations/sqlite/0002_requests.sql") },
+];
 
 /// Readers beside the writer.
 const READERS: u32 = 4;
 
 /// Longest wait for the lock of another process's statement (a command beside a running service).
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// Size \[bytes\] to which the write-ahead log shrinks once its content is in the database.
+const WAL_BYTES: &str = "67108864";
+
+/// Size \[bytes\] of a page.
+const PAGE_BYTES: u64 = 4096;
+
+/// One part in so many of a store in memory is reserved for what accepted jobs still write.
+const MEMORY_RESERVE: u64 = 8;
 
 /// Why there is no store.
 #[derive(Debug, Error)]
@@ -59,12 +77,25 @@ pub enum SqliteError {
     },
 }
 
-/// The file, open.
-struct SqliteFile {
+/// An open database.
+struct SqliteDatabase {
     writer: SqlitePool,
+    /// The writer's pool again where the database is in memory: its one connection is the database.
     readers: SqlitePool,
     clock: Arc<dyn Clock>,
+    /// `None` in memory, where nothing survives anyway.
+    wal: Option<WalSync>,
+    space: Space,
     _lock: Option<File>,
+}
+
+/// What a database grows into.
+enum Space {
+    Disk(FreeSpace),
+    /// Memory, up to so many bytes.
+    Memory {
+        bytes: u64,
+    },
 }
 
 /// Opens the store in a directory, making both if need be.
@@ -73,12 +104,12 @@ struct SqliteFile {
 /// [`SqliteError`].
 pub async fn open_sqlite(
     directory: &Path,
-    queue_capacity: usize,
+    limits: StoreLimits,
     notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
-    let lock = own(directory)?;
-    open(directory, queue_capacity, notifier, clock, Some(lock)).await
+    let lock = lock_directory(directory)?;
+    open(directory, limits, notifier, clock, Some(lock)).await
 }
 
 /// Opens the store beside the process that owns it, to look after its API keys.
@@ -91,24 +122,40 @@ pub async fn open_sqlite_keys(
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let failed = |source| SqliteError::Directory { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(failed)?;
-    open(directory, 0, JobNotifier::new(), clock, None).await
+    open(directory, StoreLimits::default(), JobNotifier::new(), clock, None).await
+}
+
+/// Opens a store in this process's memory, which may grow to so many bytes.
+///
+/// # Errors
+/// [`SqliteError::Database`].
+pub async fn open_sqlite_in_memory(
+    bytes: u64,
+    limits: StoreLimits,
+    notifier: Arc<JobNotifier>,
+    clock: Arc<dyn Clock>,
+) -> Result<Arc<dyn Store>, SqliteError> {
+    let backend = SqliteDatabase::in_memory(bytes, clock).await;
+    let failed = |source| SqliteError::Database { path: PathBuf::from(":memory:"), source };
+    let backend = backend.map_err(failed)?;
+    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
 }
 
 async fn open(
     directory: &Path,
-    queue_capacity: usize,
+    limits: StoreLimits,
     notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
     lock: Option<File>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let path = directory.join("brinell.db");
-    let file = SqliteFile::open(&path, Arc::clone(&clock), lock).await;
-    let backend = file.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(ExpressStore::new(SqlStore { backend, notifier, queue_capacity }, clock)))
+    let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
+    let backend = backend.map_err(|source| SqliteError::Database { path, source })?;
+    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.
-fn own(directory: &Path) -> Result<File, SqliteError> {
+fn lock_directory(directory: &Path) -> Result<File, SqliteError> {
     let failed = |source| SqliteError::Directory { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(failed)?;
     let lock = File::create(directory.join("brinell.lock")).map_err(failed)?;
@@ -119,42 +166,132 @@ fn own(directory: &Path) -> Result<File, SqliteError> {
     }
 }
 
-impl SqliteFile {
-    async fn open(path: &Path, clock: Arc<dyn Clock>, lock: Option<File>) -> Result<Self, sqlx::Error> {
+impl SqliteDatabase {
+    async fn open(
+        path: &Path,
+        clock: Arc<dyn Clock>,
+        lock: Option<File>,
+        min_free_bytes: u64,
+    ) -> Result<Self, sqlx::Error> {
         let options = SqliteConnectOptions::new()
             .filename(path)
             .create_if_missing(true)
             .journal_mode(SqliteJournalMode::Wal)
-            .synchronous(SqliteSynchronous::Full)
+            .synchronous(SqliteSynchronous::Normal)
+            .pragma("journal_size_limit", WAL_BYTES)
             .foreign_keys(true)
             .busy_timeout(BUSY_TIMEOUT);
-        let pool =
-            || SqlitePoolOptions::new().idle_timeout(None).max_lifetime(None).test_before_acquire(false);
-        let writer = pool().min_connections(1).max_connections(1).connect_with(options.clone()).await?;
+        let writer = writer_pool().connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
         if lock.is_some() {
             sqlx::query("UPDATE jobs SET leased_until = 0 WHERE state = 'running'").execute(&writer).await?;
         }
+        let wal = WalSync::open(path).await.map_err(sqlx::Error::Io)?;
+        wal.sync().await.map_err(sqlx::Error::Io)?;
         let readers =
             pool().max_connections(READERS).connect_with(options.pragma("query_only", "on")).await?;
-        Ok(Self { writer, readers, clock, _lock: lock })
+        let disk = FreeSpace::new(path, min_free_bytes);
+        Ok(Self { writer, readers, clock, wal: Some(wal), space: Space::Disk(disk), _lock: lock })
+    }
+
+    async fn in_memory(bytes: u64, clock: Arc<dyn Clock>) -> Result<Self, sqlx::Error> {
+        let options = SqliteConnectOptions::new()
+            .in_memory(true)
+            .foreign_keys(true)
+            .pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
+        let writer = writer_pool().connect_with(options).await?;
+        migration::run(STEPS, &writer).await?;
+        Ok(Self { readers: writer.clone(), writer, clock, wal: None, space: Space::Memory { bytes }, _lock: None })
     }
 }
 
+impl SqliteDatabase {
+    /// A count of pages, in bytes.
+    async fn pages(&self, pragma: &'static str) -> Result<u64, StoreError> {
+        let pages = sqlx::query_scalar::<_, i64>(pragma).fetch_one(&self.readers).await?;
+        Ok(u64::try_from(pages).unwrap_or(0) * PAGE_BYTES)
+    }
+}
+
+/// One connection, free of transactions whenever it is acquired: whatever an error or a dropped future left open is
+/// rolled back.
+fn writer_pool() -> SqlitePoolOptions {
+    pool().min_connections(1).max_connections(1).after_release(|connection, _| {
+        Box::pin(async move {
+            // Fails where no transaction is open.
+            let _ = sqlx::query("ROLLBACK").execute(connection).await;
+            Ok(true)
+        })
+    })
+}
+
+/// A pool that keeps its connections.
+fn pool() -> SqlitePoolOptions {
+    SqlitePoolOptions::new().idle_timeout(None).max_lifetime(None).test_before_acquire(false)
+}
+
 #[async_trait]
-impl Backend for SqliteFile {
+impl Backend for SqliteDatabase {
     type Database = Sqlite;
+    type Write = SqliteTransaction;
 
     async fn read(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
         Ok(self.readers.acquire().await?)
     }
 
-    async fn write(&self) -> Result<(Transaction<'static, Sqlite>, i64), StoreError> {
-        let transaction = self.writer.begin_with("BEGIN IMMEDIATE").await?;
-        Ok((transaction, self.clock.now().as_microsecond()))
+    async fn write(&self) -> Result<(SqliteTransaction, i64), StoreError> {
+        let mut connection = self.writer.acquire().await?;
+        sqlx::query("BEGIN IMMEDIATE").execute(&mut *connection).await?;
+        Ok((SqliteTransaction(connection), self.clock.now().as_microsecond()))
+    }
+
+    async fn sync(&self) -> Result<(), StoreError> {
+        let Some(wal) = &self.wal else { return Ok(()) };
+        wal.sync().await.map_err(StoreError::unavailable)
+    }
+
+    async fn check_space(&self) -> Result<(), StoreError> {
+        // Pages that removed jobs have left are used before the database grows.
+        let reusable = async || self.pages("PRAGMA freelist_count").await;
+        let is_low = match &self.space {
+            Space::Disk(disk) => disk.is_low(0) && disk.is_low(reusable().await?),
+            Space::Memory { bytes } => {
+                let used = self.pages("PRAGMA page_count").await?.saturating_sub(reusable().await?);
+                used > bytes - bytes / MEMORY_RESERVE
+            }
+        };
+        if is_low { Err(StoreError::DiskFull) } else { Ok(()) }
     }
 
     async fn notify(&self, _: &mut SqliteConnection, _: &[Change]) -> Result<(), StoreError> {
+        Ok(())
+    }
+}
+
+/// A transaction of the writer. The pool rolls back what is not committed, [`writer_pool`].
+///
+/// sqlx's own type counts transactions and is at a loss where SQLite ends one by itself, which it does when the disk is
+/// full: that connection never begins another.
+struct SqliteTransaction(PoolConnection<Sqlite>);
+
+impl Deref for SqliteTransaction {
+    type Target = SqliteConnection;
+
+    fn deref(&self) -> &SqliteConnection {
+        &self.0
+    }
+}
+
+impl DerefMut for SqliteTransaction {
+    fn deref_mut(&mut self) -> &mut SqliteConnection {
+        &mut self.0
+    }
+}
+
+#[async_trait]
+impl WriteTransaction for SqliteTransaction {
+    async fn commit(mut self) -> Result<(), StoreError> {
+        sqlx::query("COMMIT").execute(&mut *self.0).await?;
         Ok(())
     }
 }

@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use brinell::app::{AppError, Service};
-use brinell::config::{DatabaseUrl, ServeConfig};
+use brinell::config::ServeConfig;
 use serde_json::{Value, json};
 use tokio::runtime::Runtime;
 use tokio::task::JoinHandle;
@@ -27,7 +27,7 @@ impl InProcess {
     pub fn start(adjust: impl FnOnce(&mut ServeConfig)) -> Self {
         let mut config = ServeConfig { listen: "127.0.0.1:0".to_owned(), ..ServeConfig::default() };
         config.work.workers = NonZeroUsize::new(1);
-        config.storage.database_url = Some(DatabaseUrl::Memory);
+        config.storage.data_dir = ":memory:".into();
         adjust(&mut config);
         let runtime = Runtime::new().unwrap();
         let solver = Arc::new(TestSolver::default());

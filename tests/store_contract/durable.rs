@@ -8,7 +8,7 @@ use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 use tokio::time::timeout;
 
-use crate::subject::{DEADLINE, Place, Subject, iteration, reported};
+use crate::subject::{DEADLINE, LIMITS, Place, Subject, iteration, reported};
 
 #[tokio::test]
 async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
@@ -40,7 +40,7 @@ async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
 async fn a_data_directory_has_one_owner() {
     let subject = Subject::sqlite().await;
     let Place::Directory(directory) = &subject.place else { panic!("a directory") };
-    let second = open_sqlite(&directory.0, 1, JobNotifier::new(), Arc::new(SystemClock)).await;
+    let second = open_sqlite(&directory.0, LIMITS, JobNotifier::new(), Arc::new(SystemClock)).await;
     assert!(matches!(second.err(), Some(SqliteError::InUse(_))));
 }
 

@@ -4,11 +4,10 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod durable;
-mod express;
 mod keys;
 mod leases;
 mod life;
-mod memory_bounds;
+mod in_memory;
 mod names;
 mod queue;
 mod subject;
@@ -57,13 +56,6 @@ macro_rules! contract {
     };
 }
 
-contract!(
-    memory,
-    crate::subject::Subject::memory(brinell::store::MemoryLimits {
-        queued_jobs: crate::subject::QUEUE_CAPACITY,
-        ..brinell::store::MemoryLimits::default()
-    })
-);
+contract!(memory, crate::subject::Subject::memory(crate::subject::MEMORY_STORE).await);
 contract!(sqlite, crate::subject::Subject::sqlite().await);
-contract!(ephemeral, crate::subject::Subject::express().await);
 contract!(postgres, crate::subject::Subject::postgres().await);

@@ -9,7 +9,7 @@ use brinell::jobs::{
     Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobRecord,
     Lease, NewJob, Outcome, StoreError, WorkerId,
 };
-use brinell::store::{MemoryLimits, MemoryStore, Store, open_postgres, open_sqlite};
+use brinell::store::{Store, StoreLimits, open_postgres, open_sqlite, open_sqlite_in_memory};
 use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
 use jiff::{SignedDuration, Timestamp};
@@ -18,6 +18,9 @@ use crate::cluster::Cluster;
 
 /// Limits that every backend under test is started with.
 pub const QUEUE_CAPACITY: usize = 4;
+pub const LIMITS: StoreLimits = StoreLimits { queue_capacity: QUEUE_CAPACITY, min_free_bytes: 0 };
+/// Bytes that a store in memory may take.
+pub const MEMORY_STORE: u64 = 64 << 20;
 pub const LEASE: Duration = Duration::from_secs(30);
 pub const MAX_ATTEMPTS: u32 = 2;
 pub const MEMORY: u64 = 1000;
@@ -49,8 +52,6 @@ pub struct Subject {
     pub clock: Arc<TestClock>,
     /// Where a second process would find the same jobs.
     pub place: Place,
-    /// Whether jobs are submitted as ephemeral.
-    pub ephemeral: bool,
 }
 
 /// Where a store keeps its jobs.
@@ -71,10 +72,11 @@ impl Drop for Scratch {
 }
 
 impl Subject {
-    pub fn memory(limits: MemoryLimits) -> Self {
+    pub async fn memory(bytes: u64) -> Self {
         let (notifier, clock) = (JobNotifier::new(), clock());
-        let store = Arc::new(MemoryStore::new(limits, Arc::clone(&notifier), Arc::clone(&clock) as _));
-        Self { store, notifier, clock, place: Place::Memory, ephemeral: false }
+        let time = Arc::clone(&clock) as Arc<dyn Clock>;
+        let store = open_sqlite_in_memory(bytes, LIMITS, Arc::clone(&notifier), time).await.unwrap();
+        Self { store, notifier, clock, place: Place::Memory }
     }
 
     pub async fn sqlite() -> Self {
@@ -85,11 +87,6 @@ impl Subject {
     pub fn directory() -> Place {
         let name = format!("brinell-test-{}", JobId::generate());
         Place::Directory(Arc::new(Scratch(Path::new(env!("CARGO_TARGET_TMPDIR")).join(name))))
-    }
-
-    /// SQLite's, with jobs that somebody waits for.
-    pub async fn express() -> Self {
-        Self { ephemeral: true, ..Self::sqlite().await }
     }
 
     pub async fn postgres() -> Self {
@@ -103,14 +100,13 @@ impl Subject {
 
     async fn at(place: Place, clock: Arc<TestClock>) -> Self {
         let notifier = JobNotifier::new();
-        let (capacity, hub_of_store, time) =
-            (QUEUE_CAPACITY, Arc::clone(&notifier), Arc::clone(&clock) as Arc<dyn Clock>);
+        let (announced, time) = (Arc::clone(&notifier), Arc::clone(&clock) as Arc<dyn Clock>);
         let store = match &place {
             Place::Memory => panic!("memory is not shared"),
-            Place::Directory(path) => open_sqlite(&path.0, capacity, hub_of_store, time).await.unwrap(),
-            Place::Database(url) => open_postgres(url, capacity, hub_of_store, Some(time)).await.unwrap(),
+            Place::Directory(path) => open_sqlite(&path.0, LIMITS, announced, time).await.unwrap(),
+            Place::Database(url) => open_postgres(url, LIMITS, announced, Some(time)).await.unwrap(),
         };
-        Self { store, notifier, clock, place, ephemeral: false }
+        Self { store, notifier, clock, place }
     }
 
     pub async fn enqueue(&self, tag: &str) -> JobId {
@@ -118,7 +114,7 @@ impl Subject {
     }
 
     pub async fn submit(&self, job: NewJob) -> Result<Enqueued, StoreError> {
-        self.store.enqueue(NewJob { ephemeral: self.ephemeral, ..job }).await
+        self.store.enqueue(job).await
     }
 
     /// What a worker that does nothing else is handed.

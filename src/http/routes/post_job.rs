@@ -64,7 +64,7 @@ pub(in crate::http) async fn post_job(
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
     let submission =
-        Submission { request, priority, submitter: caller.key(), idempotency_key, ephemeral: false };
+        Submission { request, priority, submitter: caller.key(), idempotency_key, interactive: false };
     let enqueued = state.jobs.submit(submission).await?;
     let mut record = enqueued.job;
     if let Some(timeout) = timeout {

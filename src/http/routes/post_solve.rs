@@ -53,19 +53,18 @@ pub(in crate::http) async fn post_solve(
         request: text,
         priority: URGENT,
         submitter: caller.key(),
-        ephemeral: true,
+        interactive: true,
         idempotency_key: None,
     };
     let id = state.jobs.submit(submission).await?.job.id;
     let mut cancel_on_drop = CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id) };
-    let mut record = state.jobs.wait(id, state.settings.solve_limit).await?;
+    let record = state.jobs.wait(id, state.settings.solve_limit).await?;
     if !record.state.is_finished() {
-        record = state.jobs.keep(id).await?;
-    }
-    cancel_on_drop.job = None;
-    if !record.state.is_finished() {
+        state.jobs.sync().await?;
+        cancel_on_drop.job = None;
         return Ok(wire::accepted(&record));
     }
+    cancel_on_drop.job = None;
     finished(&state, &record).await
 }
 

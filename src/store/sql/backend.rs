@@ -1,8 +1,10 @@
 //! What tells one database from another.
 
+use std::ops::DerefMut;
+
 use async_trait::async_trait;
+use sqlx::Database;
 use sqlx::pool::PoolConnection;
-use sqlx::{Database, Transaction};
 
 use super::claiming::Claiming;
 use super::intake::Intake;
@@ -11,7 +13,7 @@ use super::leasing::Leasing;
 use super::reading::Reading;
 use crate::jobs::{JobId, JobNotifier, StoreError};
 
-/// Everything that is asked of a connection.
+/// All statements that a connection executes.
 pub(in crate::store) trait Statements: Reading + Intake + Claiming + Leasing + Keys {}
 
 impl<T: Reading + Intake + Claiming + Leasing + Keys> Statements for T {}
@@ -21,19 +23,46 @@ impl<T: Reading + Intake + Claiming + Leasing + Keys> Statements for T {}
 pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// Which kind.
     type Database: Database<Connection: Statements>;
+    /// A transaction that may write.
+    type Write: WriteTransaction<Target = <Self::Database as Database>::Connection>;
 
     /// A connection to read from.
     async fn read(&self) -> Result<PoolConnection<Self::Database>, StoreError>;
 
-    /// A transaction that may write, and the time.
-    async fn write(&self) -> Result<(Transaction<'static, Self::Database>, i64), StoreError>;
+    /// A transaction that may write, and the time in microseconds since 1970.
+    async fn write(&self) -> Result<(Self::Write, i64), StoreError>;
 
-    /// Tells other processes of changes, once the transaction is committed.
+    /// Returns once everything that was committed before the call survives a loss of power.
+    async fn sync(&self) -> Result<(), StoreError>;
+
+    /// Checks that there is room for another job.
+    ///
+    /// # Errors
+    /// [`StoreError::DiskFull`] below the reserve.
+    async fn check_space(&self) -> Result<(), StoreError>;
+
+    /// Notifies other processes of changes, once the transaction is committed.
     async fn notify(
         &self,
         connection: &mut <Self::Database as Database>::Connection,
         changes: &[Change],
     ) -> Result<(), StoreError>;
+}
+
+/// A transaction that is rolled back unless it is committed.
+#[async_trait]
+pub(in crate::store) trait WriteTransaction: DerefMut + Send {
+    /// Makes the changes visible to others.
+    async fn commit(self) -> Result<(), StoreError>;
+}
+
+/// Whether a change is acknowledged to somebody who relies on it after a loss of power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Durability {
+    /// It is on the disk before anybody is told.
+    Synced,
+    /// It survives the end of the process, however sudden, but perhaps not a loss of power.
+    Written,
 }
 
 /// Something others may be waiting for.
@@ -50,7 +79,7 @@ pub(in crate::store) enum Change {
 }
 
 impl Change {
-    /// Tells this process.
+    /// Announces the change in this process.
     pub(in crate::store) fn announce(self, notifier: &JobNotifier) {
         match self {
             Self::Work => notifier.announce_work(),

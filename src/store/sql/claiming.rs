@@ -16,7 +16,8 @@ const END: &str =
 const FORGET: &str = "DELETE FROM iterations WHERE job = $1";
 const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
          losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL
-     WHERE id = $1 RETURNING attempts, request";
+     WHERE id = $1 RETURNING attempts";
+const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
@@ -111,7 +112,7 @@ macro_rules! claiming {
                 now: i64,
             ) -> Result<Claim, StoreError> {
                 let (id, memory, losses) = job;
-                let (attempt, text) = sqlx::query_as::<$database, (i32, Vec<u8>)>(LEASE_JOB)
+                let attempt = sqlx::query_scalar::<$database, i32>(LEASE_JOB)
                     .bind(id)
                     .bind(request.owner.uuid())
                     .bind(until(now, request.lease))
@@ -122,6 +123,8 @@ macro_rules! claiming {
                 if attempt > 1 {
                     sqlx::query::<$database>(FORGET).bind(id).execute(&mut *self).await?;
                 }
+                let text = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id);
+                let text = text.fetch_one(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
                 Ok(Claim { lease, exclusive, memory: count(memory)?, request: unpack(&text)? })
             }

@@ -8,23 +8,20 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 use super::codec::{count, pack, to_json};
 use super::reading::Reading;
 use crate::jobs::{Enqueued, Idempotency, JobId, JobRecord, JobState, NewJob, Retention, SWEEP, StoreError};
-use crate::store::shelf::Departure;
 
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, request, submitter, created_at)
-     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7)";
-const ADOPT: &str =
-    "INSERT INTO jobs (id, state, priority, memory, tags, request, submitter, created_at, started_at,
-         cancel_requested, attempts, owner, leased_until)
-     VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13)";
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at)
+     VALUES ($1, 'queued', $2, $3, $4, $5, $6)";
+const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
          finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
          state = CASE WHEN state = 'queued' THEN 'cancelled' ELSE state END
      WHERE id = $1 AND state IN ('queued', 'running')";
+const HEALTH: &str = "UPDATE health SET written_at = $1";
 const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
 const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
@@ -38,8 +35,6 @@ pub(in crate::store) trait Intake: Reading {
         capacity: usize,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
-    /// Takes over a job from a store that would forget it.
-    fn adopt(&mut self, departure: Departure) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn label(
         &mut self,
         job: JobId,
@@ -53,6 +48,8 @@ pub(in crate::store) trait Intake: Reading {
         name: &Idempotency,
     ) -> impl Future<Output = Result<Option<JobRecord>, StoreError>> + Send;
     fn cancel(&mut self, id: JobId, now: i64) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
+    /// Writes one row, which shows that writing works.
+    fn record_health(&mut self, now: i64) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn delete(&mut self, id: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn sweep(
         &mut self,
@@ -91,37 +88,14 @@ macro_rules! intake {
                     .bind(i32::from(job.priority))
                     .bind(i64::try_from(job.memory).unwrap_or(i64::MAX))
                     .bind(to_json(&job.tags)?)
-                    .bind(pack(&job.request)?)
                     .bind(submitter)
                     .bind(now)
                     .execute(&mut *self)
                     .await?;
+                let request = sqlx::query::<$database>(REQUEST).bind(job.id.uuid()).bind(pack(&job.request)?);
+                request.execute(&mut *self).await?;
                 self.label(job.id, job.tags).await?;
                 Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
-            }
-
-            async fn adopt(&mut self, departure: Departure) -> Result<(), StoreError> {
-                let job = departure.job;
-                let lease = departure.lease.as_ref();
-                let state = if lease.is_some() { JobState::Running } else { JobState::Queued };
-                let attempts = lease.map_or(0, |(lease, _)| lease.attempt);
-                sqlx::query::<$database>(ADOPT)
-                    .bind(job.id.uuid())
-                    .bind(state.name())
-                    .bind(i32::from(job.priority))
-                    .bind(i64::try_from(job.memory).unwrap_or(i64::MAX))
-                    .bind(to_json(&job.tags)?)
-                    .bind(pack(&job.request)?)
-                    .bind(job.submitter.map(|key| key.uuid()))
-                    .bind(departure.created_at.as_microsecond())
-                    .bind(departure.started_at.map(|time| time.as_microsecond()))
-                    .bind(departure.cancel_requested)
-                    .bind(i32::try_from(attempts).unwrap_or(i32::MAX))
-                    .bind(lease.map(|(lease, _)| lease.owner.uuid()))
-                    .bind(lease.map(|(_, until)| until.as_microsecond()))
-                    .execute(&mut *self)
-                    .await?;
-                self.label(job.id, job.tags).await
             }
 
             async fn label(&mut self, job: JobId, tags: BTreeMap<String, String>) -> Result<(), StoreError> {
@@ -165,6 +139,11 @@ macro_rules! intake {
             async fn cancel(&mut self, id: JobId, now: i64) -> Result<JobRecord, StoreError> {
                 sqlx::query::<$database>(CANCEL).bind(id.uuid()).bind(now).execute(&mut *self).await?;
                 self.find(id).await
+            }
+
+            async fn record_health(&mut self, now: i64) -> Result<(), StoreError> {
+                sqlx::query::<$database>(HEALTH).bind(now).execute(self).await?;
+                Ok(())
             }
 
             async fn delete(&mut self, id: JobId) -> Result<(), StoreError> {

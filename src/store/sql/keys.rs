@@ -6,6 +6,7 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::SqlStore;
 use super::backend::Backend;
+use super::backend::Durability::Synced;
 use super::codec::{damaged, time};
 use crate::jobs::{ApiKey, KeyId, KeyStore, Scope, StoreError};
 
@@ -74,7 +75,7 @@ impl<B: Backend> KeyStore for SqlStore<B> {
     async fn add_key(&self, key: ApiKey) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
         Keys::add_key(&mut *transaction, key).await?;
-        self.commit(transaction, &[]).await
+        self.commit(transaction, Synced, &[]).await
     }
 
     async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
@@ -84,7 +85,7 @@ impl<B: Backend> KeyStore for SqlStore<B> {
     async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let revoked = Keys::revoke_key(&mut *transaction, id, now).await?;
-        self.commit(transaction, &[]).await?;
+        self.commit(transaction, Synced, &[]).await?;
         Ok(revoked)
     }
 }

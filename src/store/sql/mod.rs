@@ -16,22 +16,31 @@ use std::time::Duration;
 
 use async_trait::async_trait;
 use bytes::Bytes;
-use sqlx::Transaction;
 
-use super::shelf::Departure;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobPage,
     JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
 };
-pub(super) use backend::{Backend, Change};
+use backend::Durability::{self, Synced, Written};
+pub(super) use backend::{Backend, Change, WriteTransaction};
 use claiming::Claiming;
 use intake::Intake;
 use leasing::Leasing;
 use reading::Reading;
 
+/// SQLite's code for a full disk or a database at its largest size, and PostgreSQL's for a full disk.
+const DISK_FULL: [&str; 2] = ["13", "53100"];
+
+/// SQLite's code for a write that the system refused, which includes the process's limit on the size of a file.
+const WRITE_REFUSED: &str = "778";
+
 impl From<sqlx::Error> for StoreError {
     fn from(error: sqlx::Error) -> Self {
-        Self::unavailable(error)
+        let code = error.as_database_error().and_then(sqlx::error::DatabaseError::code);
+        match code.as_deref() {
+            Some(code) if DISK_FULL.contains(&code) || code == WRITE_REFUSED => Self::DiskFull,
+            _ => Self::unavailable(error),
+        }
     }
 }
 
@@ -43,25 +52,18 @@ pub(super) struct SqlStore<B> {
 }
 
 impl<B: Backend> SqlStore<B> {
-    /// Takes over an unfinished job from a store that would forget it, its lease and its history included.
-    pub(super) async fn adopt(&self, departure: Departure) -> Result<(), StoreError> {
-        let (mut transaction, _) = self.backend.write().await?;
-        let (lease, history) = (departure.lease, departure.history.clone());
-        Intake::adopt(&mut *transaction, departure).await?;
-        if let Some((lease, _)) = lease {
-            Leasing::record_progress(&mut *transaction, &lease, &history).await?;
-        }
-        self.commit(transaction, &[Change::Work]).await
-    }
-
     /// Commits a transaction and announces what it changed.
     async fn commit(
         &self,
-        mut transaction: Transaction<'static, B::Database>,
+        mut transaction: B::Write,
+        durability: Durability,
         changes: &[Change],
     ) -> Result<(), StoreError> {
         self.backend.notify(&mut transaction, changes).await?;
         transaction.commit().await?;
+        if durability == Synced {
+            self.backend.sync().await?;
+        }
         for change in changes {
             change.announce(&self.notifier);
         }
@@ -72,9 +74,11 @@ impl<B: Backend> SqlStore<B> {
 #[async_trait]
 impl<B: Backend> JobStore for SqlStore<B> {
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+        self.backend.check_space().await?;
+        let durability = if job.interactive { Written } else { Synced };
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.queue_capacity, now).await?;
-        self.commit(transaction, &[Change::Work]).await?;
+        self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
 
@@ -100,21 +104,21 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let claims = Claiming::claim(&mut *transaction, request, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
         let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
-        self.commit(transaction, &changes).await?;
+        self.commit(transaction, Written, &changes).await?;
         Ok(claims)
     }
 
     async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let statuses = Leasing::heartbeat(&mut *transaction, leases, lease, now).await?;
-        self.commit(transaction, &[]).await?;
+        self.commit(transaction, Written, &[]).await?;
         Ok(statuses)
     }
 
     async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
         Leasing::record_progress(&mut *transaction, lease, records).await?;
-        self.commit(transaction, &[Change::Progress(lease.job)]).await
+        self.commit(transaction, Written, &[Change::Progress(lease.job)]).await
     }
 
     async fn finish(
@@ -126,7 +130,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let (mut transaction, now) = self.backend.write().await?;
         Leasing::record_progress(&mut *transaction, lease, records).await?;
         Leasing::finish(&mut *transaction, lease, &outcome, now).await?;
-        self.commit(transaction, &[Change::Finished(lease.job)]).await
+        self.commit(transaction, Synced, &[Change::Finished(lease.job)]).await
     }
 
     async fn release(&self, leases: &[Lease]) -> Result<(), StoreError> {
@@ -139,7 +143,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
                 None => {}
             }
         }
-        self.commit(transaction, &changes).await
+        self.commit(transaction, Written, &changes).await
     }
 
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
@@ -150,7 +154,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
             JobState::Cancelled => &[Change::Finished(id)],
             _ => &[],
         };
-        self.commit(transaction, changes).await?;
+        self.commit(transaction, Synced, changes).await?;
         Ok(record)
     }
 
@@ -161,7 +165,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn delete(&self, id: JobId) -> Result<(), StoreError> {
         let (mut transaction, _) = self.backend.write().await?;
         Intake::delete(&mut *transaction, id).await?;
-        self.commit(transaction, &[]).await
+        self.commit(transaction, Synced, &[]).await
     }
 
     async fn counts(&self) -> Result<Counts, StoreError> {
@@ -171,11 +175,18 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let swept = Intake::sweep(&mut *transaction, retention, now).await?;
-        self.commit(transaction, &[]).await?;
+        self.commit(transaction, Written, &[]).await?;
         Ok(swept)
     }
 
     async fn ping(&self) -> Result<(), StoreError> {
-        Reading::ping(&mut *self.backend.read().await?).await
+        self.backend.check_space().await?;
+        let (mut transaction, now) = self.backend.write().await?;
+        Intake::record_health(&mut *transaction, now).await?;
+        self.commit(transaction, Synced, &[]).await
+    }
+
+    async fn sync(&self) -> Result<(), StoreError> {
+        self.backend.sync().await
     }
 }

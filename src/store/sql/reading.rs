@@ -21,7 +21,7 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
-const REQUEST: &str = "SELECT request FROM jobs WHERE id = $1";
+const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
 const REPORT: &str = "SELECT r.body FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
@@ -37,7 +37,6 @@ pub(in crate::store) trait Reading: Send {
     fn report(&mut self, id: JobId) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
     fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
-    fn ping(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
 }
 
 // The statements are the same for every database, the types that carry them are not: generic code would need a
@@ -102,11 +101,6 @@ macro_rules! reading {
             async fn counts(&mut self) -> Result<Counts, StoreError> {
                 let rows = sqlx::query_as::<$database, (String, i64)>(COUNTS).fetch_all(self).await?;
                 rows.into_iter().map(|(state, jobs)| Ok((state_named(&state)?, count(jobs)?))).collect()
-            }
-
-            async fn ping(&mut self) -> Result<(), StoreError> {
-                sqlx::query::<$database>("SELECT 1").execute(self).await?;
-                Ok(())
             }
         }
     };
