@@ -13,6 +13,7 @@ const INTERRUPTED: i32 = 130;
 /// If the signals cannot be listened to. Needs a Tokio runtime.
 pub fn stop_on_signal() -> io::Result<CancellationToken> {
     let mut signals = Signals::new()?;
+    survive_file_size_limit()?;
     let stop = CancellationToken::new();
     let first = stop.clone();
     tokio::spawn(async move {
@@ -24,6 +25,29 @@ pub fn stop_on_signal() -> io::Result<CancellationToken> {
         std::process::exit(INTERRUPTED);
     });
     Ok(stop)
+}
+
+/// Signal of a write beyond the process's limit on the size of a file (`ulimit -f`), on Linux and the BSDs.
+#[cfg(unix)]
+const SIGXFSZ: i32 = 25;
+
+/// With a handler, a write beyond the limit on the size of a file fails; without one, it ends the process.
+#[cfg(unix)]
+fn survive_file_size_limit() -> io::Result<()> {
+    use tokio::signal::unix::{SignalKind, signal};
+    let mut exceeded = signal(SignalKind::from_raw(SIGXFSZ))?;
+    tokio::spawn(async move {
+        while exceeded.recv().await.is_some() {
+            tracing::error!("a file has reached the largest size that this process may write");
+        }
+    });
+    Ok(())
+}
+
+#[cfg(not(unix))]
+#[expect(clippy::unnecessary_wraps, reason = "listening can fail elsewhere")]
+fn survive_file_size_limit() -> io::Result<()> {
+    Ok(())
 }
 
 #[cfg(unix)]
