@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use thiserror::Error;
+use tokio::sync::Mutex;
 use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
@@ -20,6 +21,9 @@ use brinell_solver::report::JobEstimate;
 /// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
 /// an announcement from another process is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
+
+/// Shortest time between two writes that show that the store is well.
+const PING_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Bounds on what is taken in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +88,8 @@ pub struct JobService {
     keys: Arc<dyn KeyStore>,
     limits: SubmissionLimits,
     closed: AtomicBool,
+    /// Until when the store is taken to be well.
+    healthy_until: Mutex<Option<Instant>>,
 }
 
 impl JobService {
@@ -95,7 +101,7 @@ impl JobService {
         keys: Arc<dyn KeyStore>,
         limits: SubmissionLimits,
     ) -> Self {
-        Self { store, notifier, solver, keys, limits, closed: AtomicBool::new(false) }
+        Self { store, notifier, solver, keys, limits, closed: AtomicBool::new(false), healthy_until: Mutex::new(None) }
     }
 
     /// Checks a job without queueing it, and estimates its cost.
@@ -246,12 +252,18 @@ impl JobService {
         Ok(())
     }
 
-    /// Shows that the store is there.
+    /// Shows that the store can be written to. Anybody may ask, so that the store is written to once a second at most.
     ///
     /// # Errors
     /// [`StoreError`].
     pub async fn ping(&self) -> Result<(), StoreError> {
-        self.store.ping().await
+        let mut healthy_until = self.healthy_until.lock().await;
+        if healthy_until.is_none_or(|until| until <= Instant::now()) {
+            *healthy_until = None;
+            self.store.ping().await?;
+            *healthy_until = Some(Instant::now() + PING_INTERVAL);
+        }
+        Ok(())
     }
 
     /// Bounds on what is taken in.

@@ -15,13 +15,12 @@ use thiserror::Error;
 use tokio::task::AbortHandle;
 use tokio::time::sleep;
 
-use super::{Store, StoreLimits};
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
+use super::{Store, StoreLimits};
 use crate::jobs::{Clock, JobId, JobNotifier, StoreError, WorkerId};
 
-const STEPS: &[Step] =
-    &[
+const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/postgres/0002_requests.sql") },
 ];

@@ -201,7 +201,14 @@ impl SqliteDatabase {
             .pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
         let writer = writer_pool().connect_with(options).await?;
         migration::run(STEPS, &writer).await?;
-        Ok(Self { readers: writer.clone(), writer, clock, wal: None, space: Space::Memory { bytes }, _lock: None })
+        Ok(Self {
+            readers: writer.clone(),
+            writer,
+            clock,
+            wal: None,
+            space: Space::Memory { bytes },
+            _lock: None,
+        })
     }
 }
 

@@ -19,5 +19,6 @@ mod readme;
 mod server;
 mod shutdown;
 mod solvers;
+mod storage;
 mod submission;
 mod troubled;

@@ -4,10 +4,10 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod durable;
+mod in_memory;
 mod keys;
 mod leases;
 mod life;
-mod in_memory;
 mod names;
 mod queue;
 mod subject;

@@ -40,7 +40,7 @@ const URGENT: i16 = 1;
         )),
     ),
     extensions(("x-problems" = json!([
-        "invalid-job", "job-too-large", "queue-full", "too-many-jobs", "shutting-down", "no-result", "solve-failed"
+        "invalid-job", "job-too-large", "queue-full", "too-many-jobs", "insufficient-storage", "shutting-down", "no-result", "solve-failed"
     ]))),
 )]
 pub(in crate::http) async fn post_solve(

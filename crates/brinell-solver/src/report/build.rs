@@ -15,35 +15,67 @@ use crate::solver::{
     StepSolution,
 };
 
-/// Writes the report, last of all its own time.
-pub(super) fn report(job: &Job, solution: &Solution, observer: &dyn Observer) -> Report {
-    let start = observer.elapsed();
-    let write = UnitConverter::new(job.units, job.analysis);
-    let steps = solution.steps.iter().map(|step| step_report(job, step, write)).collect();
-    let end = observer.elapsed();
-    Report {
-        units: job.units.name().to_owned(),
-        analysis: job.analysis.name().to_owned(),
-        status: worst_status(solution),
-        steps,
-        load_approach: load_approach::curve(&solution.steps, write),
-        mesh: mesh_report(solution, write),
-        timings_ms: timings(&solution.phases, end, end.saturating_sub(start)),
-        tags: job.tags.clone(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
+/// Writes the report of each step as it is finished, and the rest at the end.
+pub(super) struct ReportBuilder<'a> {
+    job: &'a Job,
+    write: UnitConverter,
+    status: Option<SolveStatus>,
+    /// Approach and force of the converged steps.
+    curve: Vec<[f64; 2]>,
+    /// The mesh of the last step.
+    mesh: MeshReport,
+    /// Time spent on reports.
+    time: Duration,
+}
+
+impl<'a> ReportBuilder<'a> {
+    pub(super) fn new(job: &'a Job) -> Self {
+        let write = UnitConverter::new(job.units, job.analysis);
+        Self { job, write, status: None, curve: Vec::new(), mesh: MeshReport::NONE, time: Duration::ZERO }
+    }
+
+    /// The report of the next step.
+    pub(super) fn step(&mut self, step: &StepSolution, observer: &dyn Observer) -> StepReport {
+        let start = observer.elapsed();
+        self.status = worse(self.status, step.status);
+        if step.status == SolveStatus::Converged {
+            self.curve.push([step.approach, contact::force(step)]);
+        }
+        let enlargements = self.mesh.enlargements + step.enlargements;
+        self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
+        let report = step_report(self.job, step, self.write);
+        self.time += observer.elapsed().saturating_sub(start);
+        report
+    }
+
+    /// The report without its steps.
+    pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
+        let Self { job, write, status, curve, mesh, time } = self;
+        let interrupted = solution.interrupted.map(SolveStatus::from);
+        let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
+        Report {
+            units: job.units.name().to_owned(),
+            analysis: job.analysis.name().to_owned(),
+            status: status.unwrap_or(SolveStatus::Cancelled),
+            steps: Vec::new(),
+            load_approach: load_approach::curve(curve, write),
+            mesh: MeshReport { passes: solution.passes, ..mesh },
+            timings_ms: timings(&solution.phases, observer.elapsed(), time),
+            tags: job.tags.clone(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        }
     }
 }
 
-fn worst_status(solution: &Solution) -> SolveStatus {
+/// The less good of two statuses.
+fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
     let rank = |status: &SolveStatus| match status {
         SolveStatus::Converged => 0,
         SolveStatus::NotConverged => 1,
         SolveStatus::TimedOut => 2,
         SolveStatus::Cancelled => 3,
     };
-    let interrupted = solution.interrupted.map(SolveStatus::from);
-    let statuses = solution.steps.iter().map(|step| step.status).chain(interrupted);
-    statuses.max_by_key(rank).unwrap_or(SolveStatus::Cancelled)
+    one.into_iter().chain([other]).max_by_key(rank)
 }
 
 fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepReport {
@@ -151,21 +183,20 @@ fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
     }
 }
 
-fn mesh_report(solution: &Solution, write: UnitConverter) -> MeshReport {
-    let last = solution.steps.last();
-    let bodies = || last.into_iter().flat_map(|step| step.bodies.iter().flatten());
+/// The mesh of one step.
+fn mesh_report(step: &StepSolution, write: UnitConverter) -> MeshReport {
+    let bodies = || step.bodies.iter().flatten();
     let quality = bodies().map(|body| body.quality);
     MeshReport {
-        symmetric: last.is_some_and(|step| step.symmetric),
-        spacing: write.length(last.map_or(0.0, |step| step.spacing)),
-        contact_pairs: last.map_or(0, |step| step.pairs.len()),
+        symmetric: step.symmetric,
+        spacing: write.length(step.spacing),
+        contact_pairs: step.pairs.len(),
         nodes: bodies().map(|body| body.mesh.nodes.len()).sum(),
         elements: bodies().map(|body| body.mesh.elements.len()).sum(),
         equations: bodies().map(|body| body.equations).sum(),
-        passes: solution.passes,
-        enlargements: solution.steps.iter().map(|step| step.enlargements).sum(),
         min_jacobian_ratio: quality.clone().map(|q| q.min_jacobian_ratio).fold(1.0, f64::min),
         max_aspect_ratio: quality.map(|q| q.max_aspect_ratio).fold(1.0, f64::max),
+        ..MeshReport::NONE
     }
 }
 

@@ -169,6 +169,22 @@ pub struct MeshReport {
     pub max_aspect_ratio: f64,
 }
 
+impl MeshReport {
+    /// No mesh.
+    pub(super) const NONE: Self = Self {
+        symmetric: false,
+        spacing: 0.0,
+        contact_pairs: 0,
+        nodes: 0,
+        elements: 0,
+        equations: 0,
+        passes: 0,
+        enlargements: 0,
+        min_jacobian_ratio: 1.0,
+        max_aspect_ratio: 1.0,
+    };
+}
+
 /// Wall time \[ms\] by phase, all passes and steps together.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Timings {

@@ -2,9 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::contact::force;
 use super::units::UnitConverter;
-use crate::solver::{SolveStatus, StepSolution};
 
 /// Approaches closer together than this part of the larger one count as one point of the curve.
 const SAME: f64 = 1e-9;
@@ -21,12 +19,10 @@ pub struct LoadApproach {
     pub stiffness: Vec<f64>,
 }
 
-/// The curve; `None` of fewer than two different approaches.
+/// The curve through points `[approach, force]` of converged steps; `None` of fewer than two different approaches.
 ///
 /// Deformation theory has no memory, so the order in which the loads were applied does not matter.
-pub(super) fn curve(steps: &[StepSolution], write: UnitConverter) -> Option<LoadApproach> {
-    let converged = steps.iter().filter(|step| step.status == SolveStatus::Converged);
-    let mut points: Vec<[f64; 2]> = converged.map(|step| [step.approach, force(step)]).collect();
+pub(super) fn curve(mut points: Vec<[f64; 2]>, write: UnitConverter) -> Option<LoadApproach> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     points.dedup_by(|b, a| b[0] - a[0] <= SAME * b[0].abs());
     if points.len() < 2 {

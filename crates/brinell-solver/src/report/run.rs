@@ -3,10 +3,11 @@
 use serde::Serialize;
 use thiserror::Error;
 
-use super::{Report, build};
+use super::build::ReportBuilder;
+use super::{Report, StepReport};
 use crate::fem::mesh::MeshError;
 use crate::job::{FieldError, Job};
-use crate::solver::{self, Interrupt, Observer, Options, SolveError};
+use crate::solver::{self, Interrupt, Observer, Options, SolveError, StepSolution};
 
 /// Why a job gave no report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -82,7 +83,26 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
 /// # Errors
 /// As [`run`].
 pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Report, RunError> {
-    let solution = solver::run_with(job, options, observer)?;
-    let report = build::report(job, &solution, observer);
-    Ok(report)
+    let mut steps = Vec::new();
+    let report = run_each(job, options, observer, &mut |step| steps.push(step))?;
+    Ok(Report { steps, ..report })
+}
+
+/// [`run_with`] that hands over the report of each step as soon as the step is finished. The report that is returned has
+/// no steps.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_each(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    on_step: &mut dyn FnMut(StepReport),
+) -> Result<Report, RunError> {
+    let mut builder = ReportBuilder::new(job);
+    let mut report_step = |step: StepSolution, observer: &mut dyn Observer| {
+        on_step(builder.step(&step, observer));
+    };
+    let solution = solver::run_each(job, options, observer, &mut report_step)?;
+    Ok(builder.finish(&solution, observer))
 }

@@ -9,10 +9,10 @@ use crate::job::{ContactMethod, Job};
 use crate::solver::SolveError;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::loads;
-use crate::solver::observer::{Observer, SolveStatus};
+use crate::solver::observer::Observer;
 use crate::solver::phases::PhaseTimes;
 use crate::solver::problem::Problem;
-use crate::solver::solution::Solution;
+use crate::solver::solution::{Solution, StepSolution};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.
 #[derive(Clone, Copy)]
@@ -53,6 +53,22 @@ pub fn run_with(
     options: Options<'_>,
     observer: &mut dyn Observer,
 ) -> Result<Solution, SolveError> {
+    let mut steps = Vec::new();
+    let solution = run_each(job, options, observer, &mut |step, _| steps.push(step))?;
+    Ok(Solution { steps, ..solution })
+}
+
+/// [`run_with`] that hands over each step as soon as it is finished, so that a long sweep need not be kept in memory. The
+/// solution that is returned has none.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_each(
+    job: &Job,
+    options: Options<'_>,
+    observer: &mut dyn Observer,
+    on_step: &mut dyn FnMut(StepSolution, &mut dyn Observer),
+) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;
     let contact = options.contact_solver.unwrap_or(match job.solver.contact {
@@ -63,20 +79,25 @@ pub fn run_with(
         Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0, interrupted: None };
     let Some(loads) = loads(&job.load) else {
         let step = onset::run(&problem, job, contact, options.cache, &mut solution, observer)?;
-        solution.steps.push(step);
+        on_step(step, observer);
         return Ok(solution);
     };
     let mut stepper = LoadStepper::new(&problem, job, contact, options.cache);
     for (k, &load) in loads.iter().enumerate() {
         match stepper.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
-            Ok(step) => solution.steps.push(step),
+            Ok(step) => {
+                let status = step.status;
+                on_step(step, observer);
+                if status.is_stopped() {
+                    break;
+                }
+            }
             // The steps that are done are worth keeping.
-            Err(SolveError::Interrupted(interrupt)) if k > 0 => solution.interrupted = Some(interrupt),
+            Err(SolveError::Interrupted(interrupt)) if k > 0 => {
+                solution.interrupted = Some(interrupt);
+                break;
+            }
             Err(error) => return Err(error),
-        }
-        let last = solution.steps.last().map(|step| step.status);
-        if solution.interrupted.is_some() || last.is_some_and(SolveStatus::is_stopped) {
-            break;
         }
     }
     Ok(solution)
