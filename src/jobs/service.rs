@@ -101,7 +101,15 @@ impl JobService {
         keys: Arc<dyn KeyStore>,
         limits: SubmissionLimits,
     ) -> Self {
-        Self { store, notifier, solver, keys, limits, closed: AtomicBool::new(false), healthy_until: Mutex::new(None) }
+        Self {
+            store,
+            notifier,
+            solver,
+            keys,
+            limits,
+            closed: AtomicBool::new(false),
+            healthy_until: Mutex::new(None),
+        }
     }
 
     /// Checks a job without queueing it, and estimates its cost.

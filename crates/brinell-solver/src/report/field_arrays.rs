@@ -216,7 +216,8 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
     /// [`FieldArraysError::Malformed`].
     pub fn read(bytes: B) -> Result<Self, FieldArraysError> {
         let all = bytes.as_ref();
-        let length = all.get(..HEADER).filter(|head| head.starts_with(MAGIC)).and_then(|head| head.get(8..12));
+        let length =
+            all.get(..HEADER).filter(|head| head.starts_with(MAGIC)).and_then(|head| head.get(8..12));
         let length = length.and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
         let length = length.and_then(|length| usize::try_from(length).ok());
         let data = length.and_then(|length| HEADER.checked_add(length));
@@ -229,7 +230,11 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
             let bytes = numbers.and_then(|numbers| numbers.checked_mul(array.number.bytes()));
             bytes.and_then(|bytes| bytes.checked_add(array.offset)).is_some_and(|end| end <= available)
         };
-        if arrays.iter().all(fits) { Ok(Self { bytes, arrays, data }) } else { Err(malformed("the data are cut off")) }
+        if arrays.iter().all(fits) {
+            Ok(Self { bytes, arrays, data })
+        } else {
+            Err(malformed("the data are cut off"))
+        }
     }
 
     fn data(&self, array: &Array) -> &[u8] {
@@ -241,10 +246,12 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
     fn numbers(&self, array: &Array, range: std::ops::Range<usize>) -> impl Iterator<Item = f64> {
         let size = array.number.bytes();
         let number = array.number;
-        self.data(array)[range.start * size..range.end * size].chunks_exact(size).map(move |bytes| match number {
-            Number::F32 => bytes.try_into().map_or(0.0, |bytes| f64::from(f32::from_le_bytes(bytes))),
-            Number::F64 => bytes.try_into().map_or(0.0, f64::from_le_bytes),
-            Number::U32 => bytes.try_into().map_or(0.0, |bytes| f64::from(u32::from_le_bytes(bytes))),
+        self.data(array)[range.start * size..range.end * size].chunks_exact(size).map(move |bytes| {
+            match number {
+                Number::F32 => bytes.try_into().map_or(0.0, |bytes| f64::from(f32::from_le_bytes(bytes))),
+                Number::F64 => bytes.try_into().map_or(0.0, f64::from_le_bytes),
+                Number::U32 => bytes.try_into().map_or(0.0, |bytes| f64::from(u32::from_le_bytes(bytes))),
+            }
         })
     }
 
@@ -258,7 +265,10 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
             let number = if array.number == Number::F64 { Number::F32 } else { array.number };
             encoder.array(array.body, &array.name, number, array.components, array.count);
             if array.number == Number::F64 {
-                #[expect(clippy::cast_possible_truncation, reason = "to the nearest number of single precision")]
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    reason = "to the nearest number of single precision"
+                )]
                 let singles = self.numbers(array, 0..array.numbers()).map(|number| number as f32);
                 encoder.data.extend(singles.flat_map(f32::to_le_bytes));
             } else {
@@ -323,7 +333,9 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
                 pieces.push(Piece::Text(format!("{comma}\"{}\":[", array.name)));
                 let step = CHUNK.next_multiple_of(array.components.max(1));
                 let starts = (0..array.numbers()).step_by(step);
-                pieces.extend(starts.map(|from| Piece::Numbers(array, from, (from + step).min(array.numbers()))));
+                pieces.extend(
+                    starts.map(|from| Piece::Numbers(array, from, (from + step).min(array.numbers()))),
+                );
                 pieces.push(Piece::Text("]".to_owned()));
             }
             if !is_rigid {
@@ -350,7 +362,11 @@ impl<B: AsRef<[u8]>> FieldArrays<B> {
             }
             // Writing to memory does not fail.
             let _ = match array.number {
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was an integer")]
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "it was an integer"
+                )]
                 Number::U32 => serde_json::to_writer(&mut text, &(number as u32)),
                 Number::F32 | Number::F64 => serde_json::to_writer(&mut text, &number),
             };
