@@ -15,6 +15,7 @@ import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
 import { Live } from './setup/live.js';
 import { startSketch } from './setup/sketch.js';
+import { FieldSource } from './field/source.js';
 import { JobList } from './jobs/list.js';
 import { names } from './jobs/names.js';
 import * as link from './jobs/link.js';
@@ -54,11 +55,15 @@ let first;
 const watch = new Watch({
   titled: showTitle,
   step: () => view.step,
+  job: () => current?.job ?? {},
   iterated: (history) => {
     if (current) view.iterate(history, current.job);
   },
   solved: (id, report) => {
-    first = { id, report, job: current?.job ?? {}, colour: COLOURS[0], label: '' };
+    const job = current?.job ?? {};
+    const inside = report.steps.some(({ fields }) => fields);
+    const fields = job.output?.fields && !inside ? new FieldSource(id) : undefined;
+    first = { id, report, job, fields, colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900) byId('result').scrollIntoView({ behavior: 'smooth' });
   },

@@ -1,30 +1,103 @@
-/** Pictures of the page: `npm run shots [folder]`, by default `docs/figures`. */
+/** Pictures of every view: `npm run shots [folder]`, by default `docs/figures`, which takes those of the documents alone. */
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { launch, serve, visit } from './browser.js';
 
-const folder = process.argv[2] ?? fileURLToPath(new URL('../../docs/figures', import.meta.url));
-const WIDE = { viewport: { width: 1440, height: 1000 } };
+/** @typedef {import('playwright-core').Page} Page */
 
-/** @type {[name: string, options: import('playwright-core').BrowserContextOptions, full?: boolean][]} */
-const PICTURES = [
-  ['page', WIDE],
-  ['page-dark', { ...WIDE, colorScheme: 'dark' }],
-  ['page-phone', { viewport: { width: 390, height: 844 }, deviceScaleFactor: 1, hasTouch: true, isMobile: true }, true],
+const given = process.argv[2];
+const folder = given ?? fileURLToPath(new URL('../../docs/figures', import.meta.url));
+const WIDE = { viewport: { width: 1440, height: 1000 } };
+const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 1, hasTouch: true, isMobile: true };
+
+/** @param {Page} page */
+const drawn = async (page) => {
+  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 1);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+};
+
+/** @param {Page} page */
+async function solve(page) {
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor();
+  await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
+  await drawn(page);
+  await page.evaluate(() => scrollTo(0, 0));
+}
+
+/** @param {Page} page @param {object} change */
+const made = (page, change) =>
+  page.evaluate(async (change) => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const job = { ...examples[0].job, output: { fields: true }, ...change };
+    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
+    const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(job) });
+    return (answer.headers.get('content-location') ?? '').split('/')[3];
+  }, change);
+
+/** @param {Page} page */
+async function sweep(page) {
+  await page.locator('#example').selectOption({ index: 4 });
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor();
+  await drawn(page);
+  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_z');
+  await page.getByLabel('Isolines').check();
+  await page.getByLabel('Cut', { exact: true }).check();
+  await page.getByRole('radio', { name: 'Peak', exact: true }).check();
+  await drawn(page);
+}
+
+/** @param {Page} page */
+async function compared(page) {
+  const ids = [];
+  for (const force of [400, 600, 900]) ids.push(await made(page, { load: { force } }));
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, `job=${ids[0]}&with=${ids[1]},${ids[2]}`);
+  await page.locator('#panel-differences tbody tr').first().waitFor();
+  await drawn(page);
+}
+
+/** @param {Page} page */
+async function form(page) {
+  await page.locator('#example').selectOption({ label: 'Crowned face from measured points' });
+  await page.getByLabel('Hardening').first().selectOption('table');
+  await page.locator('[data-preview=upper-curve] svg').waitFor();
+  await page.setViewportSize({ width: 1440, height: 1700 });
+}
+
+/** @param {Page} page */
+async function report(page) {
+  await solve(page);
+  await page.getByRole('button', { name: 'Report' }).click();
+}
+
+/** @type {[name: string, options: import('playwright-core').BrowserContextOptions, show: (page: Page) => Promise<void>, full?: boolean][]} */
+const OF_DOCUMENTS = [
+  ['page', WIDE, solve],
+  ['page-dark', DARK, solve],
+  ['page-phone', PHONE, solve, true],
+  ['page-report', WIDE, report, true],
+];
+/** @type {typeof OF_DOCUMENTS} */
+const OTHERS = [
+  ['form', WIDE, form, true],
+  ['sweep', WIDE, sweep, true],
+  ['sweep-phone', PHONE, sweep, true],
+  ['compared', DARK, compared, true],
 ];
 
 const [server, browser] = await Promise.all([serve(), launch()]);
 try {
-  for (const [name, options, fullPage] of PICTURES) {
+  for (const [name, options, show, fullPage] of given ? [...OF_DOCUMENTS, ...OTHERS] : OF_DOCUMENTS) {
     const { page, faults, close } = await visit(browser, server.url, options);
     await page.getByText('1500.0 MPa').waitFor();
-    await page.getByRole('button', { name: 'Solve', exact: true }).click();
-    await page.locator('[data-status=succeeded]').waitFor();
-    await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
-    await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 1);
-    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
-    await page.evaluate(() => scrollTo(0, 0));
+    await show(page);
     await page.screenshot({ path: join(folder, `${name}.png`), fullPage });
     if (faults.length) throw new Error(faults.join('\n'));
     await close();

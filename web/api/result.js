@@ -14,12 +14,22 @@ const waiting =
   );
 
 /**
+ * The figures of a job, without the fields on the mesh: those come by {@link fetchFields}, a step at a time.
  * @param {string} id of a job
  * @param {(received: number, total: number) => void} [progress] in bytes; the total is 0 while it is not known
- * @returns {Promise<Report>} with its fields as typed arrays
+ * @returns {Promise<Report>}
  * @throws {Problem}
  */
-export const fetchResult = (id, progress) => ask(`v1/jobs/${id}/result`, {}, { progress });
+export const fetchResult = (id, progress) => ask(`v1/jobs/${id}/result?fields=false`, {}, { progress });
+
+/**
+ * @param {string} id of a job
+ * @param {number} step counted from 0
+ * @param {(received: number, total: number) => void} [progress] in bytes
+ * @returns {Promise<{upper: import('../types.js').Mesh | null, lower: import('../types.js').Mesh | null}>}
+ * @throws {Problem}
+ */
+export const fetchFields = (id, step, progress) => ask(`v1/jobs/${id}/fields/${step + 1}`, {}, { progress });
 
 /**
  * Solves a job at once and keeps nothing of it.

@@ -2,7 +2,7 @@
 
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
-import { factor, figure, plain, unit } from '../lib/units.js';
+import { factor, figure, loaded, plain, unit } from '../lib/units.js';
 import { readNumber } from '../lib/number.js';
 import { Panel } from '../result/panel.js';
 import { Camera } from './camera.js';
@@ -22,8 +22,8 @@ import { colourBar, extremes, readout, scaleOf } from './read.js';
 /** @typedef {import('./quantities.js').Quantity} Quantity */
 /** @typedef {import('./read.js').Body & {polygons: ReturnType<typeof carried>}} Body */
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
-/** @typedef {{upper: Mesh | null, lower: Mesh | null}} Fields */
-/** @typedef {(step: number) => Promise<Fields | null>} FieldSource the fields of a step, if there are any */
+/** @typedef {import('./source.js').Fields} Fields */
+/** @typedef {import('./source.js').FieldSource} FieldSource */
 
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
@@ -54,6 +54,16 @@ export class FieldPanel {
   #ranged = 'steps';
   /** Limits that are held, in the units shown. @type {[number, number]} */
   #fixed = [0, 1];
+  /** Least and largest values of steps that were here, by quantity and step. @type {Map<string, [number, number]>} */
+  #limits = new Map();
+  /** Step that is to be shown. */
+  #wanted = 0;
+  /** Whether the whole contact is to be seen as soon as there is a field. */
+  #homeless = false;
+  /** @type {FieldSource | undefined} */
+  #source;
+  /** Whose steps have all been looked at. @type {FieldSource | undefined} */
+  #surveyed;
   /** @type {import('./read.js').Extreme | undefined} */
   #most;
   /** @type {(deformation: number) => import('./lift.js').Lifts} */
@@ -211,39 +221,98 @@ export class FieldPanel {
     return h('span', { class: 'range' }, 'Colours ', this.ranges, this.limits[0], ' – ', this.limits[1], this.unit);
   }
 
-  /** @param {Report} report in the units of its job @param {number} at @param {UnitSet} units shown @param {boolean} anew whether it is another job's, of which the whole contact is to be seen */
-  show(report, at, units, anew) {
+  /**
+   * @param {Report} report in the units of its job
+   * @param {number} at
+   * @param {UnitSet} units shown
+   * @param {boolean} anew whether it is another job's, of which the whole contact is to be seen
+   * @param {FieldSource} [source] of fields that are not in the report
+   */
+  show(report, at, units, anew, source) {
     const step = report.steps[at];
-    const there = Boolean(step.fields?.upper ?? step.fields?.lower);
     this.panel.show(true);
-    this.waiting.hidden = true;
-    this.stage.hidden = this.readout.hidden = this.controls.hidden = !there;
-    this.cutter.element.hidden = !there || !this.cutter.on;
-    this.empty.hidden = there;
+    this.#wanted = at;
+    if (anew) {
+      this.#limits.clear();
+      this.#shown = undefined;
+    }
+    this.#source = source;
+    const fields = step.fields ?? source?.peek(at);
+    const coming = !fields && source !== undefined && step.plasticity !== undefined;
+    this.empty.hidden = Boolean(fields) || coming;
+    this.waiting.hidden = !coming;
+    this.#showParts(Boolean(fields) || (coming && this.#shown !== undefined));
+    this.stage.classList.toggle('stale', coming);
+    if (fields) this.#present(report, at, units, fields);
+    else if (coming) this.#await(report, at, units, /** @type {FieldSource} */ (source));
+    if (anew && fields) this.#home();
+    else if (anew) this.#homeless = true;
+  }
+
+  /** @param {boolean} shown */
+  #showParts(shown) {
+    this.stage.hidden = this.readout.hidden = this.controls.hidden = !shown;
+    this.cutter.element.hidden = !shown || !this.cutter.on;
+  }
+
+  /** Shows the fields of a step when they have come, unless another step is wanted by then. @param {Report} report @param {number} at @param {UnitSet} units @param {FieldSource} source */
+  async #await(report, at, units, source) {
+    const still = () => this.#wanted === at && this.#source === source;
+    const say = (/** @type {string} */ words) => {
+      if (still()) this.waiting.textContent = words;
+    };
+    say('Loading the field of this step…');
+    try {
+      const fields = await source.get(at, (received, total) =>
+        say(`Loading the field of this step, ${loaded(received, total)}`),
+      );
+      if (!still()) return;
+      this.waiting.hidden = true;
+      this.stage.classList.remove('stale');
+      this.#showParts(true);
+      this.#present(report, at, units, fields);
+      if (this.#homeless) this.#home();
+      this.#homeless = false;
+    } catch (error) {
+      say(`The field could not be loaded: ${/** @type {Error} */ (error).message}`);
+    }
+  }
+
+  /** @param {Report} report @param {number} at @param {UnitSet} units @param {Fields} fields */
+  #present(report, at, units, fields) {
+    const step = report.steps[at];
     this.#shown = { report, at, units };
-    if (!there) return;
     performance.mark('field-received');
-    this.#lifts = lifts(step.fields?.upper, step.fields?.lower, step);
-    this.#bodies = /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
-      const mesh = step.fields?.[name];
-      const zone = step.plasticity?.[name];
-      return mesh
-        ? [
-            {
-              name,
-              mesh,
-              lift: 0,
-              moved: name === 'upper' ? -step.approach : 0,
-              polygons: carried(zone?.outline ?? [], mesh, name === 'upper' ? 1 : -1, report.mesh.symmetric),
-            },
-          ]
-        : [];
-    });
+    this.#lifts = lifts(fields.upper, fields.lower, step);
+    this.#bodies = bodiesOf(step, fields).map((body) => ({
+      ...body,
+      polygons: carried(
+        step.plasticity?.[body.name]?.outline ?? [],
+        body.mesh,
+        body.name === 'upper' ? 1 : -1,
+        report.mesh.symmetric,
+      ),
+    }));
     this.#place();
     this.#nameQuantities(report.analysis);
     this.#load();
     this.#fit();
-    if (anew) this.#home();
+    this.#survey(report, fields);
+  }
+
+  /** Looks at the other steps, so that colours are the same over all of them: where they all can be kept. @param {Report} report @param {Fields} fields */
+  async #survey(report, fields) {
+    const source = this.#source;
+    if (!source?.holds(report.steps.length, fields) || this.#surveyed === source) return;
+    this.#surveyed = source;
+    for (const step of report.steps.keys()) {
+      const failed = await source.get(step).then(
+        () => false,
+        () => true,
+      );
+      if (failed || this.#source !== source) return;
+    }
+    this.#colour();
   }
 
   /** @param {string} analysis */
@@ -321,17 +390,24 @@ export class FieldPanel {
     };
   }
 
-  /** Limits over all steps that have fields, in the units of the job. @returns {[number, number]} */
+  /** Limits over all steps whose fields are or were here, in the units of the job. @returns {[number, number]} */
   #overAll() {
-    const limits = (this.#shown?.report.steps ?? []).flatMap((step) => {
-      const bodies = /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
-        const mesh = step.fields?.[name];
-        return mesh ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -step.approach : 0 }] : [];
-      });
-      const { low, high } = extremes(bodies, this.#quantity, this.#shown?.report.mesh.symmetric ?? false);
-      return bodies.length ? [low, high] : [];
+    const report = this.#shown?.report;
+    if (!report) return [0, 1];
+    let [low, high] = [Infinity, -Infinity];
+    report.steps.forEach((step, k) => {
+      const key = `${this.#quantity} ${k}`;
+      const fields = step.fields ?? (this.#limits.has(key) ? undefined : this.#source?.peek(k));
+      if (fields && !this.#limits.has(key)) {
+        const found = extremes(bodiesOf(step, fields), this.#quantity, report.mesh.symmetric);
+        this.#limits.set(key, [found.low, found.high]);
+      }
+      const limits = this.#limits.get(key);
+      if (!limits) return;
+      low = Math.min(low, limits[0]);
+      high = Math.max(high, limits[1]);
     });
-    return [Math.min(...limits), Math.max(...limits)];
+    return [low, high];
   }
 
   /** Gives the values their colours. */
@@ -455,3 +531,10 @@ export class FieldPanel {
       : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}. White line: plastic zone.`;
   }
 }
+
+/** @param {import('../types.js').Step} step @param {Fields} fields @returns {import('./read.js').Body[]} */
+const bodiesOf = (step, fields) =>
+  /** @type {const} */ (['upper', 'lower']).flatMap((name) => {
+    const mesh = fields[name];
+    return mesh ? [{ name, mesh, lift: 0, moved: name === 'upper' ? -step.approach : 0 }] : [];
+  });

@@ -168,6 +168,10 @@ export const percent = (ratio, digits = 2) => (ratio == null ? '—' : `${figure
 /** @param {number} bytes */
 export const megabytes = (bytes) => `${figure(bytes / 1e6, bytes < 1e7 ? 2 : 3)} MB`;
 
+/** How much has come. @param {number} received bytes @param {number} total 0 while it is not known */
+export const loaded = (received, total) =>
+  total > received ? `${Math.round(received / 1e6)} of ${megabytes(total)}` : megabytes(received);
+
 /** @param {number} count */
 export const grouped = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 

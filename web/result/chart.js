@@ -159,7 +159,7 @@ export class Chart {
       width,
       height: this.height,
       legend: { show: false },
-      padding: [10, plot.right ? 0 : 12, 0, 0],
+      padding: [10, plot.right ? 0 : 24, 0, 0],
       cursor: { points: { size: 5 }, drag: { x: true, y: false, setScale: true } },
       scales: {
         x: { time: false, ...(plot.range && { range: ranged(plot.range) }) },

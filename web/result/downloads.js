@@ -24,11 +24,11 @@ const FILES = [
 /** Files of one step: those of a sweep are of the step that is shown. */
 const OF_STEP = /\.(svg|vtu)$/;
 
-/** @param {string} id @param {import('../types.js').Report} report @param {() => number} shown step, counted from 0 */
-export function downloads(id, report, shown) {
+/** @param {string} id @param {import('../types.js').Report} report @param {boolean} fields whether the job asked for them @param {() => number} shown step, counted from 0 */
+export function downloads(id, report, fields, shown) {
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
-    const there = needs === 'nothing' || step?.[needs] !== undefined;
+    const there = needs === 'nothing' || (needs === 'fields' ? fields : step?.subsurface !== undefined);
     const title = there
       ? ''
       : `The job did not ask for ${needs === 'fields' ? 'the stress field' : 'stresses over depth'}`;

@@ -91,8 +91,13 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
     h(
       'tr',
       {},
-      columns.map(({ title, unit }) =>
-        h('th', { scope: 'col' }, title, unit ? h('span', { class: 'unit' }, ` ${unit}`) : null),
+      columns.map(({ title, unit }, k) =>
+        h(
+          'th',
+          { scope: 'col', class: rows.every((row) => typeof row[k] === 'string') ? 'text' : null },
+          title,
+          unit ? h('span', { class: 'unit' }, ` ${unit}`) : null,
+        ),
       ),
     ),
   ),

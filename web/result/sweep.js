@@ -23,7 +23,7 @@ const OVER_LOAD = {
     value: ({ contact }) => contact.half_width,
     unit: ({ units }) => unit('length', units),
   },
-  strain: { text: 'Plastic strain', label: 'plastic strain', value: (step) => 100 * strainOf(step), unit: () => '%' },
+  strain: { text: 'Strain', label: 'plastic strain', value: (step) => 100 * strainOf(step), unit: () => '%' },
   stiffness: {
     text: 'dP/dα',
     label: 'dP/dα',

@@ -150,7 +150,7 @@ export class View {
 
   #showStep() {
     const shown = this.#shown;
-    const [{ job, report, raw, label }] = shown;
+    const [{ job, report, raw, label, fields }] = shown;
     const step = report.steps[this.#at];
     const many = report.steps.length;
     const load = `${figure(step.contact.force, 4)} ${unit(forceOf(report), report.units)}`;
@@ -166,7 +166,7 @@ export class View {
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    if (raw) this.field.show(raw, this.#at, setOf(report.units), this.#anew);
+    if (raw) this.field.show(raw, this.#at, setOf(report.units), this.#anew, fields);
     this.#anew = false;
   }
 }

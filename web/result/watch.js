@@ -5,7 +5,7 @@ import { reconnected } from '../api/connection.js';
 import { follow } from '../api/events.js';
 import { fetchResult } from '../api/result.js';
 import { byId, copy, h, toast } from '../lib/dom.js';
-import { duration, figure } from '../lib/units.js';
+import { duration, figure, loaded } from '../lib/units.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
@@ -21,6 +21,7 @@ const LOOK = 2000;
  * @typedef {object} Handlers
  * @property {(state: string) => void} titled
  * @property {() => number} step that is shown
+ * @property {() => import('../types.js').Job} job that is followed
  * @property {(history: Iteration[]) => void} iterated
  * @property {(id: string, report: Report) => void} solved
  * @property {(document: JobDocument) => void} ended in whatever state
@@ -52,8 +53,7 @@ export class Watch {
         h('div', { class: 'state live', 'data-status': 'live' }, h('b', {}, 'Live'), h('span', { class: 'words' })),
       );
     this.#bar = 'live';
-    const text = this.place.querySelector('.words');
-    if (text) text.textContent = words;
+    this.#say(words);
   }
 
   /** @param {string} id */
@@ -64,7 +64,10 @@ export class Watch {
       const last = await this.#follow(id, signal);
       if (signal.aborted || !last) return;
       this.on.ended(last);
-      const report = await this.#fetch(id, signal);
+      this.#show(last, undefined, true);
+      const report = await this.#fetch(id, signal, (received, total) => {
+        if (!signal.aborted) this.#say(`loading the result, ${loaded(received, total)}`);
+      });
       if (signal.aborted) return;
       if (report) this.on.solved(id, report);
       this.#show(last, report);
@@ -81,11 +84,11 @@ export class Watch {
     }
   }
 
-  /** @param {string} id @param {AbortSignal} signal @returns {Promise<Report | undefined>} nothing if there is no result */
-  async #fetch(id, signal) {
+  /** @param {string} id @param {AbortSignal} signal @param {(received: number, total: number) => void} progress @returns {Promise<Report | undefined>} nothing if there is no result */
+  async #fetch(id, signal, progress) {
     while (!signal.aborted) {
       try {
-        return await fetchResult(id);
+        return await fetchResult(id, progress);
       } catch (error) {
         if (!(error instanceof Problem)) throw error;
         if (error.status === 409) return undefined;
@@ -135,20 +138,25 @@ export class Watch {
     return last;
   }
 
-  /** @param {JobDocument} document @param {Report} [report] */
-  #show(document, report) {
+  /** @param {JobDocument} document @param {Report} [report] @param {boolean} [loading] whether the result is on its way */
+  #show(document, report, loading = false) {
     const { id, status } = document;
-    const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)}`;
+    const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
-    if (this.#bar !== bar || !this.place.firstChild) this.#build(document, report);
+    if (this.#bar !== bar || !this.place.firstChild) this.#build(document, report, loading);
     this.#bar = bar;
     this.on.titled(NAMES[status]);
-    const text = this.place.querySelector('.words');
-    if (text) text.textContent = words(document, report);
+    this.#say(loading ? 'loading the result' : words(document, report));
   }
 
-  /** @param {JobDocument} document @param {Report} [report] */
-  #build(document, report) {
+  /** @param {string} text beside the state */
+  #say(text) {
+    const place = this.place.querySelector('.words');
+    if (place) place.textContent = text;
+  }
+
+  /** @param {JobDocument} document @param {Report | undefined} report @param {boolean} loading */
+  #build(document, report, loading) {
     const { id, status, tags = {} } = document;
     const cancel = h(
       'button',
@@ -160,7 +168,11 @@ export class Watch {
     this.place.replaceChildren(
       h(
         'div',
-        { class: `state ${status}`, role: finished(document) ? 'status' : null, 'data-status': status },
+        {
+          class: `state ${status}`,
+          role: finished(document) ? 'status' : null,
+          'data-status': loading ? 'loading' : status,
+        },
         h('b', {}, NAMES[status]),
         h('span', { class: 'words' }),
         Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
@@ -170,7 +182,7 @@ export class Watch {
           h('code', { class: 'quiet', title: id }, id.slice(-8)),
           finished(document) ? null : cancel,
           link,
-          report ? downloads(id, report, this.on.step) : null,
+          report ? downloads(id, report, Boolean(this.on.job().output?.fields), this.on.step) : null,
         ),
       ),
     );

@@ -127,6 +127,8 @@ export const SETTINGS = [
 /** What the service takes where a job says nothing. */
 export const DEFAULTS = {
   '/units': 'mm_N_MPa',
+  '/upper/support': 'clamped',
+  '/lower/support': 'clamped',
   '/mesh/elements_per_half_width': 20,
   '/solver/coupling': 'accelerated',
   '/solver/contact': 'active_set',

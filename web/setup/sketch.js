@@ -9,7 +9,7 @@ import { outline } from './outline.js';
 /** @typedef {import('./check.js').Hertz} Hertz */
 /** @typedef {(x: number, y: number) => [number, number]} Scale from the section to the picture */
 
-const [WIDTH, HEIGHT, MARGIN, SIDES] = [380, 216, 22, 44];
+const [WIDTH, HEIGHT, MARGIN, SIDES] = [380, 216, 22, 76];
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {

@@ -113,6 +113,20 @@ test('a thousand is never silently one', async () => {
   await close();
 });
 
+test('what a job leaves out is shown as it holds', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.locator('#example').selectOption({ label: 'Roller in a groove' });
+  await page.getByLabel('Width w').waitFor();
+  assert.equal((await draft(page)).upper.support, undefined);
+  assert.equal(await page.getByLabel('Support').first().inputValue(), 'clamped');
+  const empty = await page
+    .locator('#form select')
+    .evaluateAll((all) => all.filter((one) => /** @type {HTMLSelectElement} */ (one).selectedIndex < 0).length);
+  assert.equal(empty, 0, 'no choice is blank');
+  await close();
+});
+
 test('half a JSON beside the form is not solved around', async () => {
   const { page, close } = await visit(browser, server.url);
   await page.getByText('1500.0 MPa').waitFor();

@@ -85,7 +85,7 @@ test('a sweep has every figure over its load', async () => {
   for (const [choice, words] of [
     ['Peak', /^peak pressure over force, 3 points/],
     ['Half-width', /^half-width over force/],
-    ['Plastic strain', /^plastic strain over force/],
+    ['Strain', /^plastic strain over force/],
     ['dP/dα', /^dP\/dα over force, .* N\/mm²/],
   ]) {
     await panel.getByRole('radio', { name: String(choice), exact: true }).check();
