@@ -66,7 +66,7 @@ export class Check {
     );
     byId('check').replaceChildren(...whole, ...rest);
     const { estimate } = problem.body;
-    byId('cost').textContent = estimate ? cost(estimate) : '';
+    byId('cost').textContent = estimate ? cost(estimate, this.draft.job) : '';
   }
 
   /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation */
@@ -79,7 +79,7 @@ export class Check {
       this.valid = true;
       this.form.showError([]);
       byId('check').replaceChildren(...(this.hertz ? [figures(job, this.hertz)] : []));
-      byId('cost').textContent = estimate ? cost(estimate) : '';
+      byId('cost').textContent = estimate ? cost(estimate, job) : '';
     }
     this.on(this.hertz);
   }
@@ -91,8 +91,17 @@ function notAborted(error) {
   throw error;
 }
 
-/** @param {{equations: number, bytes: number}} estimate */
-const cost = ({ equations, bytes }) => `${grouped(equations)} equations, ${megabytes(bytes)}`;
+/** Bytes of the fields at a node, in single precision: its place, its displacement, six figures, and its part of the elements. */
+const NODE = 4 * (2 + 2 + 6) + 16;
+
+/** @param {{equations: number, bytes: number}} estimate @param {import('../types.js').Job} job @returns {string} what it takes to solve it, and to look at it */
+function cost({ equations, bytes }, job) {
+  const steps = job.load?.forces?.length ?? job.load?.approaches?.length ?? 1;
+  const parts = [`${grouped(equations)} equations, ${megabytes(bytes)}`];
+  if (steps > 1) parts.push(`${steps} steps`);
+  if (job.output?.fields) parts.push(`fields ${megabytes((steps * equations * NODE) / 2)}`);
+  return parts.join(', ');
+}
 
 /**
  * Hertz for the job's forces; where it prescribes something else, for a unit of force, which still tells the onset.
