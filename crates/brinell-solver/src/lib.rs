@@ -21,7 +21,7 @@
 //!
 //! # Example
 //! ```
-//! use brinell::{model::Job, results, solver::Unobserved};
+//! use brinell_solver::{job::Job, report, solver::Unobserved};
 //!
 //! let body = r#"{"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210000,
 //!     "poisson_ratio": 0.3,
@@ -49,6 +49,7 @@
 //! | [`analytical`] | closed forms to compare with: Hertz, McEwen, Hill, Prandtl |
 //!
 //! Imports run downward only.
+
 pub mod analytical;
 pub mod contact;
 pub mod fem;
@@ -56,3 +57,8 @@ pub mod job;
 pub mod material;
 pub mod report;
 pub mod solver;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

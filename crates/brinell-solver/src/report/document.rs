@@ -110,7 +110,7 @@ pub struct SubsurfaceReport {
     pub equivalent_plastic_strain: Vec<f64>,
 }
 
-/// ContactSizeEstimate of plastic flow in one body.
+/// Extent of plastic flow in one body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlasticityReport {
     /// Whether any Gauss point is beyond yield.
