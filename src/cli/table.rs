@@ -8,7 +8,7 @@ mod plot;
 use std::fmt::Write;
 
 use super::style::Style;
-use brinell_solver::job::{Analysis, Job, Units};
+use brinell_solver::job::{Analysis, Job, Quantity};
 use brinell_solver::report::{HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings};
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -28,22 +28,14 @@ struct UnitNames {
     length: &'static str,
     stress: &'static str,
     force: &'static str,
-    area: &'static str,
 }
 
 impl UnitNames {
     fn of(job: &Job) -> Self {
-        let round = job.analysis == Analysis::Axisymmetric;
-        match job.units {
-            Units::MmNMpa => {
-                let force = if round { "N" } else { "N/mm" };
-                Self { length: "mm", stress: "MPa", force, area: "mm²" }
-            }
-            Units::Si => {
-                let force = if round { "N" } else { "N/m" };
-                Self { length: "m", stress: "Pa", force, area: "m²" }
-            }
-        }
+        let is_axisymmetric = job.analysis == Analysis::Axisymmetric;
+        let force = if is_axisymmetric { Quantity::Force } else { Quantity::LineForce };
+        let [length, stress, force] = [Quantity::Length, Quantity::Stress, force].map(|q| q.symbol(job.units));
+        Self { length, stress, force }
     }
 }
 
@@ -167,9 +159,9 @@ impl Page {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
             Some(zone) => format!(
-                "plastic zone {} {}; strain up to {} % at x {}, depth {} {}",
+                "plastic zone {} {}²; strain up to {} % at x {}, depth {} {}",
                 significant(zone.area, 3),
-                self.units.area,
+                self.units.length,
                 significant(100.0 * zone.max_equivalent_plastic_strain, 3),
                 significant(zone.position, 3),
                 significant(zone.depth, 3),

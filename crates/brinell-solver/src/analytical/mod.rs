@@ -25,6 +25,6 @@ pub use hertz_line::HertzLine;
 pub use hertz_point::HertzPoint;
 pub use power_law_cylinder::{LoadedPowerLawCylinder, PowerLawCylinder};
 pub use punch::{prandtl_mean_pressure, shear_yield_tresca, shear_yield_von_mises};
-pub use stress::{CylinderStress, Stress};
+pub use stress::{CylinderStress, Stress, von_mises};
 pub use thick_cylinder::{LoadedCylinder, ThickCylinder};
 pub use yield_onset::YieldOnset;

@@ -1,5 +1,13 @@
 //! Stress states and their invariants.
 
+/// Von Mises equivalent stress of a stress `[σ_xx, σ_yy, σ_zz, τ_xy]`, in its unit.
+///
+/// `q² = ½[(σ_xx - σ_yy)² + (σ_yy - σ_zz)² + (σ_zz - σ_xx)²] + 3 τ_xy²`
+pub fn von_mises(stress: [f64; 4]) -> f64 {
+    let [x, y, z, t] = stress;
+    (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * t * t).sqrt()
+}
+
 /// Stress at a point of a plane or axisymmetric contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stress {
@@ -15,12 +23,8 @@ pub struct Stress {
 
 impl Stress {
     /// Von Mises equivalent stress.
-    ///
-    /// `q² = ½[(σ_x - σ_y)² + (σ_y - σ_z)² + (σ_z - σ_x)²] + 3 τ_xy²`
     pub fn von_mises(&self) -> f64 {
-        let Self { sigma_x, sigma_y, sigma_z, tau_xy } = self;
-        let normal = (sigma_x - sigma_y).powi(2) + (sigma_y - sigma_z).powi(2) + (sigma_z - sigma_x).powi(2);
-        (0.5 * normal + 3.0 * tau_xy * tau_xy).sqrt()
+        von_mises([self.sigma_x, self.sigma_y, self.sigma_z, self.tau_xy])
     }
 
     /// Largest shear stress, half the difference of the extreme principal stresses, `σ_z` being one of the three.
@@ -47,8 +51,7 @@ pub struct CylinderStress {
 impl CylinderStress {
     /// Von Mises equivalent stress.
     pub fn von_mises(&self) -> f64 {
-        let Self { radial, hoop, axial } = self;
-        (0.5 * ((radial - hoop).powi(2) + (hoop - axial).powi(2) + (axial - radial).powi(2))).sqrt()
+        von_mises([self.radial, self.hoop, self.axial, 0.0])
     }
 }
 

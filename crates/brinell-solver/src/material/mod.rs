@@ -11,6 +11,7 @@ mod moduli;
 mod return_mapping;
 mod tangent;
 
+pub use crate::analytical::von_mises;
 pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
 pub use model::{ConstitutiveModel, PerPoint, PointResponse};
@@ -22,12 +23,6 @@ pub use return_mapping::ReturnMapping;
 pub fn equivalent_strain(deviator: [f64; 4]) -> f64 {
     let [x, y, z, g] = deviator;
     (2.0 / 3.0 * (x * x + y * y + z * z + 0.5 * g * g)).sqrt()
-}
-
-/// Von Mises stress `q = √(3/2 s:s)` of a stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
-pub fn von_mises(stress: [f64; 4]) -> f64 {
-    let [x, y, z, t] = stress;
-    (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * t * t).sqrt()
 }
 
 /// Deviator of a strain or stress.

@@ -3,12 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::contact::force;
-use super::recovery::element_mean;
 use super::units::UnitConverter;
 use crate::contact::ContactLoad;
 use crate::job::{Body, Job, Load, Material};
-use crate::material::von_mises;
-use crate::solver::StepSolution;
+use crate::solver::{StepSolution, highest_utilisation};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,17 +40,8 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
     if job.load != Load::Onset {
         return None;
     }
-    let sides = [Side::Upper, Side::Lower].into_iter().zip([&job.upper, &job.lower]).zip(&step.bodies);
-    let points = sides.filter_map(|((side, body), solution)| {
-        let (limit, solution) = (yield_stress(body)?, solution.as_ref()?);
-        // As in the search for the load: single Gauss points lie above the field.
-        let means = solution.stress.points.iter().map(element_mean);
-        let utilisations =
-            means.map(|(centroid, [x, y, z, t, _])| (von_mises([x, y, z, t]) / limit, centroid));
-        let highest = utilisations.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some((side, highest))
-    });
-    let (body, (_, [x, y])) = points.max_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    let first = highest_utilisation(step, &[&job.upper, &job.lower].map(yield_stress))?;
+    let [x, y] = first.position;
     // The force that was prescribed; the nodal ones add up to it but for rounding.
     let force = match step.load {
         ContactLoad::Force(force) => force,
@@ -62,7 +51,7 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
         force: write.force(force),
         approach: write.length(step.approach),
         peak_pressure: write.stress(step.peak_pressure),
-        body,
+        body: if first.body == 0 { Side::Upper } else { Side::Lower },
         position: write.length(x),
         depth: write.length(-y),
     })

@@ -78,14 +78,9 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     }
     let place = |corner: &Corner| position(*corner, solution, &values);
     let polygons = edges.chain().iter().map(|chain| chain.iter().rev().map(place).collect()).collect();
-    let last_ray = solution.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
-    let is_on_surface = |node: u32| {
-        let p = solution.mesh.lattice[node as usize];
-        if p.patch == 0 { p.j == 0 } else { p.i == 0 || !symmetric && Some(p.i) == last_ray }
-    };
     PlasticZone {
         outline: largest(polygons),
-        reached_surface: values.iter().any(|(&node, &f)| f >= 0.0 && is_on_surface(node)),
+        reached_surface: solution.mesh.free_surface_nodes().any(|node| values.get(&node).is_some_and(|f| *f >= 0.0)),
     }
 }
 

@@ -11,10 +11,10 @@
 
 use std::collections::HashMap;
 
-use nalgebra::{Matrix2, Matrix3, RowSVector, SMatrix, Vector2, Vector3};
+use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use crate::fem::assembly::GaussPoint;
-use crate::fem::element::QUADRATURE_POINTS;
+use crate::fem::element::{QUADRATURE_POINTS, natural_coordinates, shape_functions};
 use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
 
@@ -76,7 +76,7 @@ impl<'a> Recovery<'a> {
     pub fn at(&mut self, point: [f64; 2]) -> Option<Values> {
         let mesh = &self.body.mesh;
         let within =
-            |element: usize| shape_functions(&mesh.corners(element), point).map(|shape| (element, shape));
+            |element: usize| shape_within(&mesh.corners(element), point).map(|shape| (element, shape));
         let around = mesh.elements[self.last].iter().flat_map(|&node| self.elements_of(node));
         let near = around.map(|&element| element as usize).find_map(within);
         let (element, shape) = near.or_else(|| (0..mesh.elements.len()).find_map(within))?;
@@ -143,21 +143,11 @@ impl<'a> Recovery<'a> {
     }
 }
 
-/// Centroid and mean values of an element.
-pub(super) fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
-    let total: f64 = points.iter().map(|p| p.weight).sum();
-    let (mut centroid, mut values) = ([0.0; 2], [0.0; 5]);
-    for point in points {
-        let share = point.weight / total;
-        for (c, x) in centroid.iter_mut().zip(point.position) {
-            *c += share * x;
-        }
-        let [x, y, z, t] = point.stress;
-        for (value, v) in values.iter_mut().zip([x, y, z, t, point.equivalent_plastic_strain]) {
-            *value += share * v;
-        }
-    }
-    (centroid, values)
+/// Centroid of an element and the mean values over it.
+fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
+    let mean = GaussPoint::mean(points);
+    let [x, y, z, t] = mean.stress;
+    (mean.position, [x, y, z, t, mean.equivalent_plastic_strain])
 }
 
 /// Least-squares plane through samples, read at `centre`; their mean where they determine no plane.
@@ -177,46 +167,19 @@ fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
 }
 
 /// Shape functions of a quadrilateral at a point; `None` if the point lies outside it.
-///
-/// The bilinear map is inverted by Newton's method, which is exact after one step on a parallelogram.
-fn shape_functions(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]> {
+fn shape_within(corners: &[[f64; 2]; 4], point: [f64; 2]) -> Option<[f64; 4]> {
     const OUTSIDE: f64 = 1.0 + 1e-7;
-    let range = |k: usize| {
-        let values = corners.iter().map(|c| c[k]);
-        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
-    };
     for (k, &coordinate) in point.iter().enumerate() {
-        let (low, high) = range(k);
+        let values = corners.iter().map(|c| c[k]);
+        let (low, high) =
+            (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
         let slack = 1e-9 * (high - low);
         if coordinate < low - slack || coordinate > high + slack {
             return None;
         }
     }
-    let shape = |xi: f64, eta: f64| {
-        [
-            0.25 * (1.0 - xi) * (1.0 - eta),
-            0.25 * (1.0 + xi) * (1.0 - eta),
-            0.25 * (1.0 + xi) * (1.0 + eta),
-            0.25 * (1.0 - xi) * (1.0 + eta),
-        ]
-    };
-    let (mut xi, mut eta) = (0.0, 0.0);
-    for _ in 0..20 {
-        let n = shape(xi, eta);
-        let d_xi = [-0.25 * (1.0 - eta), 0.25 * (1.0 - eta), 0.25 * (1.0 + eta), -0.25 * (1.0 + eta)];
-        let d_eta = [-0.25 * (1.0 - xi), -0.25 * (1.0 + xi), 0.25 * (1.0 + xi), 0.25 * (1.0 - xi)];
-        let sum =
-            |weights: &[f64; 4], k: usize| weights.iter().zip(corners).map(|(w, c)| w * c[k]).sum::<f64>();
-        let rest = Vector2::new(point[0] - sum(&n, 0), point[1] - sum(&n, 1));
-        let jacobian = Matrix2::new(sum(&d_xi, 0), sum(&d_eta, 0), sum(&d_xi, 1), sum(&d_eta, 1));
-        let step = jacobian.try_inverse()? * rest;
-        xi += step.x;
-        eta += step.y;
-        if step.lp_norm(1) < 1e-12 {
-            break;
-        }
-    }
-    (xi.abs() <= OUTSIDE && eta.abs() <= OUTSIDE).then(|| shape(xi, eta))
+    let natural = natural_coordinates(corners, point);
+    natural.iter().all(|t| t.abs() <= OUTSIDE).then(|| shape_functions(natural))
 }
 
 #[cfg(test)]
@@ -237,12 +200,12 @@ mod tests {
     #[test]
     fn points_are_found_inside_and_refused_outside() {
         let corners = [[0.0, 0.0], [2.0, 0.3], [2.4, 1.9], [-0.2, 1.5]];
-        let shape = shape_functions(&corners, [1.1, 0.9]).unwrap();
+        let shape = shape_within(&corners, [1.1, 0.9]).unwrap();
         for k in 0..2 {
             let position: f64 = shape.iter().zip(&corners).map(|(n, c)| n * c[k]).sum();
             assert!((position - [1.1, 0.9][k]).abs() < 1e-12);
         }
-        assert_eq!(shape_functions(&corners, [2.3, 0.2]), None);
-        assert!(shape_functions(&corners, [0.0, 0.0]).is_some());
+        assert_eq!(shape_within(&corners, [2.3, 0.2]), None);
+        assert!(shape_within(&corners, [0.0, 0.0]).is_some());
     }
 }

@@ -26,6 +26,7 @@ mod solution;
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use error::SolveError;
+pub use load_stepping::onset::{Utilisation, highest_utilisation};
 pub use load_stepping::run::{Options, run, run_each, run_with};
 pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use observer::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};

@@ -24,6 +24,26 @@ pub struct GaussPoint {
     pub yielded: bool,
 }
 
+impl GaussPoint {
+    /// The mean over an element, weighted by volume, at the centroid of the points; it stands for the whole element and
+    /// has yielded if one of its points has.
+    pub fn mean(points: &[Self; QUADRATURE_POINTS]) -> Self {
+        let weight: f64 = points.iter().map(|point| point.weight).sum();
+        let mean = |value: &dyn Fn(&Self) -> f64| {
+            points.iter().map(|point| point.weight / weight * value(point)).sum::<f64>()
+        };
+        Self {
+            position: std::array::from_fn(|k| mean(&|point| point.position[k])),
+            weight,
+            area: points.iter().map(|point| point.area).sum(),
+            stress: std::array::from_fn(|k| mean(&|point| point.stress[k])),
+            equivalent_plastic_strain: mean(&|point| point.equivalent_plastic_strain),
+            secant_shear: mean(&|point| point.secant_shear),
+            yielded: points.iter().any(|point| point.yielded),
+        }
+    }
+}
+
 /// All Gauss points of a body and the nodal forces of their stresses.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StressField {

@@ -12,8 +12,10 @@
 //! T. J. R. Hughes, *Generalization of selective integration procedures to anisotropic and nonlinear media*,
 //! Int. J. Numer. Meth. Engng 15 (1980) 1413–1418.
 
+mod bilinear_map;
 mod quad;
 mod stiffness;
 
+pub use bilinear_map::{natural_coordinates, shape_functions};
 pub use quad::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState};
 pub use stiffness::{ElementStiffness, element_stiffness};

@@ -1,5 +1,8 @@
 //! Shape-function gradients of one element at its 2 × 2 Gauss points.
 
+use super::bilinear_map::CORNERS;
+use crate::material::PerPoint;
+
 /// Gauss points of an element.
 pub const QUADRATURE_POINTS: usize = 4;
 
@@ -14,10 +17,7 @@ pub enum StressState {
     Axisymmetric,
 }
 
-/// One value for each Gauss point; the innermost index, so that loops over it vectorize.
-type PerPoint = [f64; QUADRATURE_POINTS];
-
-/// Gradients `∂N_i/∂x`, `∂N_i/∂y` and integration weights of one quadrilateral.
+/// Gradients `∂N_i/∂x`, `∂N_i/∂y` and integration weights of one quadrilateral. Gauss point g lies at `corner g / √3`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quad {
     /// `gradient_x[i][g] = ∂N_i/∂x` at point g \[1/mm\].
@@ -31,9 +31,6 @@ pub struct Quad {
     /// Third direction.
     pub stress_state: StressState,
 }
-
-/// Natural coordinates of the corners; Gauss point g lies at `corner g / √3`.
-const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// `SHAPE_AT_POINTS[i][g] = N_i` at Gauss point g: `(1 ± 1/√3)²/4` at the same corner and the opposite one, 1/6 beside.
 pub const SHAPE_AT_POINTS: [PerPoint; 4] = {

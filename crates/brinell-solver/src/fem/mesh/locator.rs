@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::Mesh;
+use crate::fem::element::{natural_coordinates, shape_functions};
 
 /// Finds points by walking from element to element. A search starts where the last one ended, so that points taken
 /// in the order of a structured mesh cost a few steps each.
@@ -69,10 +70,8 @@ impl<'a> Locator<'a> {
             }
         }
         self.last = element;
-        let [xi, eta] = natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
-        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        let shape = corners.map(|(a, b)| 0.25 * (1.0 + a * xi) * (1.0 + b * eta));
-        Place { nodes: self.mesh.elements[element], shape }
+        let natural = natural_coordinates(&self.mesh.corners(element), point).map(|t| t.clamp(-1.0, 1.0));
+        Place { nodes: self.mesh.elements[element], shape: shape_functions(natural) }
     }
 
     /// The neighbour beyond the side that a point lies farthest outside of, relative to the length of the side.
@@ -87,40 +86,6 @@ impl<'a> Locator<'a> {
         let farthest = beyond.max_by(|a, b| a.0.total_cmp(&b.0));
         farthest.filter(|(distance, _)| *distance > 1e-9).map(|(_, next)| next)
     }
-}
-
-/// Coordinates in the reference square of a point in, or near, a quadrilateral, by Newton's method.
-fn natural_coordinates(corners: &[[f64; 2]; 4], point: [f64; 2]) -> [f64; 2] {
-    let [a, b, c, d] = *corners;
-    // x(ξ, η) = m + p ξ + q η + r ξη, by component.
-    let combine = |s: [f64; 4]| -> [f64; 2] {
-        std::array::from_fn(|k| 0.25 * (s[0] * a[k] + s[1] * b[k] + s[2] * c[k] + s[3] * d[k]))
-    };
-    let m = combine([1.0, 1.0, 1.0, 1.0]);
-    let p = combine([-1.0, 1.0, 1.0, -1.0]);
-    let q = combine([-1.0, -1.0, 1.0, 1.0]);
-    let r = combine([1.0, -1.0, 1.0, -1.0]);
-    let [mut xi, mut eta] = [0.0f64; 2];
-    for _ in 0..8 {
-        let rest: [f64; 2] =
-            std::array::from_fn(|k| point[k] - (m[k] + p[k] * xi + q[k] * eta + r[k] * xi * eta));
-        let along_xi: [f64; 2] = std::array::from_fn(|k| p[k] + r[k] * eta);
-        let along_eta: [f64; 2] = std::array::from_fn(|k| q[k] + r[k] * xi);
-        let determinant = along_xi[0] * along_eta[1] - along_xi[1] * along_eta[0];
-        let step = [
-            (rest[0] * along_eta[1] - rest[1] * along_eta[0]) / determinant,
-            (along_xi[0] * rest[1] - along_xi[1] * rest[0]) / determinant,
-        ];
-        if !(step[0].is_finite() && step[1].is_finite()) {
-            break;
-        }
-        xi = (xi + step[0]).clamp(-2.0, 2.0);
-        eta = (eta + step[1]).clamp(-2.0, 2.0);
-        if step[0].abs() + step[1].abs() < 1e-12 {
-            break;
-        }
-    }
-    [xi, eta]
 }
 
 #[cfg(test)]

@@ -107,6 +107,15 @@ impl Mesh {
             + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
     }
 
+    /// Nodes of the free surface, the contact zone included, in no particular order.
+    pub fn free_surface_nodes(&self) -> impl Iterator<Item = u32> {
+        // Patch 0 is the block below the zone, with the surface at j = 0; the rings of patch 1 end on the surface.
+        let last_ray = self.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
+        let is_end = move |ray: i32| ray == 0 || (!self.zone.symmetric && Some(ray) == last_ray);
+        let is_free = move |p: &LatticePoint| if p.patch == 0 { p.j == 0 } else { is_end(p.i) };
+        (0u32..).zip(&self.lattice).filter(move |(_, p)| is_free(p)).map(|(node, _)| node)
+    }
+
     /// Coordinates of the four corners of an element \[mm\].
     pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
         self.elements[element].map(|node| self.nodes[node as usize])

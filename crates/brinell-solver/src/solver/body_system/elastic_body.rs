@@ -171,12 +171,10 @@ impl ElasticBody {
 
     /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
     pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
-        let last_ray = self.mesh.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
-        let is_left_end = |ray: i32| !self.mesh.zone.symmetric && Some(ray) == last_ray;
-        let mut surface: Vec<[f64; 2]> = (0u32..)
-            .zip(&self.mesh.lattice)
-            .filter(|(_, p)| if p.patch == 0 { p.j == 0 } else { p.i == 0 || is_left_end(p.i) })
-            .map(|(node, _)| {
+        let mut surface: Vec<[f64; 2]> = self
+            .mesh
+            .free_surface_nodes()
+            .map(|node| {
                 let [_, normal] = self.equations.of_node(node);
                 [self.mesh.nodes[node as usize][0], -x[normal as usize]]
             })

@@ -45,7 +45,7 @@ pub(crate) fn run(
     loop {
         let mut stepper = LoadStepper::new(&elastic, job, contact, cache);
         let mut step = stepper.step(ContactLoad::Force(force), None, solution, observer)?;
-        let ratio = utilisation(&step, &yield_stress);
+        let ratio = highest_utilisation(&step, &yield_stress).map_or(0.0, |highest| highest.ratio);
         if (ratio - 1.0).abs() <= TOLERANCE || trial == MAX_TRIALS || step.status != SolveStatus::Converged {
             if (ratio - 1.0).abs() > TOLERANCE && step.status == SolveStatus::Converged {
                 step.status = SolveStatus::NotConverged;
@@ -89,17 +89,26 @@ fn first_trial(problem: &Problem, yield_stress: &[Option<f64>; 2]) -> Result<f64
     Ok(low)
 }
 
-/// Highest von Mises stress over yield stress, both bodies, of the element means: single Gauss points lie above the
-/// field by half a percent.
-fn utilisation(step: &StepSolution, yield_stress: &[Option<f64>; 2]) -> f64 {
-    let highest = step.bodies.iter().zip(yield_stress).filter_map(|(body, limit)| {
-        let stresses = body.as_ref()?.stress.points.iter().map(|points| von_mises(mean_stress(points)));
-        Some(stresses.fold(0.0, f64::max) / (*limit)?)
-    });
-    highest.fold(0.0, f64::max)
+/// Where a step comes nearest to yield, or is farthest beyond it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Utilisation {
+    /// Von Mises stress over yield stress.
+    pub ratio: f64,
+    /// 0 is the upper body, 1 the lower one.
+    pub body: usize,
+    /// Centroid `[x, y]` of the element \[mm\].
+    pub position: [f64; 2],
 }
 
-fn mean_stress(points: &[GaussPoint]) -> [f64; 4] {
-    let total: f64 = points.iter().map(|point| point.weight).sum();
-    std::array::from_fn(|c| points.iter().map(|point| point.weight * point.stress[c]).sum::<f64>() / total)
+/// The element with the highest von Mises stress over yield stress \[MPa\], by element means: single Gauss points lie
+/// above the field by half a percent. Of two bodies alike, the lower one; `None` if no body can yield.
+pub fn highest_utilisation(step: &StepSolution, yield_stress: &[Option<f64>; 2]) -> Option<Utilisation> {
+    let elements = step.bodies.iter().zip(yield_stress).enumerate().filter_map(|(body, (solution, limit))| {
+        let (solution, limit) = (solution.as_ref()?, (*limit)?);
+        Some(solution.stress.points.iter().map(move |points| {
+            let mean = GaussPoint::mean(points);
+            Utilisation { ratio: von_mises(mean.stress) / limit, body, position: mean.position }
+        }))
+    });
+    elements.flatten().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
 }
