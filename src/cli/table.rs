@@ -34,7 +34,8 @@ impl UnitNames {
     fn of(job: &Job) -> Self {
         let is_axisymmetric = job.analysis == Analysis::Axisymmetric;
         let force = if is_axisymmetric { Quantity::Force } else { Quantity::LineForce };
-        let [length, stress, force] = [Quantity::Length, Quantity::Stress, force].map(|q| q.symbol(job.units));
+        let [length, stress, force] =
+            [Quantity::Length, Quantity::Stress, force].map(|q| q.symbol(job.units));
         Self { length, stress, force }
     }
 }

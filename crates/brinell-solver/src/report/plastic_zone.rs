@@ -80,7 +80,10 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     let polygons = edges.chain().iter().map(|chain| chain.iter().rev().map(place).collect()).collect();
     PlasticZone {
         outline: largest(polygons),
-        reached_surface: solution.mesh.free_surface_nodes().any(|node| values.get(&node).is_some_and(|f| *f >= 0.0)),
+        reached_surface: solution
+            .mesh
+            .free_surface_nodes()
+            .any(|node| values.get(&node).is_some_and(|f| *f >= 0.0)),
     }
 }
 

@@ -103,7 +103,7 @@ fn linearize(
         let reference = ReferenceModuli::Stiffened(*stiffening);
         match system.linearize(Some((at, reference)), phases, observer) {
             Err(SolveError::Factorization(_)) if *stiffening < 1.0 => {
-                *stiffening = (10.0 * *stiffening).min(1.0)
+                *stiffening = (10.0 * *stiffening).min(1.0);
             }
             linearized => return linearized,
         }

@@ -1,5 +1,5 @@
 //! From a job to its solution: loads one after the other, each on its meshes.
 
 mod load_stepper;
-mod onset;
+pub(super) mod onset;
 pub(crate) mod run;

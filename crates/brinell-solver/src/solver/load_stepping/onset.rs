@@ -103,12 +103,13 @@ pub struct Utilisation {
 /// The element with the highest von Mises stress over yield stress \[MPa\], by element means: single Gauss points lie
 /// above the field by half a percent. Of two bodies alike, the lower one; `None` if no body can yield.
 pub fn highest_utilisation(step: &StepSolution, yield_stress: &[Option<f64>; 2]) -> Option<Utilisation> {
-    let elements = step.bodies.iter().zip(yield_stress).enumerate().filter_map(|(body, (solution, limit))| {
-        let (solution, limit) = (solution.as_ref()?, (*limit)?);
-        Some(solution.stress.points.iter().map(move |points| {
-            let mean = GaussPoint::mean(points);
-            Utilisation { ratio: von_mises(mean.stress) / limit, body, position: mean.position }
-        }))
-    });
+    let elements =
+        step.bodies.iter().zip(yield_stress).enumerate().filter_map(|(body, (solution, limit))| {
+            let (solution, limit) = (solution.as_ref()?, (*limit)?);
+            Some(solution.stress.points.iter().map(move |points| {
+                let mean = GaussPoint::mean(points);
+                Utilisation { ratio: von_mises(mean.stress) / limit, body, position: mean.position }
+            }))
+        });
     elements.flatten().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
 }
