@@ -82,6 +82,7 @@ impl DeformationPlasticity {
             secant_shear: secant.shear,
             equivalent_plastic_strain: secant.plastic_strain,
             yielded: secant.yielded,
+            ..PointResponse::default()
         }
     }
 

@@ -3,9 +3,11 @@
 //! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that goes with them;
 //! - [`HardeningLaw`] is a uniaxial curve, one file each in `job/hardening`;
 //! - [`ReturnMapping`] combines a curve with elasticity;
-//! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing.
+//! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing;
+//! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening.
 
 mod deformation;
+mod flow;
 mod model;
 mod moduli;
 mod return_mapping;
@@ -14,6 +16,7 @@ mod tangent;
 pub use crate::analytical::von_mises;
 pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
+pub use flow::{BackstressTerm, FlowPlasticity, FlowState, SUBSTEPS};
 pub use model::{ConstitutiveModel, PerPoint, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::ReturnMapping;

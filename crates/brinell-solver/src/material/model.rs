@@ -19,6 +19,10 @@ pub struct PointResponse {
     pub equivalent_plastic_strain: f64,
     /// Whether the point counts as yielded.
     pub yielded: bool,
+    /// `∫σ:dε_p` over the history \[MPa\]; zero for a law without a memory.
+    pub plastic_work: f64,
+    /// The part of it that the backstress stores \[MPa\].
+    pub backstress_energy: f64,
 }
 
 /// Stress as a function of strain and of what the point has been through.
@@ -37,6 +41,11 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
 
     /// The isotropic hardening law; `None` for a material that cannot yield.
     fn hardening(&self) -> Option<&dyn HardeningLaw>;
+
+    /// Whether the answer depends on the way there, so that loads are a history.
+    fn has_memory(&self) -> bool {
+        false
+    }
 
     /// Stress and new state at a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`, from the state of the last accepted increment. In
     /// plane stress ε_zz is not looked at.

@@ -1,0 +1,656 @@
+//! Flow (incremental, Prandtl–Reuss) theory of plasticity, with isotropic and kinematic hardening.
+//!
+//! ```text
+//! f = |s - Σ X_i|_eq - q(p) <= 0          yield condition, |a|_eq = √(3/2 a:a)
+//! dε_p = dp n,  n = 3/2 (s - ΣX)/|s - ΣX|_eq
+//! dX_i = 2/3 C_i dε_p - γ_i X_i dp         Armstrong and Frederick; Prager's law where γ_i = 0
+//! ```
+//!
+//! The path from the strain of the last accepted increment to the strain asked for is straight. Where it leaves the
+//! elastic domain the rest of it is divided into equal parts, each taken by backward Euler:
+//!
+//! ```text
+//! |s_tr - ΣX_i e_i|_eq - 3G Δp - Σ C_i/γ_i (1 - e_i) - q(p+Δp) = 0      e_i = exp(-γ_i Δp)
+//! X_i' = X_i e_i + 2/3 C_i/γ_i (1 - e_i) n,   s = s_tr - 2G Δp n
+//! ```
+//!
+//! With n constant over a part the backstress is thereby integrated exactly, so that a uniaxial loop has no error at all.
+//! From rest such a path keeps its direction, and the first increment is deformation theory, whatever the number of parts.
+//!
+//! # Reference
+//! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; C. O. Frederick, P. J. Armstrong, *A
+//! mathematical representation of the multiaxial Bauschinger effect*, CEGB report RD/B/N731 (1966), reprinted in Mater.
+//! High Temp. 24 (2007) 1–26; J. L. Chaboche, *Constitutive equations for cyclic plasticity and cyclic viscoplasticity*,
+//! Int. J. Plasticity 5 (1989) 247–302.
+
+use super::tangent::reduction;
+use super::{
+    ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
+    ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
+};
+
+/// Parts into which the plastic part of a strain path is divided.
+pub const SUBSTEPS: u32 = 16;
+
+/// One term of the backstress.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BackstressTerm {
+    /// C \[MPa\].
+    pub modulus: f64,
+    /// γ.
+    pub rate: f64,
+}
+
+impl BackstressTerm {
+    /// `exp(-γ Δp)`.
+    fn decay(&self, dp: f64) -> f64 {
+        if self.rate == 0.0 { 1.0 } else { (-self.rate * dp).exp() }
+    }
+
+    /// `C/γ (1 - exp(-γ Δp))`, C Δp where γ is zero \[MPa\].
+    fn growth(&self, dp: f64) -> f64 {
+        if self.rate == 0.0 {
+            self.modulus * dp
+        } else {
+            -self.modulus / self.rate * (-self.rate * dp).exp_m1()
+        }
+    }
+}
+
+/// Flow theory with N terms of backstress.
+#[derive(Debug, Clone)]
+pub struct FlowPlasticity<const N: usize> {
+    elastic: ElasticModuli,
+    mapping: ReturnMapping,
+    backstress: [BackstressTerm; N],
+    out_of_plane: OutOfPlane,
+    substeps: u32,
+}
+
+/// What a point of flow theory remembers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlowState<const N: usize> {
+    /// `[ε_xx, ε_yy, ε_zz, γ_xy]`.
+    pub strain: [f64; 4],
+    /// Plastic part of it.
+    pub plastic_strain: [f64; 4],
+    /// Accumulated equivalent plastic strain p.
+    pub accumulated: f64,
+    /// `X_i` `[xx, yy, zz, xy]` \[MPa\].
+    pub backstress: [[f64; 4]; N],
+    /// `∫σ:dε_p` \[MPa\].
+    pub plastic_work: f64,
+}
+
+impl<const N: usize> Default for FlowState<N> {
+    fn default() -> Self {
+        Self {
+            strain: [0.0; 4],
+            plastic_strain: [0.0; 4],
+            accumulated: 0.0,
+            backstress: [[0.0; 4]; N],
+            plastic_work: 0.0,
+        }
+    }
+}
+
+/// The part of a state that plastic flow changes, while it does.
+#[derive(Clone, Copy)]
+struct Flowing<const N: usize> {
+    /// Stress deviator s \[MPa\].
+    stress: [f64; 4],
+    accumulated: f64,
+    backstress: [[f64; 4]; N],
+    plastic_work: f64,
+}
+
+impl<const N: usize> FlowPlasticity<N> {
+    /// A hardening law with backstress beside elastic moduli.
+    pub fn new(
+        elastic: ElasticModuli,
+        mapping: ReturnMapping,
+        backstress: [BackstressTerm; N],
+        out_of_plane: OutOfPlane,
+    ) -> Self {
+        Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS }
+    }
+
+    /// The same with another number of parts of a strain path.
+    #[must_use]
+    pub fn with_substeps(self, substeps: u32) -> Self {
+        Self { substeps: substeps.max(1), ..self }
+    }
+
+    /// The state at the end of a straight path whose every component is known.
+    #[inline]
+    fn along(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
+        let double_shear = 2.0 * self.elastic.shear;
+        let elastic_strain: [f64; 4] = std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
+        let mut now = Flowing {
+            stress: stress_of(deviator(elastic_strain), double_shear),
+            accumulated: state.accumulated,
+            backstress: state.backstress,
+            plastic_work: state.plastic_work,
+        };
+        let change = deviator(std::array::from_fn(|k| strain[k] - state.strain[k]));
+        let step = stress_of(change, double_shear);
+        let shift = sum(&now.backstress);
+        let from: [f64; 4] = std::array::from_fn(|k| now.stress[k] - shift[k]);
+        let radius = if state.accumulated > 0.0 {
+            self.mapping.law().stress(state.accumulated)
+        } else {
+            self.mapping.yield_stress()
+        };
+        let Some(elastic_part) = elastic_part(from, step, radius) else {
+            return FlowState { strain, ..*state };
+        };
+        for (s, d) in now.stress.iter_mut().zip(step) {
+            *s += elastic_part * d;
+        }
+        let part = (1.0 - elastic_part) / f64::from(self.substeps);
+        for _ in 0..self.substeps {
+            self.flow(step.map(|d| part * d), &mut now);
+        }
+        let end = deviator(strain);
+        let [x, y, z, t] = now.stress.map(|s| s / double_shear);
+        FlowState {
+            strain,
+            plastic_strain: [end[0] - x, end[1] - y, end[2] - z, end[3] - 2.0 * t],
+            accumulated: now.accumulated,
+            backstress: now.backstress,
+            plastic_work: now.plastic_work,
+        }
+    }
+
+    /// One backward Euler step for an elastic change of the stress deviator.
+    #[inline]
+    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>) {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
+        if N == 0 {
+            let q_trial = equivalent_stress(trial);
+            let q = self.mapping.stress(q_trial / triple_shear + now.accumulated);
+            let dp = (q_trial - q) / triple_shear;
+            if dp <= 0.0 {
+                now.stress = trial;
+                return;
+            }
+            let ratio = q / q_trial;
+            // dε_p = (s_tr - s)/2G lies along s_tr, as s does.
+            now.plastic_work += 0.5 * (q + equivalent_along(now.stress, trial, q_trial)) * dp;
+            now.accumulated += dp;
+            now.stress = trial.map(|s| ratio * s);
+            return;
+        }
+        let dp = self.multiplier(trial, now);
+        if dp <= 0.0 {
+            now.stress = trial;
+            return;
+        }
+        let relative = self.relative(trial, now, dp);
+        let size = equivalent_stress(relative);
+        let n = relative.map(|r| 1.5 * r / size);
+        let before = now.stress;
+        for k in 0..4 {
+            now.stress[k] = trial[k] - 2.0 / 3.0 * triple_shear * dp * n[k];
+        }
+        for (x, term) in now.backstress.iter_mut().zip(&self.backstress) {
+            let (decay, growth) = (term.decay(dp), 2.0 / 3.0 * term.growth(dp));
+            for (x, n) in x.iter_mut().zip(n) {
+                *x = *x * decay + growth * n;
+            }
+        }
+        let mean: [f64; 4] = std::array::from_fn(|k| 0.5 * (before[k] + now.stress[k]));
+        now.plastic_work += product(mean, n) * dp;
+        now.accumulated += dp;
+    }
+
+    /// `s_tr - Σ X_i e_i`.
+    fn relative(&self, trial: [f64; 4], now: &Flowing<N>, dp: f64) -> [f64; 4] {
+        let mut relative = trial;
+        for (x, term) in now.backstress.iter().zip(&self.backstress) {
+            let decay = term.decay(dp);
+            for (r, x) in relative.iter_mut().zip(x) {
+                *r -= x * decay;
+            }
+        }
+        relative
+    }
+
+    /// Δp: Newton's method within the bracket `[0, |ξ|_eq/3G]`.
+    fn multiplier(&self, trial: [f64; 4], now: &Flowing<N>) -> f64 {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let excess = |dp: f64| {
+            let relative = self.relative(trial, now, dp);
+            let size = equivalent_stress(relative);
+            let (q, slope) = self.mapping.law().stress_and_slope(now.accumulated + dp);
+            let (mut rest, mut rate) = (size - triple_shear * dp - q, -triple_shear - slope);
+            for (x, term) in now.backstress.iter().zip(&self.backstress) {
+                let decay = term.decay(dp);
+                rest -= term.growth(dp);
+                rate -= term.modulus * decay;
+                if size > 0.0 {
+                    rate += 1.5 * term.rate * decay * product(relative, *x) / size;
+                }
+            }
+            (rest, rate)
+        };
+        let (first, mut rate) = excess(0.0);
+        if first <= 0.0 {
+            return 0.0;
+        }
+        let mut rest = first;
+        let (mut low, mut high) = (0.0, equivalent_stress(self.relative(trial, now, 0.0)) / triple_shear);
+        // A backstress that recovers faster than the point flows may shift the root beyond that.
+        while excess(high).0 > 0.0 {
+            high *= 2.0;
+        }
+        let mut dp = 0.0;
+        for _ in 0..100 {
+            let newton = dp - rest / rate;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let step = next - dp;
+            dp = next;
+            (rest, rate) = excess(dp);
+            if rest > 0.0 {
+                low = dp;
+            } else {
+                high = dp;
+            }
+            if step.abs() <= 1e-14 * dp || rest == 0.0 || high - low <= 1e-15 * high {
+                break;
+            }
+        }
+        dp
+    }
+
+    /// Δp of a trial in the direction of the relative stress, for the tangent.
+    fn radial_multiplier(&self, size: f64, accumulated: f64) -> f64 {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let mut dp = 0.0;
+        for _ in 0..30 {
+            let q =
+                self.mapping.stress((size - triple_shear * dp).max(0.0) / triple_shear + accumulated + dp);
+            let kinematic: f64 = self.backstress.iter().map(|term| term.growth(dp)).sum();
+            let hardening: f64 = self.backstress.iter().map(|term| term.modulus).sum();
+            let step = (size - triple_shear * dp - kinematic - q) / (triple_shear + hardening);
+            dp = (dp + step).max(0.0);
+            if step.abs() <= 1e-6 * dp {
+                break;
+            }
+        }
+        dp
+    }
+
+    /// The state at the end of a straight path; in plane stress the one whose ε_zz leaves `σ_zz = 0`.
+    fn state_after(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
+        match self.out_of_plane {
+            OutOfPlane::Strained => self.along(strain, state),
+            OutOfPlane::PlaneStress => self.in_plane_stress(strain, state),
+        }
+    }
+
+    /// σ_zz rises with ε_zz, by no less than K and no more than `K + 4/3 G`: so the zero is bracketed by two steps of these
+    /// slopes from the elastic answer. Regula falsi of Illinois ends in it.
+    fn in_plane_stress(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
+        let ElasticModuli { bulk, shear } = self.elastic;
+        let lame = self.elastic.lame();
+        let change = strain[0] - state.strain[0] + strain[1] - state.strain[1];
+        let start = state.strain[2] - lame / (lame + 2.0 * shear) * change;
+        let at = |zz: f64| {
+            let end = self.along([strain[0], strain[1], zz, strain[3]], state);
+            let stress = self.stress(&end)[2];
+            (zz, stress, end)
+        };
+        let first = at(start);
+        let scale = 1e-14 * shear * (strain[0].abs() + strain[1].abs() + start.abs() + strain[3].abs());
+        if first.1.abs() <= scale {
+            return first.2;
+        }
+        let mut near = at(start - first.1 / (bulk + 4.0 / 3.0 * shear));
+        let mut far = at(start - 1.000_001 * first.1 / bulk);
+        let (mut at_near, mut at_far) = (near.1, far.1);
+        let mut last_side = 0;
+        for _ in 0..60 {
+            if near.1.abs() <= scale {
+                return near.2;
+            }
+            if far.1.abs() <= scale {
+                return far.2;
+            }
+            let next = at((near.0 * at_far - far.0 * at_near) / (at_far - at_near));
+            if (next.1 > 0.0) == (near.1 > 0.0) {
+                at_near = next.1;
+                at_far *= if last_side == 1 { 0.5 } else { 1.0 };
+                near = next;
+                last_side = 1;
+            } else {
+                at_far = next.1;
+                at_near *= if last_side == -1 { 0.5 } else { 1.0 };
+                far = next;
+                last_side = -1;
+            }
+        }
+        if near.1.abs() < far.1.abs() { near.2 } else { far.2 }
+    }
+
+    fn stress(&self, state: &FlowState<N>) -> [f64; 4] {
+        let elastic: [f64; 4] = std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
+        self.elastic.stress(elastic, OutOfPlane::Strained)
+    }
+}
+
+impl<const N: usize> ConstitutiveModel for FlowPlasticity<N> {
+    type State = FlowState<N>;
+
+    fn elastic(&self) -> ElasticModuli {
+        self.elastic
+    }
+
+    #[inline(always)]
+    fn out_of_plane(&self) -> OutOfPlane {
+        self.out_of_plane
+    }
+
+    fn hardening(&self) -> Option<&dyn HardeningLaw> {
+        Some(self.mapping.law())
+    }
+
+    fn has_memory(&self) -> bool {
+        true
+    }
+
+    fn update(&self, strain: [f64; 4], state: &FlowState<N>) -> (PointResponse, FlowState<N>) {
+        let end = self.state_after(strain, state);
+        let mut stress = self.stress(&end);
+        if self.out_of_plane == OutOfPlane::PlaneStress {
+            stress[2] = 0.0;
+        }
+        let is_plastic = end.accumulated > 0.0;
+        let backstress_energy = end.backstress.iter().zip(&self.backstress);
+        let response = PointResponse {
+            stress,
+            secant_shear: self.elastic.shear,
+            equivalent_plastic_strain: end.accumulated,
+            yielded: is_plastic
+                && self.mapping.has_yielded(self.mapping.law().stress(end.accumulated), end.accumulated),
+            plastic_work: end.plastic_work,
+            // X = 2/3 C α, and the energy is C/3 α:α.
+            backstress_energy: backstress_energy
+                .filter(|(_, term)| term.modulus > 0.0)
+                .map(|(x, term)| 0.75 * product(*x, *x) / term.modulus)
+                .sum(),
+        };
+        (response, end)
+    }
+
+    fn tangent(
+        &self,
+        strain: [f64; 4],
+        state: &FlowState<N>,
+        reference: ReferenceModuli,
+    ) -> Option<ModuliReduction> {
+        let end = match self.out_of_plane {
+            OutOfPlane::Strained => strain,
+            OutOfPlane::PlaneStress => self.in_plane_stress(strain, state).strain,
+        };
+        let elastic: [f64; 4] = std::array::from_fn(|k| end[k] - state.plastic_strain[k]);
+        let shift = sum(&state.backstress).map(|x| x / (2.0 * self.elastic.shear));
+        let [x, y, z, g] = deviator(elastic);
+        let trial = [x - shift[0], y - shift[1], z - shift[2], g - 2.0 * shift[3]];
+        let size = equivalent_strain(trial);
+        let triple_shear = 3.0 * self.elastic.shear;
+        let stress = |factor: f64| {
+            if N == 0 {
+                self.mapping.stress(factor * size + state.accumulated)
+            } else {
+                let trial = factor * triple_shear * size;
+                trial - triple_shear * self.radial_multiplier(trial, state.accumulated)
+            }
+        };
+        let radius = self.mapping.law().stress(state.accumulated);
+        reduction(self.elastic, self.out_of_plane, trial, radius, stress, reference)
+    }
+}
+
+/// `[2G e_xx, 2G e_yy, 2G e_zz, G γ_xy]`.
+#[inline(always)]
+fn stress_of(strain_deviator: [f64; 4], double_shear: f64) -> [f64; 4] {
+    let [x, y, z, g] = strain_deviator.map(|e| double_shear * e);
+    [x, y, z, 0.5 * g]
+}
+
+/// `a:b` of two stresses.
+#[inline(always)]
+fn product(a: [f64; 4], b: [f64; 4]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * a[3] * b[3]
+}
+
+/// `√(3/2 s:s)` of a deviator.
+#[inline(always)]
+fn equivalent_stress(deviator: [f64; 4]) -> f64 {
+    (1.5 * product(deviator, deviator)).sqrt()
+}
+
+/// The part of a stress deviator along another, as an equivalent stress.
+#[inline(always)]
+fn equivalent_along(stress: [f64; 4], direction: [f64; 4], size: f64) -> f64 {
+    1.5 * product(stress, direction) / size
+}
+
+fn sum<const N: usize>(terms: &[[f64; 4]; N]) -> [f64; 4] {
+    let mut total = [0.0; 4];
+    for term in terms {
+        for (total, x) in total.iter_mut().zip(term) {
+            *total += x;
+        }
+    }
+    total
+}
+
+/// The part of a step from a point in or on the sphere `|a|_eq <= radius` that stays in it; `None` if all of it does.
+#[inline(always)]
+fn elastic_part(from: [f64; 4], step: [f64; 4], radius: f64) -> Option<f64> {
+    let a = 1.5 * product(step, step);
+    let b = 1.5 * product(from, step);
+    let c = 1.5 * product(from, from) - radius * radius;
+    if a + 2.0 * b + c <= 0.0 {
+        return None;
+    }
+    // From the surface, where rounding decides the sign of c: inward first, or outward at once.
+    let inside = c.min(0.0);
+    let root = (b * b - a * inside).max(0.0).sqrt();
+    let part = if b >= 0.0 { -inside / (b + root).max(f64::MIN_POSITIVE) } else { (root - b) / a };
+    Some(part.clamp(0.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::material::hardening::tests::{TRIPLE_SHEAR, materials};
+    use crate::material::{Bilinear, DeformationPlasticity, Voce, law_of};
+
+    const ELASTIC: ElasticModuli = ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
+
+    fn model<const N: usize>(law: Arc<dyn HardeningLaw>, terms: [(f64, f64); N]) -> FlowPlasticity<N> {
+        let terms = terms.map(|(modulus, rate)| BackstressTerm { modulus, rate });
+        FlowPlasticity::new(ELASTIC, ReturnMapping::new(law, ELASTIC.shear), terms, OutOfPlane::Strained)
+    }
+
+    fn constant(yield_stress: f64) -> Arc<dyn HardeningLaw> {
+        Arc::new(Bilinear { yield_stress, plastic_modulus: 0.0 })
+    }
+
+    /// Deviatoric strain of a bar whose strain beyond the volume change is `e`.
+    fn axial(e: f64) -> [f64; 4] {
+        [e, -0.5 * e, -0.5 * e, 0.0]
+    }
+
+    /// Pulls a bar to a stress; returns its plastic strain.
+    fn pull<const N: usize>(model: &FlowPlasticity<N>, state: &mut FlowState<N>, stress: f64) -> f64 {
+        let at = |e: f64| {
+            let (response, end) = model.update(axial(e), state);
+            (1.5 * response.stress[0] - stress, end)
+        };
+        let (mut low, mut high) = (state.strain[0] - 0.05, state.strain[0] + 0.05);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if at(middle).0 < 0.0 { low = middle } else { high = middle }
+        }
+        *state = at(0.5 * (low + high)).1;
+        state.plastic_strain[0]
+    }
+
+    #[test]
+    fn one_increment_from_rest_is_deformation_theory() {
+        for material in materials() {
+            for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
+                let mapping = ReturnMapping::new(law_of(&material).unwrap(), ELASTIC.shear);
+                let elastic = ElasticModuli::from(material.elastic());
+                let flow = FlowPlasticity::new(elastic, mapping, [], out_of_plane);
+                let deformation = DeformationPlasticity::new(&material, out_of_plane);
+                for strain in [[6e-3, -4e-3, 1e-3, 5e-3], [1e-3, 1.2e-3, 0.0, -8e-3], [2e-4, -3e-4, 0.0, 0.0]]
+                {
+                    let (found, _) = flow.update(strain, &FlowState::default());
+                    let (expected, ()) = deformation.update(strain, &());
+                    for (a, b) in found.stress.iter().zip(expected.stress) {
+                        assert!((a - b).abs() < 1e-9 * 500.0, "{material:?} {out_of_plane:?} {a} {b}");
+                    }
+                    let (a, b) = (found.equivalent_plastic_strain, expected.equivalent_plastic_strain);
+                    assert!((a - b).abs() < 1e-12, "{material:?} {out_of_plane:?} {a} {b}");
+                    assert_eq!(found.yielded, expected.yielded);
+                }
+            }
+        }
+    }
+
+    /// σ = q(p) + Σ C/γ (1 - exp(-γ p)).
+    #[test]
+    fn a_bar_with_voce_and_chaboche_hardening_is_pulled_along_its_closed_form() {
+        let voce = Voce { yield_stress: 300.0, saturation_stress: 420.0, rate: 15.0 };
+        let terms = [(40_000.0, 400.0), (6000.0, 30.0), (800.0, 0.0)];
+        let model = model(Arc::new(voce.clone()), terms);
+        let mut state = FlowState::default();
+        for k in 1..=40 {
+            let e = 2.5e-4 * f64::from(k);
+            let (response, end) = model.update(axial(e), &state);
+            state = end;
+            let p = state.accumulated;
+            let growth = |(c, g): (f64, f64)| if g == 0.0 { c * p } else { c / g * (1.0 - (-g * p).exp()) };
+            let expected = voce.stress(p) + terms.map(growth).iter().sum::<f64>();
+            if p > 0.0 {
+                assert!((1.5 * response.stress[0] - expected).abs() < 1e-8 * expected, "p = {p}");
+            }
+        }
+        assert!(state.accumulated > 5e-3);
+    }
+
+    /// Δσ/2 = q + Σ C/γ tanh(γ Δε_p/2).
+    #[test]
+    fn the_stable_cycle_has_its_closed_amplitude() {
+        let (q, terms) = (250.0, [(50_000.0, 500.0), (8000.0, 60.0)]);
+        let model = model(constant(q), terms);
+        let mut state = FlowState::default();
+        let mut ends = [(0.0, 0.0); 2];
+        for cycle in 0..400 {
+            let e = if cycle % 2 == 0 { 4e-3 } else { -4e-3 };
+            let (response, end) = model.update(axial(e), &state);
+            state = end;
+            ends[cycle % 2] = (1.5 * response.stress[0], state.plastic_strain[0]);
+        }
+        let (stress, plastic) = (0.5 * (ends[0].0 - ends[1].0), ends[0].1 - ends[1].1);
+        let saturation = |(c, g): (f64, f64)| c / g * (0.5 * g * plastic).tanh();
+        let expected = q + terms.map(saturation).iter().sum::<f64>();
+        assert!(plastic > 2e-3 && (stress - expected).abs() < 1e-8 * expected, "{stress} {expected}");
+    }
+
+    /// `1/γ ln{[(C/γ)² - (σ_min + k)²]/[(C/γ)² - (σ_max - k)²]}` of plastic strain a cycle.
+    #[test]
+    fn a_bar_ratchets_by_its_closed_form() {
+        let (k, c, rate) = (200.0, 40_000.0, 200.0);
+        let model = model(constant(k), [(c, rate)]);
+        let (low, high): (f64, f64) = (-260.0, 330.0);
+        let limit: f64 = c / rate;
+        let expected =
+            ((limit.powi(2) - (low + k).powi(2)) / (limit.powi(2) - (high - k).powi(2))).ln() / rate;
+        let mut state = FlowState::default();
+        let mut last = 0.0;
+        for cycle in 0..4 {
+            pull(&model, &mut state, low);
+            let strain = pull(&model, &mut state, high);
+            if cycle > 1 {
+                assert!((strain - last - expected).abs() < 1e-8 * expected, "{} {expected}", strain - last);
+            }
+            last = strain;
+        }
+    }
+
+    /// Perfectly plastic, pulled to yield and then sheared: the stress turns, and its error falls like the parts.
+    #[test]
+    fn a_turning_path_is_first_order_in_the_parts() {
+        let strain = |k: u32, n: u32| {
+            let t = f64::from(k) / f64::from(n);
+            let [x, y, z, _] = axial(3e-3);
+            [x, y, z, 8e-3 * t]
+        };
+        let turned = |substeps: u32| {
+            let model = model(constant(500.0), []).with_substeps(substeps);
+            let first = model.update(strain(0, 1), &FlowState::default()).1;
+            model.update(strain(1, 1), &first).0.stress
+        };
+        let exact = turned(20_000);
+        let error = |n: u32| turned(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        for (coarse, fine) in [(4, 8), (8, 16), (16, 32)] {
+            let ratio = error(coarse) / error(fine);
+            assert!((1.8..2.3).contains(&ratio), "{ratio}");
+        }
+        assert!(error(16) < 0.02 * 500.0, "{}", error(16));
+    }
+
+    #[test]
+    fn unloading_is_elastic_and_reloading_returns_to_the_same_state() {
+        let model = model(
+            Arc::new(Voce { yield_stress: 300.0, saturation_stress: 420.0, rate: 15.0 }),
+            [(20_000.0, 100.0)],
+        );
+        let peak = [6e-3, -4e-3, 1e-3, 5e-3];
+        let (loaded, state) = model.update(peak, &FlowState::default());
+        let (_, unloaded) = model.update(peak.map(|e| 0.95 * e), &state);
+        assert_eq!(unloaded.accumulated, state.accumulated);
+        let (again, state_again) = model.update(peak, &unloaded);
+        for (a, b) in loaded.stress.iter().zip(again.stress) {
+            assert!((a - b).abs() < 1e-9 * 300.0);
+        }
+        assert!((state_again.accumulated - state.accumulated).abs() < 1e-12);
+    }
+
+    /// `∫σ:dε` of a closed strain cycle is the plastic work less what the backstress gained.
+    #[test]
+    fn energy_is_kept() {
+        let model =
+            model(Arc::new(Bilinear { yield_stress: 300.0, plastic_modulus: 2000.0 }), [(20_000.0, 0.0)]);
+        let mut state = FlowState::default();
+        let path = |k: u32| {
+            let t = f64::from(k) / 2000.0 * std::f64::consts::TAU;
+            [4e-3 * t.sin(), -1e-3 * t.sin(), 0.0, 5e-3 * (1.0 - t.cos())]
+        };
+        let (mut work, mut stress, mut strain, mut plastic_work) = (0.0, [0.0; 4], [0.0; 4], 0.0);
+        let mut residual = [0.0; 4];
+        for k in 1..=2000 {
+            let (response, end) = model.update(path(k), &state);
+            state = end;
+            for c in 0..4 {
+                work += 0.5 * (response.stress[c] + stress[c]) * (path(k)[c] - strain[c]);
+            }
+            (stress, strain, plastic_work, residual) =
+                (response.stress, path(k), response.plastic_work, response.stress);
+        }
+        let deviatoric = deviator(residual);
+        let pressure = (residual[0] + residual[1] + residual[2]) / 3.0;
+        let elastic =
+            product(deviatoric, deviatoric) / (4.0 * ELASTIC.shear) + pressure.powi(2) / (2.0 * ELASTIC.bulk);
+        assert!((work - plastic_work - elastic).abs() < 1e-4 * work, "{work} {plastic_work} {elastic}");
+    }
+}
