@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::schema::Unit::{Area, Force, Length, Milliseconds, Pure, Stiffness, Stress};
+use super::schema::Unit::{Area, Energy, Force, Length, Milliseconds, Pure, Stiffness, Stress};
 use super::schema::{
     Field, count, field, figure, figure_or_null, list, list_of, named, named_as, nullable, object, one_of,
     optional, pair, signed, text, truth, words,
@@ -36,6 +36,7 @@ pub(super) fn schemas() -> Vec<(&'static str, Value)> {
     all.extend(contact());
     all.extend(bodies());
     all.extend(closed_forms());
+    all.extend(flow());
     all
 }
 
@@ -83,6 +84,7 @@ fn step() -> Value {
                     61_000.0,
                 ),
             ),
+            optional("flow", named("Flow")),
             optional("subsurface", named("SubsurfaceOfBodies")),
             field("plasticity", named("PlasticityOfBodies")),
             field(
@@ -105,6 +107,106 @@ fn step() -> Value {
             field("history", list_of("Every iteration.", named("Iteration"))),
         ],
     )
+}
+
+fn flow() -> Vec<(&'static str, Value)> {
+    let energy = |key, description: &str, example| field(key, figure(Energy, description, example));
+    let ends = |key, unit, description: &str, example| field(key, list(unit, description, &[example]));
+    vec![
+        (
+            "Flow",
+            object(
+                "What only flow theory knows: increments, dents, energies.",
+                [
+                    field(
+                        "unloading_stiffness",
+                        figure(
+                            Stiffness,
+                            "dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches.",
+                            41_600.0,
+                        ),
+                    ),
+                    field("energy", named("Energy")),
+                    field("increments", named("Increments")),
+                    field("surfaces", named("SurfacesOfBodies")),
+                ],
+            ),
+        ),
+        (
+            "Energy",
+            object(
+                "Where the work of the force has gone since the bodies were at rest, both bodies together.",
+                [
+                    energy("work", "Work of the contact force, the sum of the next two.", 5.34),
+                    energy("elastic", "Elastic energy.", 4.79),
+                    energy("plastic", "Work of the stresses on plastic strain.", 0.551),
+                    energy("stored", "The part of that which the backstress stores.", 0.0),
+                    energy("dissipated", "The rest of it.", 0.551),
+                ],
+            ),
+        ),
+        (
+            "Increments",
+            object(
+                "The ends of the increments of a load, in order.",
+                [
+                    ends("force", Force, "Contact force.", 612.6106),
+                    ends("approach", Length, "Approach.", 0.017_856),
+                    ends("peak_pressure", Stress, "Largest pressure.", 1149.3),
+                    ends("half_width", Length, "Half-width.", 0.306_95),
+                    field("iterations", list_of("Iterations made.", count("Of one increment.", 9))),
+                ],
+            ),
+        ),
+        (
+            "SurfacesOfBodies",
+            object(
+                "The surface of each body; null for a rigid one.",
+                [
+                    field("upper", nullable("Surface", "Of the upper body.")),
+                    field("lower", nullable("Surface", "Of the lower body.")),
+                ],
+            ),
+        ),
+        (
+            "Surface",
+            object(
+                "The surface of one body near the contact: the dent where the force is zero.",
+                [
+                    field("x", list(Length, "x of the nodes, both sides of the axis.", &[0.0])),
+                    field(
+                        "height",
+                        list(
+                            Length,
+                            "How far each has moved outward from the undeformed surface; a dent is negative.",
+                            &[-0.0008],
+                        ),
+                    ),
+                    field(
+                        "depth",
+                        figure(Length, "Depth of the deepest point below the undeformed surface.", 0.0008),
+                    ),
+                    field(
+                        "pile_up",
+                        figure(Length, "Height of the highest point above the undeformed surface.", 0.0001),
+                    ),
+                    field("pile_up_position", figure(Length, "|x| of that point.", 0.35)),
+                    field(
+                        "yielded_in_reverse",
+                        truth("Whether any point yielded since the load last began to fall."),
+                    ),
+                    field(
+                        "reverse_area",
+                        figure(Area, "Area of these points in the section x–y, both sides of the axis.", 0.0),
+                    ),
+                    field(
+                        "max_reverse_strain",
+                        figure(Pure, "Largest equivalent plastic strain gained since then.", 0.0),
+                    ),
+                ],
+            ),
+        ),
+    ]
 }
 
 fn contact() -> Vec<(&'static str, Value)> {

@@ -84,6 +84,7 @@ pub(super) enum Unit {
     Stress,
     Force,
     Stiffness,
+    Energy,
     Milliseconds,
     Pure,
 }
@@ -96,6 +97,7 @@ impl Unit {
             Self::Stress => "Unit: MPa (SI: Pa).",
             Self::Force => "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.",
             Self::Stiffness => "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).",
+            Self::Energy => "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.",
             Self::Milliseconds => "Unit: ms.",
             Self::Pure => "Without unit.",
         }

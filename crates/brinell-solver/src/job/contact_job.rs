@@ -106,6 +106,7 @@ impl Job {
         let job = Self::read(document)?;
         let faults = Faults::default();
         faults.extend(job.faults_of_revolution());
+        faults.extend(job.faults_of_theory());
         let refused = faults.into_sorted(document);
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }

@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
+use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Units};
 
 /// What presses the bodies together. Several values are a sweep, one step each.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +16,8 @@ pub enum Load {
     Forces(Sweep),
     /// Approaches α of the supports \[mm\].
     Approaches(Sweep),
+    /// Forces and approaches one after the other, each on what the one before has left: `{"history": [...]}`.
+    History(History),
     /// The force at which the contact begins to yield, which is the answer: `{"onset": true}`.
     Onset,
 }
@@ -62,9 +64,78 @@ impl Deref for Sweep {
     }
 }
 
+/// One load of a history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HistoryLoad {
+    /// A force as in [`Load::Forces`]; zero takes the load away.
+    Force(NonNegativeF64),
+    /// An approach as in [`Load::Approaches`]; zero brings the bodies back to where they first touched.
+    Approach(NonNegativeF64),
+}
+
+impl HistoryLoad {
+    const KINDS: &'static [&'static str] = &["force", "approach"];
+
+    /// The figure.
+    pub fn magnitude(self) -> f64 {
+        match self {
+            Self::Force(value) | Self::Approach(value) => value.get(),
+        }
+    }
+
+    fn read(cursor: Cursor<'_>, force: Quantity, units: Option<Units>) -> Option<Self> {
+        let object = cursor.object()?;
+        object.only(Self::KINDS);
+        let figure = |key, quantity: Quantity| {
+            object.required(key, |c| {
+                if c.is_zero() { NonNegativeF64::new(0.0).ok() } else { c.quantity(quantity, units) }
+            })
+        };
+        match (object.has("force"), object.has("approach")) {
+            (true, false) => figure("force", force).map(Self::Force),
+            (false, true) => figure("approach", Quantity::Approach).map(Self::Approach),
+            (both, _) => {
+                let code = if both { FaultCode::Inconsistent } else { FaultCode::Required };
+                object.fault_here(code, format_args!("must have one of: {}", Self::KINDS.join(", ")));
+                None
+            }
+        }
+    }
+}
+
+/// One to [`Sweep::MAX_VALUES`] loads in order, at least one of them above zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History(Vec<HistoryLoad>);
+
+impl History {
+    /// Takes loads if there is at least one above zero and at most [`Sweep::MAX_VALUES`] in all.
+    ///
+    /// # Errors
+    /// The fault, with an empty pointer.
+    pub fn new(loads: Vec<HistoryLoad>) -> Result<Self, Vec<FieldError>> {
+        if !(1..=Sweep::MAX_VALUES).contains(&loads.len()) {
+            let detail = format!("must have between 1 and {} items", Sweep::MAX_VALUES);
+            return Err(vec![FieldError::new("", detail)]);
+        }
+        if loads.iter().all(|load| load.magnitude() == 0.0) {
+            return Err(vec![FieldError::new("", "must have a load above zero")]);
+        }
+        Ok(Self(loads))
+    }
+}
+
+impl Deref for History {
+    type Target = [HistoryLoad];
+
+    fn deref(&self) -> &[HistoryLoad] {
+        &self.0
+    }
+}
+
 impl Load {
     /// The keys of the wire format, one of which a load has.
-    pub const KINDS: &'static [&'static str] = &["force", "forces", "approach", "approaches", "onset"];
+    pub const KINDS: &'static [&'static str] =
+        &["force", "forces", "approach", "approaches", "history", "onset"];
 
     /// The key under which this load is written: singular for one value.
     pub fn kind(&self) -> &'static str {
@@ -73,6 +144,7 @@ impl Load {
             Self::Forces(_) => "forces",
             Self::Approaches(values) if values.len() == 1 => "approach",
             Self::Approaches(_) => "approaches",
+            Self::History(_) => "history",
             Self::Onset => "onset",
         }
     }
@@ -93,6 +165,13 @@ impl Load {
             "force" => one("force", force).map(Self::Forces),
             "forces" => many("forces", force).map(Self::Forces),
             "approach" => one("approach", Quantity::Approach).map(Self::Approaches),
+            "history" => object
+                .required("history", |c| {
+                    let loads =
+                        c.array(1..=Sweep::MAX_VALUES, |item| HistoryLoad::read(item, force, units))?;
+                    c.checked(History::new(loads))
+                })
+                .map(Self::History),
             "onset" => {
                 if object.required("onset", |c| c.boolean())? {
                     return Some(Self::Onset);
@@ -125,12 +204,19 @@ impl InUnits<'_, Load> {
         let wire = |values: &Sweep, quantity: Quantity| {
             Some(values.iter().map(|value| quantity.to_wire(self.1, value.get())).collect())
         };
-        let values = match self.0 {
-            Load::Forces(values) => wire(values, force),
-            Load::Approaches(values) => wire(values, Quantity::Approach),
-            Load::Onset => None,
+        let entry = |load: &HistoryLoad| match load {
+            HistoryLoad::Force(value) => WireHistoryLoad::Force(force.to_wire(self.1, value.get())),
+            HistoryLoad::Approach(value) => {
+                WireHistoryLoad::Approach(Quantity::Approach.to_wire(self.1, value.get()))
+            }
         };
-        WireLoad { kind: self.0.kind(), values }
+        let (values, history) = match self.0 {
+            Load::Forces(values) => (wire(values, force), Vec::new()),
+            Load::Approaches(values) => (wire(values, Quantity::Approach), Vec::new()),
+            Load::History(loads) => (None, loads.iter().map(entry).collect()),
+            Load::Onset => (None, Vec::new()),
+        };
+        WireLoad { kind: self.0.kind(), values, history }
     }
 }
 
@@ -138,12 +224,22 @@ struct WireLoad {
     kind: &'static str,
     /// `None` is written as `true`.
     values: Option<Vec<f64>>,
+    /// The loads of a history; empty for all else.
+    history: Vec<WireHistoryLoad>,
+}
+
+#[derive(serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+enum WireHistoryLoad {
+    Force(f64),
+    Approach(f64),
 }
 
 impl Serialize for WireLoad {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(1))?;
         match self.values.as_deref() {
+            None if !self.history.is_empty() => map.serialize_entry(self.kind, &self.history)?,
             None => map.serialize_entry(self.kind, &true)?,
             Some([value]) => map.serialize_entry(self.kind, value)?,
             Some(values) => map.serialize_entry(self.kind, values)?,

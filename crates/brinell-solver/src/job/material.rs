@@ -9,7 +9,7 @@ use super::HardeningLaw;
 use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
-use super::{FaultCode, FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
+use super::{BackstressTerm, FaultCode, FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
 
 /// What a body is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,7 @@ impl Material {
 pub struct Deformable {
     elastic: Elastic,
     plasticity: Option<Hardening>,
+    backstress: Vec<BackstressTerm>,
 }
 
 impl Deformable {
@@ -60,7 +61,7 @@ impl Deformable {
         let beside = [("young_modulus", elastic.young_modulus.get())];
         let mut faults = plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(&beside));
         if faults.is_empty() {
-            return Ok(Self { elastic, plasticity });
+            return Ok(Self { elastic, plasticity, backstress: Vec::new() });
         }
         for fault in &mut faults {
             fault.pointer.insert_str(0, "/plasticity");
@@ -84,10 +85,24 @@ impl Deformable {
         self.plasticity.as_ref().map(|law| law.curve(young_modulus))
     }
 
+    /// Terms of the backstress beside that curve, for flow theory.
+    pub fn backstress(&self) -> &[BackstressTerm] {
+        &self.backstress
+    }
+
+    /// The same material with terms of the backstress; at most [`BackstressTerm::MAX_TERMS`] count, and none without a
+    /// hardening curve.
+    #[must_use]
+    pub fn with_backstress(mut self, mut terms: Vec<BackstressTerm>) -> Self {
+        terms.truncate(if self.plasticity.is_some() { BackstressTerm::MAX_TERMS } else { 0 });
+        self.backstress = terms;
+        self
+    }
+
     /// The same elastic constants without a hardening curve.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
-        Self { elastic: self.elastic, plasticity: None }
+        Self { elastic: self.elastic, plasticity: None, backstress: Vec::new() }
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
@@ -96,8 +111,13 @@ impl Deformable {
         let elastic = Elastic::read_fields(object, units, None, &mut known);
         let beside: Vec<_> =
             known.figure("young_modulus").map(|modulus| ("young_modulus", modulus)).into_iter().collect();
-        let plasticity = object.or("plasticity", None, |c| Hardening::read(c, units, &beside).map(Some));
-        object.checked(Self::new(elastic?, plasticity?))
+        let plasticity = object.or("plasticity", None, |c| {
+            let law = Hardening::read(c, units, &beside)?;
+            let terms = c.object()?.or("backstress", Vec::new(), |c| BackstressTerm::read_all(c, units))?;
+            Some(Some((law, terms)))
+        });
+        let (law, terms) = plasticity?.map_or((None, Vec::new()), |(law, terms)| (Some(law), terms));
+        Some(object.checked(Self::new(elastic?, law))?.with_backstress(terms))
     }
 }
 
@@ -130,6 +150,24 @@ impl Elastic {
     }
 }
 
+/// A hardening curve and the backstress beside it.
+struct Plasticity<'a>(&'a Hardening, &'a [BackstressTerm]);
+
+impl Serialize for InUnits<'_, Plasticity<'_>> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Wire<'a> {
+            #[serde(flatten)]
+            law: InUnits<'a, Hardening>,
+            #[serde(skip_serializing_if = "Vec::is_empty")]
+            backstress: Vec<InUnits<'a, BackstressTerm>>,
+        }
+        let Plasticity(law, backstress) = *self.0;
+        let backstress = backstress.iter().map(|term| InUnits(term, self.1)).collect();
+        Wire { law: InUnits(law, self.1), backstress }.serialize(serializer)
+    }
+}
+
 impl Serialize for InUnits<'_, Material> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -138,7 +176,8 @@ impl Serialize for InUnits<'_, Material> {
             Material::Deformable(deformable) => {
                 write_record(&deformable.elastic, &mut map, self.1)?;
                 if let Some(curve) = &deformable.plasticity {
-                    map.serialize_entry("plasticity", &InUnits(curve, self.1))?;
+                    let plasticity = Plasticity(curve, &deformable.backstress);
+                    map.serialize_entry("plasticity", &InUnits(&plasticity, self.1))?;
                 }
             }
         }

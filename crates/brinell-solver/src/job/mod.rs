@@ -28,6 +28,7 @@ pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
 pub mod tags;
+mod theory;
 pub mod units;
 mod wire;
 
@@ -36,13 +37,14 @@ pub use contact_job::{Analysis, Job};
 pub use error::{FaultCode, FieldError, JobError};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
-    Bilinear, Hardening, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
+    BackstressTerm, Bilinear, Hardening, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table,
+    TablePoints, Voce,
 };
-pub use load::{Load, Sweep};
+pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub use quantity::Quantity;
 pub use reader::Named;
-pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings};
+pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
 pub use shape::{Block, Cylinder, Groove, Profile, Shape};
 pub use units::Units;

@@ -7,8 +7,8 @@ use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
-    Analysis, ContactMethod, Coupling, Elastic, Hardening, Job, Load, MeshSettings, Named, OutputSettings,
-    Quantity, Shape, SolverSettings, Support, Sweep, Units, tags,
+    Analysis, BackstressTerm, ContactMethod, Coupling, Elastic, Hardening, Job, Load, MeshSettings, Named,
+    OutputSettings, Quantity, Shape, SolverSettings, Support, Sweep, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -56,6 +56,12 @@ impl Schemas<'_> {
                 "Coupling",
                 enumeration::<Coupling>("How the contact iteration and the plastic iteration alternate."),
             ),
+            (
+                "Theory",
+                enumeration::<Theory>(
+                    "Theory of plasticity: stress as a function of the strain alone, or of its history.",
+                ),
+            ),
             ("ContactMethod", enumeration::<ContactMethod>("The method that solves the contact conditions.")),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
@@ -69,7 +75,18 @@ impl Schemas<'_> {
             ),
         ];
         all.extend(self.variants(Shape::TAG, Shape::TABLES));
-        all.extend(self.variants(Hardening::TAG, Hardening::TABLES));
+        all.extend(self.variants(Hardening::TAG, Hardening::TABLES).map(|(name, mut law)| {
+            law["properties"]["backstress"] = json!({
+                "type": ["array", "null"],
+                "description": "Terms of the backstress, for flow theory.",
+                "items": self.named(BackstressTerm::TABLE.name),
+                "maxItems": BackstressTerm::MAX_TERMS,
+            });
+            (name, law)
+        }));
+        let term = BackstressTerm::TABLE;
+        let fields = BackstressTerm::TABLE.fields.iter().map(|field| self.entry(field, None));
+        all.push((term.name, object(term.description, fields.collect())));
         all.extend(self.materials());
         all.extend(self.loads());
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
@@ -259,6 +276,27 @@ impl Schemas<'_> {
             })
         };
         let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
+        let step = |key: &str, figure: &Value| {
+            let mut figure = figure.clone();
+            figure["minimum"] = json!(0);
+            let description = "One load of a history; zero takes it away.";
+            json!({
+                "type": "object",
+                "description": description,
+                "properties": {key: figure},
+                "required": [key],
+                "additionalProperties": false,
+            })
+        };
+        let history = json!({
+            "type": "array",
+            "description": "In the order in which they are applied, at least one of them above zero. Under \
+                            `deformation` each stands alone.",
+            "items": {"oneOf": [step("force", &force), step("approach", &approach)]},
+            "minItems": 1,
+            "maxItems": Sweep::MAX_VALUES,
+            "examples": [[{"force": 612.6106}, {"force": 0.0}]],
+        });
         let loads = [
             (
                 "ForceLoad",
@@ -283,6 +321,12 @@ impl Schemas<'_> {
                 "approaches",
                 "A sweep of approaches.",
                 example(sweep(&approach), json!([0.01, 0.02])),
+            ),
+            (
+                "HistoryLoad",
+                "history",
+                "Loads one after the other, each on what the one before has left.",
+                history,
             ),
             ("OnsetLoad", "onset", "The force at which the contact begins to yield is the answer.", yes),
         ];

@@ -80,10 +80,36 @@ impl Named for ContactMethod {
     }
 }
 
+/// The theory of plasticity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Theory {
+    /// Stress follows from the strain alone (Hencky): the paper's theory, for loads that only rise.
+    #[default]
+    Deformation,
+    /// Stress follows from the history of strain (Prandtl and Reuss): the loads of a job are a history.
+    Flow,
+}
+
+impl Named for Theory {
+    const ALL: &'static [Self] = &[Self::Deformation, Self::Flow];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Deformation => "deformation",
+            Self::Flow => "flow",
+        }
+    }
+}
+
 record! {
     /// Iteration controls.
     #[derive(Copy)]
     pub struct SolverSettings("", "Solver") {
+        /// Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a history.
+        pub theory: Theory = Field::choice::<Theory>("Theory").label("Theory", ""),
+        /// Increments of each load of a history, of equal size. Without it the program chooses them. Only with `flow`.
+        pub increments: Option<u32> = Field::whole(1..=10_000).label("Increments", ""),
         /// How the contact iteration and the plastic iteration alternate.
         pub coupling: Coupling = Field::choice::<Coupling>("Coupling").label("Coupling", ""),
         /// The method that solves the contact conditions.
@@ -98,6 +124,8 @@ record! {
 impl Default for SolverSettings {
     fn default() -> Self {
         Self {
+            theory: Theory::default(),
+            increments: None,
             coupling: Coupling::default(),
             contact: ContactMethod::default(),
             tolerance: PositiveF64::MICRO,

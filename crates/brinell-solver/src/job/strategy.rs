@@ -12,9 +12,9 @@ use serde::Deserialize;
 use super::fields::{Example, FieldKind};
 use super::reader::{Cursor, Faults, Named, Node};
 use super::{
-    Analysis, Body, ContactMethod, Coupling, Deformable, Elastic, Field, FieldTable, Hardening, Job, Load,
-    Material, MeshSettings, OutputSettings, PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep,
-    Units,
+    Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field, FieldTable,
+    Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, NonNegativeF64, OutputSettings,
+    PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep, Theory, Units,
 };
 
 /// A positive number within two decades of a typical one, so that it is in range in either unit system.
@@ -92,8 +92,12 @@ fn deformable() -> impl Strategy<Value = Material> {
     let constants = (near(10_000.0), (0.0..0.5).prop_map(|ratio| PoissonRatio::new(ratio).unwrap()));
     let elastic =
         constants.prop_map(|(young_modulus, poisson_ratio)| Elastic { young_modulus, poisson_ratio });
-    (elastic, proptest::option::of(curve())).prop_filter_map("too steep", |(elastic, curve)| {
-        Deformable::new(elastic, curve).ok().map(Material::Deformable)
+    let term = (near(10_000.0), prop_oneof![Just(0.0), 1.0..1e3])
+        .prop_map(|(modulus, rate)| BackstressTerm { modulus, rate: NonNegativeF64::new(rate).unwrap() });
+    let terms = vec(term, 0..=BackstressTerm::MAX_TERMS);
+    (elastic, proptest::option::of(curve()), terms).prop_filter_map("too steep", |(elastic, curve, terms)| {
+        let material = Deformable::new(elastic, curve).ok()?;
+        Some(Material::Deformable(material.with_backstress(terms)))
     })
 }
 
@@ -109,22 +113,34 @@ fn any_of<T: Named + std::fmt::Debug>(all: &'static [T]) -> impl Strategy<Value 
     proptest::sample::select(all)
 }
 
+fn history() -> impl Strategy<Value = History> {
+    let zero = || Just(NonNegativeF64::new(0.0).unwrap());
+    let positive = |typical| near(typical).prop_map(|value| NonNegativeF64::new(value.get()).unwrap());
+    let entry = prop_oneof![
+        prop_oneof![positive(600.0), zero()].prop_map(HistoryLoad::Force),
+        prop_oneof![positive(0.02), zero()].prop_map(HistoryLoad::Approach),
+    ];
+    let first = positive(600.0).prop_map(HistoryLoad::Force);
+    (first, vec(entry, 0..10))
+        .prop_map(|(first, rest)| History::new(std::iter::once(first).chain(rest).collect()).unwrap())
+}
+
 fn load() -> impl Strategy<Value = Load> {
     let sweep = |typical| vec(near(typical), 1..20).prop_map(|values| Sweep::new(values).unwrap());
     prop_oneof![
         sweep(600.0).prop_map(Load::Forces),
         sweep(0.02).prop_map(Load::Approaches),
+        history().prop_map(Load::History),
         Just(Load::Onset)
     ]
 }
 
 fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSettings)> {
-    let solver = (any_of(Coupling::ALL), any_of(ContactMethod::ALL), between(1e-12, 1e-1), 1..=100_000_u32);
-    let solver = solver.prop_map(|(coupling, contact, tolerance, max_iterations)| SolverSettings {
-        coupling,
-        contact,
-        tolerance,
-        max_iterations,
+    let theory = (any_of(Theory::ALL), proptest::option::of(1..=10_000_u32));
+    let methods = (any_of(Coupling::ALL), any_of(ContactMethod::ALL));
+    let solver = (theory, methods, between(1e-12, 1e-1), 1..=100_000_u32);
+    let solver = solver.prop_map(|((theory, increments), (coupling, contact), tolerance, max_iterations)| {
+        SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations }
     });
     let mesh = (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
     let output =

@@ -3,7 +3,7 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::fields::{Record, write_record};
-use super::{MeshSettings, OutputSettings, SolverSettings, Units};
+use super::{BackstressTerm, MeshSettings, OutputSettings, SolverSettings, Units};
 
 /// A part of a job beside the units in which it is to be written.
 pub(super) struct InUnits<'a, T>(pub &'a T, pub Units);
@@ -29,4 +29,4 @@ macro_rules! written_as_records {
     )+};
 }
 
-written_as_records!(MeshSettings, SolverSettings, OutputSettings);
+written_as_records!(MeshSettings, SolverSettings, OutputSettings, BackstressTerm);

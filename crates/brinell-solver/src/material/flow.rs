@@ -28,6 +28,7 @@ use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
     ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
 };
+use crate::job;
 
 /// Parts into which the plastic part of a strain path is divided.
 pub const SUBSTEPS: u32 = 16;
@@ -39,6 +40,12 @@ pub struct BackstressTerm {
     pub modulus: f64,
     /// γ.
     pub rate: f64,
+}
+
+impl From<&job::BackstressTerm> for BackstressTerm {
+    fn from(term: &job::BackstressTerm) -> Self {
+        Self { modulus: term.modulus.get(), rate: term.rate.get() }
+    }
 }
 
 impl BackstressTerm {
@@ -469,8 +476,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::material::hardening::tests::{TRIPLE_SHEAR, materials};
-    use crate::material::{Bilinear, DeformationPlasticity, Voce, law_of};
+    use crate::job::hardening::tests::{TRIPLE_SHEAR, YOUNG, materials};
+    use crate::job::{Bilinear, Hardening, NonNegativeF64, PositiveF64, Voce};
+    use crate::material::DeformationPlasticity;
 
     const ELASTIC: ElasticModuli = ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
 
@@ -479,8 +487,25 @@ mod tests {
         FlowPlasticity::new(ELASTIC, ReturnMapping::new(law, ELASTIC.shear), terms, OutOfPlane::Strained)
     }
 
+    fn positive(value: f64) -> PositiveF64 {
+        PositiveF64::new(value).unwrap()
+    }
+
+    /// `q = σ_y + H p`.
+    fn straight(yield_stress: f64, plastic_modulus: f64) -> Arc<dyn HardeningLaw> {
+        let slope = plastic_modulus / (1.0 + plastic_modulus / YOUNG);
+        let tangent_modulus = NonNegativeF64::new(slope).unwrap();
+        Hardening::from(Bilinear { yield_stress: positive(yield_stress), tangent_modulus }).curve(YOUNG)
+    }
+
     fn constant(yield_stress: f64) -> Arc<dyn HardeningLaw> {
-        Arc::new(Bilinear { yield_stress, plastic_modulus: 0.0 })
+        straight(yield_stress, 0.0)
+    }
+
+    /// `q = 420 - 120 exp(-15 p)`.
+    fn voce() -> Arc<dyn HardeningLaw> {
+        let (yield_stress, saturation_stress) = (positive(300.0), positive(420.0));
+        Hardening::from(Voce { yield_stress, saturation_stress, rate: positive(15.0) }).curve(YOUNG)
     }
 
     /// Deviatoric strain of a bar whose strain beyond the volume change is `e`.
@@ -507,7 +532,7 @@ mod tests {
     fn one_increment_from_rest_is_deformation_theory() {
         for material in materials() {
             for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
-                let mapping = ReturnMapping::new(law_of(&material).unwrap(), ELASTIC.shear);
+                let mapping = ReturnMapping::new(material.hardening_law().unwrap(), ELASTIC.shear);
                 let elastic = ElasticModuli::from(material.elastic());
                 let flow = FlowPlasticity::new(elastic, mapping, [], out_of_plane);
                 let deformation = DeformationPlasticity::new(&material, out_of_plane);
@@ -529,9 +554,9 @@ mod tests {
     /// σ = q(p) + Σ C/γ (1 - exp(-γ p)).
     #[test]
     fn a_bar_with_voce_and_chaboche_hardening_is_pulled_along_its_closed_form() {
-        let voce = Voce { yield_stress: 300.0, saturation_stress: 420.0, rate: 15.0 };
+        let voce = voce();
         let terms = [(40_000.0, 400.0), (6000.0, 30.0), (800.0, 0.0)];
-        let model = model(Arc::new(voce.clone()), terms);
+        let model = model(Arc::clone(&voce), terms);
         let mut state = FlowState::default();
         for k in 1..=40 {
             let e = 2.5e-4 * f64::from(k);
@@ -611,10 +636,7 @@ mod tests {
 
     #[test]
     fn unloading_is_elastic_and_reloading_returns_to_the_same_state() {
-        let model = model(
-            Arc::new(Voce { yield_stress: 300.0, saturation_stress: 420.0, rate: 15.0 }),
-            [(20_000.0, 100.0)],
-        );
+        let model = model(voce(), [(20_000.0, 100.0)]);
         let peak = [6e-3, -4e-3, 1e-3, 5e-3];
         let (loaded, state) = model.update(peak, &FlowState::default());
         let (_, unloaded) = model.update(peak.map(|e| 0.95 * e), &state);
@@ -629,8 +651,7 @@ mod tests {
     /// `∫σ:dε` of a closed strain cycle is the plastic work less what the backstress gained.
     #[test]
     fn energy_is_kept() {
-        let model =
-            model(Arc::new(Bilinear { yield_stress: 300.0, plastic_modulus: 2000.0 }), [(20_000.0, 0.0)]);
+        let model = model(straight(300.0, 2000.0), [(20_000.0, 0.0)]);
         let mut state = FlowState::default();
         let path = |k: u32| {
             let t = f64::from(k) / 2000.0 * std::f64::consts::TAU;

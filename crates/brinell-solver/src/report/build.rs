@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::units::UnitConverter;
 use super::{
     HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport, Timings, contact,
-    error_bars, fields, load_approach, onset, plastic_zone, subsurface, validity,
+    error_bars, fields, flow, load_approach, onset, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
@@ -22,6 +22,8 @@ pub(super) struct ReportBuilder<'a> {
     status: Option<SolveStatus>,
     /// Approach and force of the converged steps.
     curve: Vec<[f64; 2]>,
+    /// Whether they are a history and not a curve.
+    is_history: bool,
     /// The mesh of the last step.
     mesh: MeshReport,
     /// Time spent on reports.
@@ -31,7 +33,15 @@ pub(super) struct ReportBuilder<'a> {
 impl<'a> ReportBuilder<'a> {
     pub(super) fn new(job: &'a Job) -> Self {
         let write = UnitConverter::new(job.units, job.analysis);
-        Self { job, write, status: None, curve: Vec::new(), mesh: MeshReport::NONE, time: Duration::ZERO }
+        Self {
+            job,
+            write,
+            status: None,
+            curve: Vec::new(),
+            is_history: false,
+            mesh: MeshReport::NONE,
+            time: Duration::ZERO,
+        }
     }
 
     /// The report of the next step.
@@ -39,7 +49,12 @@ impl<'a> ReportBuilder<'a> {
         let start = observer.elapsed();
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
-            self.curve.push([step.approach, contact::force(step)]);
+            if step.increments.is_empty() {
+                self.curve.push([step.approach, contact::force(step)]);
+            } else {
+                self.is_history = true;
+                self.curve.extend(step.increments.iter().map(|end| [end.approach, end.force]));
+            }
         }
         let enlargements = self.mesh.enlargements + step.enlargements;
         self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
@@ -50,7 +65,7 @@ impl<'a> ReportBuilder<'a> {
 
     /// The report without its steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, mesh, time } = self;
+        let Self { job, write, status, curve, is_history, mesh, time } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {
@@ -58,7 +73,11 @@ impl<'a> ReportBuilder<'a> {
             analysis: job.analysis.name().to_owned(),
             status: status.unwrap_or(SolveStatus::Cancelled),
             steps: Vec::new(),
-            load_approach: load_approach::curve(curve, write),
+            load_approach: if is_history {
+                load_approach::history(curve, write)
+            } else {
+                load_approach::curve(curve, write)
+            },
             mesh: MeshReport { passes: solution.passes, ..mesh },
             timings_ms: timings(&solution.phases, observer.elapsed(), time),
             tags: job.tags.clone(),
@@ -102,6 +121,7 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
         approach_datum: approach_datum(job, write),
         contact: contact::report(step, write),
         contact_stiffness: write.stiffness(step.contact_stiffness),
+        flow: flow::flow(step, write),
         subsurface,
         plasticity,
         hertz: reference.map(|reference| HertzReport {
@@ -110,7 +130,7 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
             yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
             yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
         }),
-        validity: validity::notes(step, radius, &depths),
+        validity: validity::notes(job, step, radius, &depths),
         yield_onset: onset::onset(job, step, write),
         estimated_error: error_bars::estimate(step),
         fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
@@ -119,7 +139,10 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
 }
 
 /// What there is to say of each deformable body; once where one solution stands for both.
-fn per_body<T: Clone>(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> PerBody<Option<T>> {
+pub(super) fn per_body<T: Clone>(
+    step: &StepSolution,
+    say: impl Fn(&BodySolution) -> T,
+) -> PerBody<Option<T>> {
     let [upper, lower] = &step.bodies;
     let of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body));
     let of_upper = of(upper);

@@ -7,7 +7,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{ContactReport, ErrorEstimate, FieldsReport, LoadApproach, ValidityNote, YieldOnsetReport};
+use super::{
+    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, ValidityNote, YieldOnsetReport,
+};
 use crate::solver::{IterationRecord, SolveStatus};
 
 /// The answer to a job.
@@ -51,6 +53,9 @@ pub struct StepReport {
     /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
     /// 0 where nothing touches and where the step was stopped.
     pub contact_stiffness: f64,
+    /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flow: Option<FlowReport>,
     /// Stresses over depth; absent when not asked for, and where the step was stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,

@@ -6,7 +6,7 @@
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a)
 //! ```
 //!
-//! with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
+//! and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
 //! errors that fall with h or faster, |Δ| is at least the error of the finer mesh. But the errors also scatter with
 //! where the edge of the contact happens to fall between two nodes, so that now and then Δ is far below the error.
 //! The second terms are floors for that: half an element for the half-width, second order for the rest (the rings grow
@@ -66,9 +66,13 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     } else {
         APPROACH_FLOOR * size * size
     };
+    // Half as many increments differ by more than what these are wrong by.
+    let increments = step.increment_error.unwrap_or_default();
     Some(ErrorEstimate {
-        peak_pressure: relative(step.peak_pressure, coarse.peak_pressure).max(peak_floor),
-        half_width: relative(half_width, coarse.half_width).max(HALF_WIDTH_FLOOR * size),
-        approach: relative(step.approach, coarse.approach).max(approach_floor),
+        peak_pressure: increments.peak_pressure
+            + relative(step.peak_pressure, coarse.peak_pressure).max(peak_floor),
+        half_width: increments.half_width
+            + relative(half_width, coarse.half_width).max(HALF_WIDTH_FLOOR * size),
+        approach: increments.approach + relative(step.approach, coarse.approach).max(approach_floor),
     })
 }

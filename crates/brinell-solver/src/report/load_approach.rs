@@ -7,7 +7,8 @@ use super::units::UnitConverter;
 /// Approaches closer together than this part of the larger one count as one point of the curve.
 const SAME: f64 = 1e-9;
 
-/// Force over approach, in order of the approach; only converged steps.
+/// Force over approach, only of converged steps: in order of the approach or, of a history, in the order of the increments
+/// with the bodies at rest before them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LoadApproach {
     /// Contact force P.
@@ -32,6 +33,33 @@ pub(super) fn curve(mut points: Vec<[f64; 2]>, write: UnitConverter) -> Option<L
         force: points.iter().map(|[_, p]| write.force(*p)).collect(),
         approach: points.iter().map(|[alpha, _]| write.length(*alpha)).collect(),
         stiffness: slopes(&points).into_iter().map(|slope| write.stiffness(slope)).collect(),
+    })
+}
+
+/// The way of a history through points `[approach, force]` of its increments, from rest. Slopes are taken within each run
+/// that rises or falls.
+pub(super) fn history(points: Vec<[f64; 2]>, write: UnitConverter) -> Option<LoadApproach> {
+    let mut way = vec![[0.0; 2]];
+    way.extend(points);
+    way.dedup_by(|b, a| (b[0] - a[0]).abs() <= SAME * b[0].abs());
+    if way.len() < 2 {
+        return None;
+    }
+    let mut stiffness: Vec<f64> = Vec::with_capacity(way.len());
+    let mut first = 0;
+    while first + 1 < way.len() {
+        let rises = way[first + 1][0] > way[first][0];
+        let same_way = |pair: &&[[f64; 2]]| (pair[1][0] > pair[0][0]) == rises;
+        let length = way[first..].windows(2).take_while(same_way).count();
+        let run = slopes(&way[first..=first + length]);
+        // A turning point belongs to the run that ends there.
+        stiffness.extend(run.into_iter().skip(usize::from(first > 0)));
+        first += length;
+    }
+    Some(LoadApproach {
+        force: way.iter().map(|[_, p]| write.force(*p)).collect(),
+        approach: way.iter().map(|[alpha, _]| write.length(*alpha)).collect(),
+        stiffness: stiffness.into_iter().map(|slope| write.stiffness(slope)).collect(),
     })
 }
 
@@ -63,6 +91,16 @@ mod tests {
         for (slope, [x, _]) in slopes(&points).iter().zip(points) {
             assert!((slope - 2.0 - 6.0 * x).abs() < 1e-12, "{slope} at {x}");
         }
+    }
+
+    #[test]
+    fn a_history_keeps_its_order_and_turns_where_it_turns() {
+        use crate::job::{Analysis, Units};
+        let write = UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain);
+        let way = history(vec![[1.0, 2.0], [2.0, 4.0], [1.5, 1.0], [1.0, 0.0]], write).unwrap();
+        assert_eq!(way.approach, [0.0, 1.0, 2.0, 1.5, 1.0]);
+        assert_eq!(way.stiffness[..3], [2.0, 2.0, 2.0]);
+        assert!(way.stiffness.len() == 5 && way.stiffness[3] > 2.0);
     }
 
     #[test]

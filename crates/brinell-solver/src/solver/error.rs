@@ -38,6 +38,9 @@ pub enum SolveError {
     /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
     #[error("neither body has a yield stress, so there is no onset of yield to find")]
     NoYieldPoint,
+    /// A history without a load.
+    #[error("none of the loads is above zero")]
+    NoLoad,
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),

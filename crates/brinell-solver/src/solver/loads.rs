@@ -1,7 +1,7 @@
 //! The loads of a job.
 
 use crate::contact::ContactLoad;
-use crate::job::Load;
+use crate::job::{HistoryLoad, Load};
 
 /// How much finer than asked a mesh is made where the loads that follow are smaller.
 const FALLING_RESERVE: f64 = 1.2;
@@ -12,6 +12,13 @@ pub(crate) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
         Load::Forces(forces) => Some(forces.iter().map(|force| ContactLoad::Force(force.get())).collect()),
         Load::Approaches(approaches) => {
             Some(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
+        }
+        Load::History(loads) => {
+            let load = |load: &HistoryLoad| match load {
+                HistoryLoad::Force(force) => ContactLoad::Force(force.get()),
+                HistoryLoad::Approach(approach) => ContactLoad::Approach(approach.get()),
+            };
+            Some(loads.iter().map(load).collect())
         }
         Load::Onset => None,
     }

@@ -15,7 +15,7 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
-use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome};
+use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome, Scales};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
 use crate::solver::solution::CoarseFigures;
@@ -35,6 +35,8 @@ pub(crate) struct MeshSolveRequest<'a> {
     pub previous: Option<&'a [NodalField<'a>]>,
     /// What other jobs have left.
     pub cache: Option<&'a Arc<FactorCache>>,
+    /// What residuals are relative to, at least.
+    pub scales: Scales,
 }
 
 /// A discretized problem, and the displacements that the last loads left on it.
@@ -119,6 +121,21 @@ pub(crate) struct MeshSolve {
 }
 
 impl MeshSolve {
+    /// Puts together what an iteration found.
+    pub fn of(problem: &Problem, system: System, outcome: Outcome, fields: Vec<ModelField>) -> Self {
+        let (patch, reaches_edge) = find_contact(problem, &system, &outcome, &fields);
+        Self {
+            system,
+            outcome,
+            fields,
+            patch,
+            reaches_edge,
+            enlargements: 0,
+            meshes: 1,
+            previous_states: Vec::new(),
+        }
+    }
+
     /// Where material yields.
     pub fn yielded_envelope(&self) -> RadialEnvelope {
         let points = self.fields.iter().flat_map(|field| field.stress.points.iter().flatten());
@@ -127,7 +144,7 @@ impl MeshSolve {
     }
 
     /// Whether the material yields outside the plastic region.
-    fn yields_outside_region(&self) -> bool {
+    pub fn yields_outside_region(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);
         bodies.any(|(body, field)| body.yields_outside_region(&field.stress))
     }
@@ -148,6 +165,16 @@ impl MeshSolve {
             half_width: self.patch?.half_width(),
             approach: contact.approach,
         })
+    }
+
+    /// Headline figures, those of no contact where nothing touches.
+    pub fn all_figures(&self) -> CoarseFigures {
+        let contact = &self.outcome.state.response.contact;
+        CoarseFigures {
+            peak_pressure: self.system.peak_pressure(&contact.force),
+            half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
+            approach: contact.approach,
+        }
     }
 
     /// Connected parts of the contact.
@@ -171,10 +198,10 @@ impl MeshSolve {
 /// How much wider the zone becomes when the contact reaches its edge.
 const ENLARGEMENT: f64 = 1.5;
 /// Enlargements after which the contact is taken to be wider than the body.
-const MAX_ENLARGEMENTS: usize = 12;
+pub(crate) const MAX_ENLARGEMENTS: usize = 12;
 
 /// How much farther than it was found plastic flow is looked for when it had not been expected there.
-const WIDENING: f64 = 1.3;
+pub(crate) const WIDENING: f64 = 1.3;
 
 /// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond it.
 /// Where plastic flow turns up outside the part of the bodies that is searched, goes on with a larger part.
@@ -255,7 +282,7 @@ pub(crate) fn run(
 
 /// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
 /// iteration that was stopped or is stopped here.
-fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
+pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
     let mut fields = Vec::with_capacity(system.bodies.len());
     for (k, body) in system.bodies.iter().enumerate() {
         if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
@@ -277,7 +304,7 @@ fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -
     fields
 }
 
-fn enlarge(zone: ContactZone) -> ContactZone {
+pub(crate) fn enlarge(zone: ContactZone) -> ContactZone {
     let (centre, half) = (zone.centre(), ENLARGEMENT * zone.half_width());
     let columns = (zone.columns as f64 * ENLARGEMENT).round() as usize;
     let x_min = if zone.symmetric { 0.0 } else { centre - half };
@@ -285,12 +312,12 @@ fn enlarge(zone: ContactZone) -> ContactZone {
 }
 
 /// Whether a zone lies on both bodies.
-fn fits(problem: &Problem, zone: &ContactZone) -> bool {
+pub(crate) fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
 }
 
 /// Iterates. Where the accelerated coupling does not get on it is linearized anew, once, and then left to Newton's method.
-fn iterate(
+pub(crate) fn iterate(
     system: &mut System,
     request: &MeshSolveRequest<'_>,
     initial: InitialState,
@@ -304,6 +331,7 @@ fn iterate(
         tolerance: request.solver.tolerance.get(),
         max_iterations: request.solver.max_iterations as usize,
         renewable: coupling.uses_tangent_moduli(),
+        scales: request.scales,
     };
     let first = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
     if !first.stalled {

@@ -31,5 +31,6 @@ pub use load_stepping::run::{Options, run, run_each, run_with};
 pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use observer::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use phases::{Phase, PhaseTimes};
+pub use problem::ModelOf;
 pub use reference::ElasticReference;
-pub use solution::{BodySolution, CoarseFigures, PairState, Solution, StepSolution};
+pub use solution::{BodySolution, CoarseFigures, Energy, IncrementRecord, PairState, Solution, StepSolution};

@@ -8,7 +8,10 @@ use crate::fem::assembly::{MaterialModel, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::job::{Analysis, Body, Deformable, Job, Material, Support};
-use crate::material::{DeformationPlasticity, HardeningLaw, OutOfPlane};
+use crate::material::{
+    BackstressTerm, DeformationPlasticity, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane,
+    ReturnMapping,
+};
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
 pub(crate) struct Problem {
@@ -38,6 +41,30 @@ pub type ModelOf = fn(&Deformable, OutOfPlane) -> Arc<dyn MaterialModel>;
 /// The paper's theory of plasticity.
 pub(crate) fn deformation_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
     Arc::new(DeformationPlasticity::new(material, out_of_plane))
+}
+
+/// Flow theory, which follows a history of loads.
+pub(crate) fn flow_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
+    let Some(law) = material.hardening_law() else { return deformation_theory(material, out_of_plane) };
+    let elastic = ElasticModuli::from(material.elastic());
+    let mapping = ReturnMapping::new(law, elastic.shear);
+    let terms = material.backstress();
+    // As many terms as there are, because every point keeps one tensor for each.
+    match *terms {
+        [] => Arc::new(FlowPlasticity::new(elastic, mapping, [], out_of_plane)),
+        [a] => Arc::new(FlowPlasticity::new(elastic, mapping, [&a].map(BackstressTerm::from), out_of_plane)),
+        [a, b] => {
+            Arc::new(FlowPlasticity::new(elastic, mapping, [&a, &b].map(BackstressTerm::from), out_of_plane))
+        }
+        [a, b, c] => {
+            let terms = [&a, &b, &c].map(BackstressTerm::from);
+            Arc::new(FlowPlasticity::new(elastic, mapping, terms, out_of_plane))
+        }
+        [a, b, c, d, ..] => {
+            let terms = [&a, &b, &c, &d].map(BackstressTerm::from);
+            Arc::new(FlowPlasticity::new(elastic, mapping, terms, out_of_plane))
+        }
+    }
 }
 
 /// Samples in search of the smallest gap.

@@ -68,6 +68,57 @@ pub struct StepSolution {
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.
     pub coarse: Option<CoarseFigures>,
+    /// The increments of this load, for bodies with a memory.
+    pub increments: Vec<IncrementRecord>,
+    /// By how much half as many increments change the figures, relative to them; bodies with a memory only.
+    pub increment_error: Option<CoarseFigures>,
+    /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the elastic one, of the pairs
+    /// in contact \[N/mm per mm\].
+    pub unloading_stiffness: f64,
+    /// Where the work of the force has gone, for bodies with a memory.
+    pub energy: Option<Energy>,
+}
+
+/// One increment of a load history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IncrementRecord {
+    /// Contact force, both sides of the axis.
+    pub force: f64,
+    /// Approach \[mm\].
+    pub approach: f64,
+    /// Largest contact pressure \[MPa\].
+    pub peak_pressure: f64,
+    /// Half-width \[mm\].
+    pub half_width: f64,
+    /// Iterations made.
+    pub iterations: usize,
+    /// Gauss points that have yielded so far.
+    pub plastic_points: usize,
+    /// How its iteration ended.
+    pub status: SolveStatus,
+}
+
+/// Energies of both bodies \[N mm/mm, or N mm\].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energy {
+    /// Elastic energy.
+    pub elastic: f64,
+    /// `∫σ:dε_p`.
+    pub plastic_work: f64,
+    /// The part of it that the backstress stores.
+    pub backstress: f64,
+}
+
+impl Energy {
+    /// Work of the contact force: what is stored and what is dissipated.
+    pub fn work(&self) -> f64 {
+        self.elastic + self.plastic_work
+    }
+
+    /// What is lost.
+    pub fn dissipated(&self) -> f64 {
+        self.plastic_work - self.backstress
+    }
 }
 
 /// One candidate pair.
@@ -133,7 +184,7 @@ impl BodySolution {
 }
 
 /// Headline figures of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CoarseFigures {
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,

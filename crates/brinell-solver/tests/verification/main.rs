@@ -11,6 +11,7 @@ mod contact_solvers;
 mod contacts;
 mod error_bars;
 mod factor_cache;
+mod flow_theory;
 mod independent_program;
 mod invariants;
 mod line_contact;

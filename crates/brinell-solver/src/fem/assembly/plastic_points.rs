@@ -36,6 +36,9 @@ pub trait MaterialModel: Debug + Send + Sync {
     /// The isotropic hardening law; `None` for a material that cannot yield.
     fn hardening(&self) -> Option<&dyn HardeningLaw>;
 
+    /// Whether the answer depends on the way there, so that loads are a history.
+    fn has_memory(&self) -> bool;
+
     /// The elements of a mesh that are `inside`, at rest.
     fn points(
         self: Arc<Self>,
@@ -56,6 +59,10 @@ impl<M: ConstitutiveModel> MaterialModel for M {
 
     fn hardening(&self) -> Option<&dyn HardeningLaw> {
         ConstitutiveModel::hardening(self)
+    }
+
+    fn has_memory(&self) -> bool {
+        ConstitutiveModel::has_memory(self)
     }
 
     fn points(
@@ -106,6 +113,10 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// of `load` is left zero. Returns the Gauss points beyond yield.
     fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize;
 
+    /// Overwrites `load` by what the reductions of the moduli of reference add to the load of displacements u,
+    /// `-∫BᵀCB dV u`.
+    fn reduction_load(&self, u: &[f64], load: &mut [f64]);
+
     /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are from now on those that
     /// everything else begins from.
     fn commit(&mut self, u: &[f64]);
@@ -145,6 +156,16 @@ impl RegionElement {
     #[inline(always)]
     fn strain(&self, u: &[f64]) -> [PerPoint; 4] {
         self.quad.strain(&self.equations.map(|e| e.map(|k| u[k as usize])))
+    }
+
+    #[inline(always)]
+    fn add_forces(&self, stress: &[PerPoint; 4], load: &mut [f64]) {
+        let forces = self.quad.nodal_forces(stress);
+        for (equations, force) in self.equations.iter().zip(forces) {
+            for (&k, f) in equations.iter().zip(force) {
+                load[k as usize] += f;
+            }
+        }
     }
 }
 
@@ -204,6 +225,18 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
             *held = 0.0;
         }
         plastic_points
+    }
+
+    fn reduction_load(&self, u: &[f64], load: &mut [f64]) {
+        load.fill(0.0);
+        for element in &self.elements {
+            let Some(k) = element.reduction else { continue };
+            let stress = self.reductions[k].stress(&element.strain(u)).map(|component| component.map(|s| -s));
+            element.add_forces(&stress, load);
+        }
+        if let Some(held) = load.last_mut() {
+            *held = 0.0;
+        }
     }
 
     fn commit(&mut self, u: &[f64]) {
@@ -268,12 +301,7 @@ impl<M: ConstitutiveModel> Region<M> {
             (None, Some(reduced)) => stress = reduced.map(|component| component.map(|s| -s)),
             (Some(_), Some(reduced)) => subtract(&mut stress, &reduced),
         }
-        let forces = element.quad.nodal_forces(&stress);
-        for (equations, force) in element.equations.iter().zip(forces) {
-            for (&k, f) in equations.iter().zip(force) {
-                load[k as usize] += f;
-            }
-        }
+        element.add_forces(&stress, load);
         yielded.unwrap_or(0)
     }
 }

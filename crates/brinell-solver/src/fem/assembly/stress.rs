@@ -22,6 +22,12 @@ pub struct GaussPoint {
     pub secant_shear: f64,
     /// Whether the point is beyond yield.
     pub yielded: bool,
+    /// Equivalent plastic strain gained since the load last began to fall.
+    pub reverse_plastic_strain: f64,
+    /// `∫σ:dε_p` over the history \[MPa\].
+    pub plastic_work: f64,
+    /// The part of it that the backstress stores \[MPa\].
+    pub backstress_energy: f64,
 }
 
 impl GaussPoint {
@@ -40,6 +46,9 @@ impl GaussPoint {
             equivalent_plastic_strain: mean(&|point| point.equivalent_plastic_strain),
             secant_shear: mean(&|point| point.secant_shear),
             yielded: points.iter().any(|point| point.yielded),
+            reverse_plastic_strain: mean(&|point| point.reverse_plastic_strain),
+            plastic_work: mean(&|point| point.plastic_work),
+            backstress_energy: mean(&|point| point.backstress_energy),
         }
     }
 }
@@ -89,6 +98,9 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
                     equivalent_plastic_strain: response.equivalent_plastic_strain,
                     secant_shear: response.secant_shear,
                     yielded: response.yielded,
+                    reverse_plastic_strain: 0.0,
+                    plastic_work: response.plastic_work,
+                    backstress_energy: response.backstress_energy,
                 };
             }
             for (node, force) in nodes.iter().zip(quad.nodal_forces(&stress)) {

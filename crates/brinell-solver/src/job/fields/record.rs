@@ -38,7 +38,20 @@ pub(in crate::job) fn read_record<T: Record>(
     default: Option<T>,
     beside: &[(&'static str, f64)],
 ) -> Option<T> {
-    let keys: Vec<_> = tag.into_iter().chain(T::TABLE.fields.iter().map(|field| field.key)).collect();
+    read_record_of(object, tag, &[], units, default, beside)
+}
+
+/// As [`read_record`], of an object that has the keys `shared` beside those of its table; somebody else reads them.
+pub(in crate::job) fn read_record_of<T: Record>(
+    object: &Object<'_>,
+    tag: Option<&'static str>,
+    shared: &[&'static str],
+    units: Option<Units>,
+    default: Option<T>,
+    beside: &[(&'static str, f64)],
+) -> Option<T> {
+    let own = T::TABLE.fields.iter().map(|field| field.key);
+    let keys: Vec<_> = tag.into_iter().chain(own).chain(shared.iter().copied()).collect();
     object.only(&keys);
     let mut known = Known(beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect());
     let read = T::read_fields(object, units, default, &mut known);
@@ -159,7 +172,7 @@ macro_rules! record {
 macro_rules! tagged {
     (
         $(#[doc = $doc:literal])+
-        pub enum $name:ident by $tag:literal { $($variant:ident),+ $(,)? }
+        pub enum $name:ident by $tag:literal $(beside $shared:literal)? { $($variant:ident),+ $(,)? }
     ) => {
         $(#[doc = $doc])+
         #[derive(Debug, Clone, PartialEq)]
@@ -201,13 +214,15 @@ macro_rules! tagged {
                 units: Option<$crate::job::Units>,
                 beside: &[(&'static str, f64)],
             ) -> Option<Self> {
-                use $crate::job::fields::{Record, read_record};
+                use $crate::job::fields::{Record, read_record_of};
+                let shared: &[&'static str] = &[$($shared)?];
                 let object = cursor.object()?;
                 let words: Vec<_> = Self::TABLES.iter().map(|table| table.word).collect();
                 let word = object.required(Self::TAG, |cursor| cursor.word(&words))?;
                 $(
                     if word == <$variant as Record>::TABLE.word {
-                        return read_record(&object, Some(Self::TAG), units, None, beside).map(Self::$variant);
+                        return read_record_of(&object, Some(Self::TAG), shared, units, None, beside)
+                            .map(Self::$variant);
                     }
                 )+
                 None

@@ -3,6 +3,7 @@
 //! Each law is one file, its parameters with their table, what holds between them and its curve, and one name in the
 //! list below. It knows nothing of shear: [`crate::material::ReturnMapping`] combines the two.
 
+mod backstress;
 mod bilinear;
 mod law;
 mod ludwik;
@@ -14,6 +15,7 @@ mod voce;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
+pub use backstress::BackstressTerm;
 pub use bilinear::Bilinear;
 pub use law::{HardeningLaw, Inverse};
 pub use ludwik::Ludwik;
@@ -32,7 +34,7 @@ macro_rules! laws {
     ($($law:ident),+ $(,)?) => {
         tagged! {
             /// Uniaxial curve of the stress q over the plastic strain ε_p.
-            pub enum Hardening by "law" { $($law),+ }
+            pub enum Hardening by "law" beside "backstress" { $($law),+ }
         }
 
         impl Hardening {

@@ -79,6 +79,11 @@ impl<'a> Cursor<'a> {
         Some(Object::new(self, members))
     }
 
+    /// Whether it is the number zero.
+    pub fn is_zero(&self) -> bool {
+        matches!(self.node, Node::Number(value) if *value == 0.0)
+    }
+
     /// Any finite number.
     pub fn number(&self) -> Option<f64> {
         let Node::Number(value) = self.node else { return self.not("a number") };

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::fem::assembly::{MaterialModel, PlasticPoints, StressField};
+use crate::fem::mesh::Mesh;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
@@ -103,6 +104,28 @@ impl BodyModel {
         Ok(transferred)
     }
 
+    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on another mesh; returns the
+    /// displacements after it.
+    pub fn linearize_after(
+        &mut self,
+        from: &[f64],
+        change: NodalField<'_>,
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<f64>, SolveError> {
+        let Self { elastic, plastic_region, .. } = self;
+        let after = phases
+            .time(Phase::Plasticity, observer, || plastic_region.linearize_after(from, change, elastic));
+        self.factorize(phases, observer)?;
+        Ok(after)
+    }
+
+    /// Takes more elements into the plastic region.
+    pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &[f64]) {
+        let Self { elastic, model, plastic_region, .. } = self;
+        plastic_region.extend(elastic, &**model, search_region, accepted);
+    }
+
     fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
         let is_softened = self.plastic_region.is_softened();
         if is_softened || self.is_softened {
@@ -153,16 +176,8 @@ impl PlasticRegion {
         search_region: PlasticSearchRegion,
     ) -> Self {
         let ElasticBody { mesh, equations, symbolic, .. } = elastic;
-        let elements = match model.hardening() {
-            None => vec![false; mesh.elements.len()],
-            Some(law) if law.yield_stress() > 0.0 => search_region.elements(mesh),
-            // Some plastic strain is everywhere.
-            Some(_) => PlasticSearchRegion::WholeBody.elements(mesh),
-        };
-        let mut nodes = nodes_of(mesh, &elements);
-        for &node in &mesh.contact_nodes {
-            nodes[node as usize] = true;
-        }
+        let elements = searched_elements(mesh, &**model, search_region);
+        let nodes = active_nodes(mesh, &elements);
         let active_equations = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&active_equations);
         let points = model
@@ -184,7 +199,71 @@ impl PlasticRegion {
         transferred.displacement_on(start, equations)
     }
 
+    /// Takes the tangent moduli after a change of displacement that is known on another mesh.
+    fn linearize_after(&mut self, from: &[f64], change: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
+        let ElasticBody { mesh, equations, .. } = elastic;
+        let Some(points) = &mut self.points else { return from.to_vec() };
+        let transferred = TransferredField::new(change, elastic.stress_state(), mesh, &self.nodes);
+        points.linearize(ReferenceModuli::Tangent, &mut |element, quad| {
+            let nodes = mesh.elements[element];
+            let mut strain =
+                quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| from[k as usize])));
+            for (value, change) in
+                strain.iter_mut().flatten().zip(transferred.strain(&nodes).iter().flatten())
+            {
+                *value += change;
+            }
+            strain
+        });
+        let mut after = transferred.displacement_on(&self.active_equations, equations);
+        for &equation in &self.active_equations {
+            after[equation as usize] += from[equation as usize];
+        }
+        after
+    }
+
+    /// Takes in more elements.
+    fn extend(
+        &mut self,
+        elastic: &ElasticBody,
+        model: &dyn MaterialModel,
+        search_region: PlasticSearchRegion,
+        accepted: &[f64],
+    ) {
+        let ElasticBody { mesh, equations, symbolic, .. } = elastic;
+        let Some(points) = &mut self.points else { return };
+        for (inside, more) in self.elements.iter_mut().zip(searched_elements(mesh, model, search_region)) {
+            *inside |= more;
+        }
+        points.extend(mesh, equations, &self.elements, accepted);
+        self.nodes = active_nodes(mesh, &self.elements);
+        self.active_equations = equations.of_nodes(&self.nodes);
+        self.reach = symbolic.reach(&self.active_equations);
+    }
+
     fn is_softened(&self) -> bool {
         self.points.as_ref().is_some_and(|points| !points.refers_to_elastic())
     }
+}
+
+/// The elements of a search region; all of them where some plastic strain is everywhere, none where there is none.
+fn searched_elements(
+    mesh: &Mesh,
+    model: &dyn MaterialModel,
+    search_region: PlasticSearchRegion,
+) -> Vec<bool> {
+    match model.hardening() {
+        None => vec![false; mesh.elements.len()],
+        Some(law) if law.yield_stress() > 0.0 => search_region.elements(mesh),
+        Some(_) => PlasticSearchRegion::WholeBody.elements(mesh),
+    }
+}
+
+/// The nodes of these elements and the contact nodes.
+fn active_nodes(mesh: &Mesh, elements: &[bool]) -> Vec<bool> {
+    let mut nodes = nodes_of(mesh, elements);
+    for &node in &mesh.contact_nodes {
+        nodes[node as usize] = true;
+    }
+    nodes
 }

@@ -31,6 +31,11 @@ impl RadialEnvelope {
         outline
     }
 
+    /// An outline that holds this one and another around the same middle.
+    pub fn joined(self, other: &Self) -> Self {
+        Self { radius: std::array::from_fn(|k| self.radius[k].max(other.radius[k])) }
+    }
+
     /// This outline with all distances scaled.
     pub fn scaled(self, factor: f64) -> Self {
         Self { radius: self.radius.map(|radius| factor * radius) }

@@ -155,6 +155,49 @@ impl System {
         Ok(transferred)
     }
 
+    /// Factorizes anew, with the tangent moduli after a change of displacement that is known on another mesh, one field for
+    /// each model, from displacements on this one. Returns the displacements after that change.
+    pub fn linearize_after(
+        &mut self,
+        from: &BlockVector,
+        change: &[NodalField<'_>],
+        phases: &mut PhaseTimes,
+        observer: &mut dyn Observer,
+    ) -> Result<BlockVector, SolveError> {
+        let mut after = Vec::with_capacity(self.bodies.len());
+        for ((body, from), change) in self.bodies.iter_mut().zip(from).zip(change) {
+            after.push(body.linearize_after(from, *change, phases, observer)?);
+        }
+        self.sum_flexibility();
+        Ok(after)
+    }
+
+    /// Accepts an increment that ends at displacements on the active equations.
+    pub fn commit(&mut self, displacement: &BlockVector) {
+        for (body, u) in self.bodies.iter_mut().zip(displacement) {
+            if let Some(points) = &mut body.plastic_region.points {
+                points.commit(u);
+            }
+        }
+    }
+
+    /// Takes more elements into the plastic region of each body, whose states are kept; they have been elastic up to the
+    /// displacements of all nodes at the last accepted increment, which are empty at rest.
+    pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &BlockVector) {
+        for (k, body) in self.bodies.iter_mut().enumerate() {
+            body.extend_plastic_region(search_region, accepted.get(k).map_or(&[], Vec::as_slice));
+        }
+    }
+
+    /// What the reductions of the moduli of reference add to the load of displacements, `-∫BᵀCB dV u`.
+    pub fn reduction_load(&self, displacement: &BlockVector, loads: &mut BlockVector) {
+        for ((body, u), load) in self.bodies.iter().zip(displacement).zip(loads) {
+            if let Some(points) = &body.plastic_region.points {
+                points.reduction_load(u, load);
+            }
+        }
+    }
+
     /// Watches another part of each body. The factors have to be made anew before the next iteration with tangent
     /// moduli.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {

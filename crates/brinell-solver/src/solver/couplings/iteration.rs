@@ -18,6 +18,18 @@ pub(crate) struct Controls<'a> {
     pub max_iterations: usize,
     /// Whether to stop where another linearization would pay.
     pub renewable: bool,
+    /// What residuals and changes are relative to, at least.
+    pub scales: Scales,
+}
+
+/// The largest norms of a load history so far. Unloaded bodies have no contact forces that a residual could be relative
+/// to.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Scales {
+    /// `‖R‖` \[N/mm\].
+    pub force: f64,
+    /// `‖u‖` on the active equations \[mm\].
+    pub displacement: f64,
 }
 
 /// The state an iteration ended in.
@@ -151,9 +163,10 @@ impl<'a> Iteration<'a> {
 
     /// `‖u - u_start‖ / ‖u‖` on the active equations.
     pub fn displacement_change(&mut self, start: &BlockVector, u: &BlockVector) -> f64 {
-        let system = self.system;
-        self.phases
-            .time(Phase::Plasticity, self.observer, || relative(system.distance(u, start), system.norm(u)))
+        let (system, least) = (self.system, self.controls.scales.displacement);
+        self.phases.time(Phase::Plasticity, self.observer, || {
+            relative(system.distance(u, start), system.norm(u).max(least))
+        })
     }
 
     /// Initial-stress loads of given displacements.
@@ -181,7 +194,7 @@ impl<'a> Iteration<'a> {
         plastic_points: usize,
         residual_norm: f64,
     ) -> Option<SolveStatus> {
-        let force = norm(&response.contact.force);
+        let force = norm(&response.contact.force).max(self.controls.scales.force);
         let displacement_change = self.displacement_change(start, &response.displacement);
         if !(force + displacement_change + residual_norm).is_finite() {
             return Some(SolveStatus::NotConverged);

@@ -27,14 +27,42 @@ pub(crate) fn contact_stiffness(
     patch: Option<ContactPatch>,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
+    let tangent = Tangent::new(system, &state.response.displacement);
+    stiffness(system, state, patch, |v| tangent.softening(v), observer)
+}
+
+/// The same where the load begins to fall and plastic strain stays as it is.
+pub(crate) fn unloading(
+    system: &System,
+    state: &State,
+    patch: Option<ContactPatch>,
+    observer: &mut dyn Observer,
+) -> Result<f64, Interrupt> {
+    let stiffer = |v: &BlockVector| {
+        let mut load = system.zeros();
+        system.reduction_load(v, &mut load);
+        load
+    };
+    stiffness(system, state, patch, stiffer, observer)
+}
+
+/// The stiffness with the tangent `K - softening`.
+fn stiffness(
+    system: &System,
+    state: &State,
+    patch: Option<ContactPatch>,
+    softening: impl Fn(&BlockVector) -> BlockVector,
+    observer: &mut dyn Observer,
+) -> Result<f64, Interrupt> {
     let active: Vec<usize> = state.response.contact.active_set.iter().collect();
+    if active.is_empty() {
+        return Ok(0.0);
+    }
     let block = system.flexibility.principal_block(&active);
     let Ok(factor) = DenseCholesky::factor(block) else { return Ok(0.0) };
     let closing = ActivePairConstraint { system, active, factor };
-    let tangent = Tangent::new(system, &state.response.displacement);
-
     let (v, force) = closing.close();
-    let mut residual = tangent.softening(&v);
+    let mut residual = softening(&v);
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(BlockVector, BlockVector, f64)> = None;
     for _ in 0..MAX_STEPS {
@@ -50,7 +78,7 @@ pub(crate) fn contact_stiffness(
             add(&mut load, product / last_product, last_load);
         }
         let mut tangent_load = load.clone();
-        add(&mut tangent_load, -1.0, &tangent.softening(&direction));
+        add(&mut tangent_load, -1.0, &softening(&direction));
         let energy = system.inner(&direction, &tangent_load);
         if !(product > 0.0 && energy > 0.0) {
             break;

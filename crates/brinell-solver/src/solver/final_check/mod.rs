@@ -8,12 +8,13 @@ use contact_stiffness::contact_stiffness;
 
 use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
 use crate::fem::assembly::StressField;
+use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
 use crate::solver::couplings::iteration::{norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Observer, SolveStatus};
 use crate::solver::phases::{Phase, PhaseTimes};
-use crate::solver::solution::{BodySolution, PairState, StepSolution};
+use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
 
 /// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
 /// a converged state may have. Rounding leaves about 1e-12.
@@ -29,6 +30,7 @@ pub(crate) fn finish(
     pass: &mut MeshSolve,
     load: ContactLoad,
     tolerance: f64,
+    force_scale: f64,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> StepSolution {
@@ -47,7 +49,47 @@ pub(crate) fn finish(
             }
         }
     };
-    phases.time(Phase::Output, observer, || final_check(pass, contact_stiffness, load, tolerance))
+    phases
+        .time(Phase::Output, observer, || final_check(pass, contact_stiffness, load, tolerance, force_scale))
+}
+
+/// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
+/// elastic bodies with these pairs in contact \[N/mm per mm\].
+pub(crate) fn unloading_stiffness(
+    pass: &MeshSolve,
+    phases: &mut PhaseTimes,
+    observer: &mut dyn Observer,
+) -> f64 {
+    if pass.outcome.status.is_stopped() {
+        return 0.0;
+    }
+    let MeshSolve { system, outcome, patch, .. } = pass;
+    let stiffness = phases.time_observed(Phase::Solves, observer, |observer| {
+        contact_stiffness::unloading(system, &outcome.state, *patch, observer)
+    });
+    // Whoever stops a job here has its last increment all the same.
+    stiffness.unwrap_or(0.0)
+}
+
+/// Energies of bodies with a memory.
+fn energy(system: &System, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
+    if !bodies.iter().any(|body| body.model.has_memory()) {
+        return None;
+    }
+    let mut energy = Energy::default();
+    for (body, copies) in bodies.iter().zip(&system.bodies_represented) {
+        let ElasticModuli { bulk, shear } = body.model.elastic();
+        let copies = (copies * system.symmetry_factor()) as f64;
+        for point in body.stress.points.iter().flatten() {
+            let weight = copies * point.weight;
+            let pressure = (point.stress[0] + point.stress[1] + point.stress[2]) / 3.0;
+            let deviatoric = von_mises(point.stress).powi(2) / (6.0 * shear);
+            energy.elastic += weight * (deviatoric + pressure * pressure / (2.0 * bulk));
+            energy.plastic_work += weight * point.plastic_work;
+            energy.backstress += weight * point.backstress_energy;
+        }
+    }
+    Some(energy)
 }
 
 /// The quantities of the final state that are checked.
@@ -61,7 +103,7 @@ struct Final {
 }
 
 /// By the fields.
-fn from_fields(pass: &mut MeshSolve) -> Final {
+fn from_fields(pass: &mut MeshSolve, force_scale: f64) -> Final {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let mut squares = 0.0;
@@ -77,7 +119,7 @@ fn from_fields(pass: &mut MeshSolve) -> Final {
         }
         bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
     }
-    let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force));
+    let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force).max(force_scale));
     Final { unloaded_gap, equilibrium_residual, bodies }
 }
 
@@ -100,9 +142,10 @@ fn final_check(
     contact_stiffness: f64,
     load: ContactLoad,
     tolerance: f64,
+    force_scale: f64,
 ) -> StepSolution {
     let Final { unloaded_gap, equilibrium_residual, bodies } =
-        if pass.outcome.status.is_stopped() { from_iteration(pass) } else { from_fields(pass) };
+        if pass.outcome.status.is_stopped() { from_iteration(pass) } else { from_fields(pass, force_scale) };
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let contact_check =
@@ -135,6 +178,10 @@ fn final_check(
         reaches_edge: pass.reaches_edge,
         enlargements: pass.enlargements,
         coarse: None,
+        increments: Vec::new(),
+        increment_error: None,
+        unloading_stiffness: 0.0,
+        energy: energy(system, &bodies),
     }
 }
 

@@ -9,6 +9,7 @@ use crate::fem::element::StressState;
 use crate::job::{ContactMethod, Coupling, Job, PositiveF64, SolverSettings};
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::couplings::iteration::Scales;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
@@ -102,7 +103,7 @@ impl<'a> LoadStepper<'a> {
         // Before the stresses are handed over.
         let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
         let tolerance = request.solver.tolerance.get();
-        let mut step = final_check::finish(&mut pass, load, tolerance, &mut solution.phases, observer);
+        let mut step = final_check::finish(&mut pass, load, tolerance, 0.0, &mut solution.phases, observer);
         step.coarse = figures;
         // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
@@ -132,7 +133,7 @@ impl<'a> LoadStepper<'a> {
     }
 
     /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
-    fn size(
+    pub(super) fn size(
         &self,
         load: ContactLoad,
         solution: &mut Solution,
@@ -175,7 +176,7 @@ impl<'a> LoadStepper<'a> {
         Ok(pass)
     }
 
-    fn request(
+    pub(super) fn request(
         &self,
         load: ContactLoad,
         extent: ContactSizeEstimate,
@@ -199,14 +200,17 @@ impl<'a> LoadStepper<'a> {
             solver,
             previous: None,
             cache: self.cache,
+            scales: Scales::default(),
         }
     }
 }
 
 /// How the auxiliary passes are iterated, whatever the job asks for.
-fn auxiliary() -> SolverSettings {
+pub(super) fn auxiliary() -> SolverSettings {
     let default = SolverSettings::default();
     SolverSettings {
+        theory: default.theory,
+        increments: None,
         coupling: Coupling::Accelerated,
         contact: ContactMethod::ActiveSet,
         tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
@@ -215,8 +219,8 @@ fn auxiliary() -> SolverSettings {
 }
 
 /// Lets the auxiliary passes be stopped but not seen.
-struct SilentObserver<'a> {
-    inner: &'a mut dyn Observer,
+pub(super) struct SilentObserver<'a> {
+    pub inner: &'a mut dyn Observer,
 }
 
 impl Observer for SilentObserver<'_> {

@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
+use super::history::{self, HistoryRequest};
 use super::load_stepper::LoadStepper;
 use super::onset;
 use crate::contact::{ActiveSetSolver, ContactSolver, SimplexSolver};
-use crate::job::{ContactMethod, Job};
+use crate::job::{ContactMethod, Job, Theory};
 use crate::solver::SolveError;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::loads;
 use crate::solver::observer::Observer;
 use crate::solver::phases::PhaseTimes;
-use crate::solver::problem::Problem;
+use crate::solver::problem::{ModelOf, Problem, flow_theory};
 use crate::solver::solution::{Solution, StepSolution};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.
@@ -23,11 +24,13 @@ pub struct Options<'a> {
     pub contact_solver: Option<&'a dyn ContactSolver>,
     /// Bodies and factors that other jobs have left and this one leaves. Default none.
     pub cache: Option<&'a Arc<FactorCache>>,
+    /// Makes the constitutive model of a material in place of the theory that the job names. Default none.
+    pub model: Option<ModelOf>,
 }
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { use_symmetry: true, contact_solver: None, cache: None }
+        Self { use_symmetry: true, contact_solver: None, cache: None, model: None }
     }
 }
 
@@ -83,6 +86,20 @@ pub fn run_each(
         return Ok(solution);
     };
     let mut stepper = LoadStepper::new(&problem, job, contact, options.cache);
+    let model = options.model.or((job.solver.theory == Theory::Flow).then_some(flow_theory));
+    if let Some(model) = model {
+        let mut bodies = Problem::with_models(job, model);
+        bodies.use_symmetry = options.use_symmetry;
+        let increments = job.solver.increments;
+        let request =
+            HistoryRequest { problem: &bodies, sizing: &stepper, job, contact, loads: &loads, increments };
+        history::run(request, &mut solution, observer)?;
+        // A wider mesh takes back what was found on a narrower one, so that steps are final only now.
+        for step in std::mem::take(&mut solution.steps) {
+            on_step(step, observer);
+        }
+        return Ok(solution);
+    }
     for (k, &load) in loads.iter().enumerate() {
         match stepper.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
             Ok(step) => {

@@ -1,0 +1,45 @@
+//! What only one of the two theories of plasticity can do.
+
+use super::{Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Theory};
+
+impl Job {
+    /// Whatever of the job the chosen theory cannot do.
+    pub(super) fn faults_of_theory(&self) -> Vec<FieldError> {
+        let mut faults = Vec::new();
+        let mut fault = |pointer: String, detail: &str| {
+            faults.push(FieldError { pointer, code: FaultCode::Inconsistent, detail: detail.to_owned() });
+        };
+        match self.solver.theory {
+            Theory::Flow => {
+                if self.solver.coupling == Coupling::SecantStiffness {
+                    let detail = "`secant_stiffness` has the moduli of deformation theory, which `flow` does not know; take \
+                                  `accelerated`, `strong` or `weak`";
+                    fault("/solver/coupling".to_owned(), detail);
+                }
+            }
+            Theory::Deformation => {
+                if self.solver.increments.is_some() {
+                    let detail = "deformation theory has no increments; they need the theory `flow`";
+                    fault("/solver/increments".to_owned(), detail);
+                }
+                for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
+                    if let Material::Deformable(material) = &body.material
+                        && !Deformable::backstress(material).is_empty()
+                    {
+                        let detail = "deformation theory knows no backstress; it needs the theory `flow`";
+                        fault(format!("/{side}/material/plasticity/backstress"), detail);
+                    }
+                }
+                if let Load::History(loads) = &self.load {
+                    let is_zero = |load: &HistoryLoad| load.magnitude() == 0.0;
+                    for (k, _) in loads.iter().enumerate().filter(|(_, load)| is_zero(load)) {
+                        let detail =
+                            "deformation theory knows no unloading; a load of zero needs the theory `flow`";
+                        fault(format!("/load/history/{k}"), detail);
+                    }
+                }
+            }
+        }
+        faults
+    }
+}

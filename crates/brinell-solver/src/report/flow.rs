@@ -1,0 +1,140 @@
+//! What flow theory knows beyond the state under a load: its increments, the dent, and where the work has gone.
+
+use serde::{Deserialize, Serialize};
+
+use super::PerBody;
+use super::build::per_body;
+use super::units::UnitConverter;
+use crate::solver::{BodySolution, StepSolution};
+
+/// What only flow theory knows of a step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FlowReport {
+    /// dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches.
+    pub unloading_stiffness: f64,
+    /// Where the work of the force has gone since the bodies were at rest.
+    pub energy: EnergyReport,
+    /// The increments of this load.
+    pub increments: IncrementsReport,
+    /// The surface of each body: the dent where the force is zero.
+    pub surfaces: PerBody<Option<SurfaceReport>>,
+}
+
+/// Energies of both bodies: force times length.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct EnergyReport {
+    /// Work of the contact force, the sum of the next two.
+    pub work: f64,
+    /// Elastic energy.
+    pub elastic: f64,
+    /// Work of the stresses on plastic strain.
+    pub plastic: f64,
+    /// The part of that which the backstress stores.
+    pub stored: f64,
+    /// The rest of it.
+    pub dissipated: f64,
+}
+
+/// The ends of the increments, in order.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct IncrementsReport {
+    /// Contact force.
+    pub force: Vec<f64>,
+    /// Approach.
+    pub approach: Vec<f64>,
+    /// Largest pressure.
+    pub peak_pressure: Vec<f64>,
+    /// Half-width.
+    pub half_width: Vec<f64>,
+    /// Iterations made.
+    pub iterations: Vec<usize>,
+}
+
+/// The surface of one body near the contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurfaceReport {
+    /// x of the nodes, both sides of the axis.
+    pub x: Vec<f64>,
+    /// How far each has moved outward from the undeformed surface; a dent is negative.
+    pub height: Vec<f64>,
+    /// Depth of the deepest point below the undeformed surface.
+    pub depth: f64,
+    /// Height of the highest point above the undeformed surface.
+    pub pile_up: f64,
+    /// |x| of that point.
+    pub pile_up_position: f64,
+    /// Whether any point yielded since the load last began to fall.
+    pub yielded_in_reverse: bool,
+    /// Area of these points in the section x–y, both sides of the axis.
+    pub reverse_area: f64,
+    /// Largest equivalent plastic strain gained since then.
+    pub max_reverse_strain: f64,
+}
+
+/// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
+const NOTICEABLE: f64 = 1e-6;
+/// Half-widths of the meshed contact zone to which the surface is reported.
+const REPORTED: f64 = 2.5;
+
+pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {
+    let energy = step.energy?;
+    let in_units = |energy: f64| write.force(write.length(energy));
+    let increments = &step.increments;
+    Some(FlowReport {
+        unloading_stiffness: write.stiffness(step.unloading_stiffness),
+        energy: EnergyReport {
+            work: in_units(energy.work()),
+            elastic: in_units(energy.elastic),
+            plastic: in_units(energy.plastic_work),
+            stored: in_units(energy.backstress),
+            dissipated: in_units(energy.dissipated()),
+        },
+        increments: IncrementsReport {
+            force: increments.iter().map(|end| write.force(end.force)).collect(),
+            approach: increments.iter().map(|end| write.length(end.approach)).collect(),
+            peak_pressure: increments.iter().map(|end| write.stress(end.peak_pressure)).collect(),
+            half_width: increments.iter().map(|end| write.length(end.half_width)).collect(),
+            iterations: increments.iter().map(|end| end.iterations).collect(),
+        },
+        surfaces: if step.status.is_stopped() {
+            PerBody { upper: None, lower: None }
+        } else {
+            per_body(step, |body| surface(body, step.symmetric, write))
+        },
+    })
+}
+
+fn surface(body: &BodySolution, symmetric: bool, write: UnitConverter) -> SurfaceReport {
+    let zone = &body.mesh.zone;
+    let limit = REPORTED * zone.half_width();
+    let mut surface: Vec<[f64; 2]> = body
+        .mesh
+        .free_surface_nodes()
+        .into_iter()
+        .map(|node| [body.mesh.nodes[node as usize][0], body.displacement[node as usize][1]])
+        .filter(|[x, _]| (x - zone.centre()).abs() <= limit)
+        .collect();
+    surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if symmetric {
+        let mirrored = surface.iter().rev().filter(|[x, _]| *x > 0.0).map(|[x, y]| [-x, *y]);
+        surface = mirrored.collect::<Vec<_>>().into_iter().chain(surface).collect();
+    }
+    let lowest = surface.iter().map(|[_, y]| *y).fold(0.0, f64::min);
+    let [place, highest] =
+        surface.iter().copied().fold([0.0; 2], |best, at| if at[1] > best[1] { at } else { best });
+    let points = body.stress.points.iter().flatten();
+    let reverse = points.filter(|point| point.reverse_plastic_strain > NOTICEABLE);
+    let copies = if symmetric { 2.0 } else { 1.0 };
+    let area: f64 = reverse.clone().map(|point| point.area).sum();
+    let strain = reverse.map(|point| point.reverse_plastic_strain).fold(0.0, f64::max);
+    SurfaceReport {
+        x: surface.iter().map(|[x, _]| write.length(*x)).collect(),
+        height: surface.iter().map(|[_, y]| write.length(*y)).collect(),
+        depth: write.length(-lowest),
+        pile_up: write.length(highest),
+        pile_up_position: write.length(place.abs()),
+        yielded_in_reverse: strain > 0.0,
+        reverse_area: write.area(copies * area),
+        max_reverse_strain: strain,
+    }
+}

@@ -1,0 +1,587 @@
+//! A history of loads on bodies with a memory.
+//!
+//! ```text
+//! size:     deformation theory under the largest load
+//! coarse:   a mesh of half the density through the whole history, with smaller and smaller increments until their error is
+//!           small
+//! fine:     the mesh that was asked for through the whole history, with these increments
+//!   each increment   moduli after the change that the coarse mesh has found; iterate from the accepted states;
+//!                    look for yield outside of the plastic region; accept
+//! ```
+//!
+//! One mesh serves for all of a history, because states are never carried from one mesh to another.
+
+use std::sync::Arc;
+
+use super::increments::{Division, Leg, exponent};
+use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
+use crate::contact::{ContactLoad, ContactSolver};
+use crate::fem::mesh::{ContactZone, Mesh};
+use crate::job::Job;
+use crate::material::ReferenceModuli;
+use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
+use crate::solver::body_system::system::{BlockVector, Design, System};
+use crate::solver::body_system::transfer::NodalField;
+use crate::solver::couplings::iteration::{InitialState, Scales, norm};
+use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
+use crate::solver::mesh_solve::{self, MAX_ENLARGEMENTS, MeshSolve, MeshSolveRequest, WIDENING};
+use crate::solver::phases::Phase;
+use crate::solver::problem::Problem;
+use crate::solver::reference::ElasticReference;
+use crate::solver::solution::{CoarseFigures, IncrementRecord, Solution, StepSolution};
+use crate::solver::{Observer, SolveError, SolveStatus, couplings, final_check};
+
+/// Relative difference of the figures of two divisions that ends the search for increments. With the finer one the error is
+/// about a third of it.
+const INCREMENT_TOLERANCE: f64 = 4e-3;
+/// Finest level of division that is tried.
+const MAX_LEVEL: u32 = 5;
+/// How far beyond its last extent plastic flow is looked for.
+const PLASTIC_MARGIN: f64 = 1.15;
+
+/// What a history is solved with.
+#[derive(Clone, Copy)]
+pub(super) struct HistoryRequest<'a> {
+    /// Bodies with the models of the history.
+    pub problem: &'a Problem,
+    /// The same bodies under deformation theory, and how their meshes are sized.
+    pub sizing: &'a LoadStepper<'a>,
+    pub job: &'a Job,
+    pub contact: &'a dyn ContactSolver,
+    /// The loads in order, at least one of them above zero.
+    pub loads: &'a [ContactLoad],
+    /// Increments of each load where the program does not choose them.
+    pub increments: Option<u32>,
+}
+
+/// Solves the history; each load becomes a step of the solution.
+pub(super) fn run(
+    request: HistoryRequest<'_>,
+    solution: &mut Solution,
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    let candidates = largest_loads(request.loads);
+    let mut widest: Option<ContactSizeEstimate> = None;
+    for &load in &candidates {
+        let (size, _) = request.sizing.size(load, solution, observer)?;
+        if widest.is_none_or(|widest| size.half_width > widest.half_width) {
+            widest = Some(size);
+        }
+    }
+    let (Some(mut size), Some(&largest)) = (widest, candidates.first()) else {
+        return Err(SolveError::NoLoad);
+    };
+    let elements = request.job.mesh.elements_per_half_width as usize;
+    let mesh = request.sizing.request(largest, size, (elements / 2).max(2), 1.0, auxiliary());
+    let (coarse, division, errors) = {
+        let mut silent = SilentObserver { inner: &mut *observer };
+        choose_increments(&request, mesh, size, solution, &mut silent)?
+    };
+    size = coarse.size;
+    let mut mesh = request.sizing.request(largest, size, elements, 1.0, request.job.solver);
+    mesh.contact = request.contact;
+    let guide = couplings::of(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
+    let run = MeshHistory { request: &request, mesh, size, division, guide };
+    let result =
+        run.solve(Some(Estimates { coarse: &coarse.figures, increments: &errors }), solution, observer);
+    match result {
+        // The steps that are done are worth keeping.
+        Err(SolveError::Interrupted(interrupt)) if !solution.steps.is_empty() => {
+            solution.interrupted = Some(interrupt);
+            Ok(())
+        }
+        result => result.map(drop),
+    }
+}
+
+/// The largest force and the largest approach, those above zero.
+fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
+    let largest = |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
+    let force = largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
+    let approach = largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
+    let mut found = Vec::new();
+    if force > 0.0 {
+        found.push(ContactLoad::Force(force));
+    }
+    if approach > 0.0 {
+        found.push(ContactLoad::Approach(approach));
+    }
+    found
+}
+
+/// What a history on one mesh has found.
+struct Found {
+    mesh: ContactZone,
+    /// The contact at its widest.
+    size: ContactSizeEstimate,
+    path: Path,
+    /// At the end of each load.
+    figures: Vec<Option<CoarseFigures>>,
+}
+
+/// Halves the increments on the coarse mesh until that no longer changes the figures at the ends of the loads.
+///
+/// Errors fall at least like the increments, so that the difference to increments twice as large is at least the error.
+fn choose_increments(
+    request: &HistoryRequest<'_>,
+    mut mesh: MeshSolveRequest<'_>,
+    size: ContactSizeEstimate,
+    solution: &mut Solution,
+    observer: &mut dyn Observer,
+) -> Result<(Found, Division, Vec<Option<CoarseFigures>>), SolveError> {
+    let mut division = request.increments.map_or(Division::Level(0), Division::Fixed);
+    let mut last: Option<Found> = None;
+    loop {
+        let guide = last.as_ref().map(|last| &last.path);
+        let run = MeshHistory { request, mesh, size, division, guide };
+        let now = run.solve(None, solution, observer)?;
+        mesh.zone = now.mesh;
+        if let Some(before) = last {
+            let (errors, worst) = differences(&before.figures, &now.figures);
+            match division {
+                // What was asked for, beside half as large increments.
+                Division::Fixed(_) => {
+                    return Ok((before, Division::Fixed(request.increments.unwrap_or(1)), errors));
+                }
+                Division::Level(level) if worst <= INCREMENT_TOLERANCE || level >= MAX_LEVEL => {
+                    return Ok((now, division, errors));
+                }
+                Division::Level(_) => {}
+            }
+        }
+        last = Some(now);
+        division = division.finer();
+    }
+}
+
+/// Relative differences of figures at the end of each load, and the worst of peak pressure and approach.
+fn differences(
+    before: &[Option<CoarseFigures>],
+    now: &[Option<CoarseFigures>],
+) -> (Vec<Option<CoarseFigures>>, f64) {
+    let largest =
+        |of: fn(&CoarseFigures) -> f64| now.iter().flatten().map(of).fold(f64::MIN_POSITIVE, f64::max);
+    let (peak, width, approach) =
+        (largest(|f| f.peak_pressure), largest(|f| f.half_width), largest(|f| f.approach));
+    let mut worst: f64 = 0.0;
+    let relative = |a: f64, b: f64, least: f64| (a - b).abs() / b.abs().max(0.05 * least);
+    let pairs = before.iter().zip(now).map(|(before, now)| {
+        let (before, now) = (before.as_ref()?, now.as_ref()?);
+        let errors = CoarseFigures {
+            peak_pressure: relative(before.peak_pressure, now.peak_pressure, peak),
+            half_width: relative(before.half_width, now.half_width, width),
+            approach: relative(before.approach, now.approach, approach),
+        };
+        worst = worst.max(errors.peak_pressure).max(errors.approach);
+        Some(errors)
+    });
+    (pairs.collect(), worst)
+}
+
+/// What the coarse mesh says of the errors of each step.
+struct Estimates<'a> {
+    coarse: &'a [Option<CoarseFigures>],
+    increments: &'a [Option<CoarseFigures>],
+}
+
+/// The displacements of a history on one mesh, linear between the ends of its increments.
+#[derive(Default)]
+struct Path {
+    meshes: Vec<Arc<Mesh>>,
+    /// Number of the load plus the part of it that is done, and the displacements of all nodes of each model.
+    points: Vec<(f64, Vec<Vec<[f64; 2]>>)>,
+}
+
+impl Path {
+    /// By how much the displacements change from one time to another.
+    fn change(&self, from: f64, to: f64) -> Vec<Vec<[f64; 2]>> {
+        let (mut change, start) = (self.at(to), self.at(from));
+        for (to, from) in change.iter_mut().flatten().zip(start.iter().flatten()) {
+            *to = [to[0] - from[0], to[1] - from[1]];
+        }
+        change
+    }
+
+    fn at(&self, time: f64) -> Vec<Vec<[f64; 2]>> {
+        let after = self.points.partition_point(|(t, _)| *t < time);
+        let rest = || self.meshes.iter().map(|mesh| vec![[0.0; 2]; mesh.nodes.len()]).collect();
+        let Some((t1, end)) = self.points.get(after) else {
+            return self.points.last().map_or_else(rest, |(_, last)| last.clone());
+        };
+        let before = after.checked_sub(1).map(|k| &self.points[k]);
+        let t0 = before.map_or(0.0, |(t, _)| *t);
+        let part = (time - t0) / (t1 - t0);
+        let mut now = end.clone();
+        let start = before.map(|(_, start)| start);
+        for (k, nodes) in now.iter_mut().enumerate() {
+            for (n, value) in nodes.iter_mut().enumerate() {
+                let from = start.map_or([0.0; 2], |start| start[k][n]);
+                *value = [from[0] + part * (value[0] - from[0]), from[1] + part * (value[1] - from[1])];
+            }
+        }
+        now
+    }
+}
+
+/// A history on one mesh.
+struct MeshHistory<'a> {
+    request: &'a HistoryRequest<'a>,
+    mesh: MeshSolveRequest<'a>,
+    size: ContactSizeEstimate,
+    division: Division,
+    /// What a coarser mesh has found.
+    guide: Option<&'a Path>,
+}
+
+/// Where a history is.
+struct Progress {
+    /// Displacements on the active equations at the last accepted increment, and those of all nodes.
+    accepted: BlockVector,
+    whole: BlockVector,
+    /// Displacements one increment before, and the load measure then.
+    before: Option<(BlockVector, f64)>,
+    time: f64,
+    force: f64,
+    approach: f64,
+    /// Largest force and approach so far.
+    reached: [f64; 2],
+    scales: Scales,
+    plastic: RadialEnvelope,
+    /// Equivalent plastic strain at the points of each model, and what of it came while loads fell.
+    accumulated: Vec<Vec<f64>>,
+    reverse: Vec<Vec<f64>>,
+}
+
+impl MeshHistory<'_> {
+    /// Solves all loads, on wider and wider meshes while the contact reaches the edge of the zone. With estimates the steps
+    /// are handed over to the solution.
+    fn solve(
+        &self,
+        estimates: Option<Estimates<'_>>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Found, SolveError> {
+        let mut mesh = self.mesh;
+        let mut enlargements = 0;
+        loop {
+            solution.passes += 1;
+            let steps = solution.steps.len();
+            let run = MeshHistory { mesh, ..*self };
+            if let Some(mut found) =
+                run.solve_on_zone(estimates.as_ref(), enlargements, solution, observer)?
+            {
+                found.mesh = mesh.zone;
+                return Ok(found);
+            }
+            let wider = mesh_solve::enlarge(mesh.zone);
+            solution.steps.truncate(steps);
+            mesh.zone = wider;
+            enlargements += 1;
+        }
+    }
+
+    /// `None` if the zone is too narrow.
+    fn solve_on_zone(
+        &self,
+        estimates: Option<&Estimates<'_>>,
+        enlargements: usize,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<Found>, SolveError> {
+        let problem = self.request.problem;
+        let MeshSolveRequest { zone, refinement, cache, .. } = self.mesh;
+        let search_region = match self.mesh.search_region {
+            PlasticSearchRegion::WholeBody => PlasticSearchRegion::WholeBody,
+            PlasticSearchRegion::Within(_) => {
+                PlasticSearchRegion::Within(self.size.plastic.scaled(PLASTIC_MARGIN))
+            }
+        };
+        let design = Design { zone, refinement, search_region, cache };
+        let (mut system, _) = System::build(problem, design, None, &mut solution.phases, observer)?;
+        let mut found = Found {
+            mesh: zone,
+            size: self.size,
+            path: Path {
+                meshes: system.bodies.iter().map(|body| Arc::clone(&body.elastic.mesh)).collect(),
+                points: Vec::new(),
+            },
+            figures: Vec::new(),
+        };
+        let mut progress = Progress {
+            accepted: system.zeros(),
+            whole: Vec::new(),
+            before: None,
+            time: 0.0,
+            force: 0.0,
+            approach: 0.0,
+            reached: [0.0; 2],
+            scales: Scales::default(),
+            plastic: RadialEnvelope::NONE,
+            accumulated: Vec::new(),
+            reverse: Vec::new(),
+        };
+        let can_enlarge =
+            enlargements < MAX_ENLARGEMENTS && mesh_solve::fits(problem, &mesh_solve::enlarge(zone));
+        let mut widest = 0.0;
+        for (number, &load) in self.request.loads.iter().enumerate() {
+            let leg = self.leg(load, &progress);
+            if leg.falls() {
+                progress.reverse.iter_mut().flatten().for_each(|strain| *strain = 0.0);
+            }
+            let ends = leg.ends(self.division);
+            let (count, mut history, mut increments) = (ends.len(), Vec::new(), Vec::new());
+            let mut status = SolveStatus::Converged;
+            for (k, &end) in ends.iter().enumerate() {
+                let part = if leg.to == leg.from { 1.0 } else { (end - leg.from) / (leg.to - leg.from) };
+                let time = number as f64 + if k + 1 == count { 1.0 } else { part };
+                let target = match load {
+                    ContactLoad::Force(_) => ContactLoad::Force(end),
+                    ContactLoad::Approach(_) => ContactLoad::Approach(end),
+                };
+                let mut solve =
+                    self.increment(system, target, time, &leg, &mut progress, solution, observer)?;
+                solve.enlargements = enlargements;
+                if solve.reaches_edge && can_enlarge && !solve.outcome.status.is_stopped() {
+                    return Ok(None);
+                }
+                status = worse(status, solve.outcome.status);
+                history.append(&mut solve.outcome.history.clone());
+                increments.push(increment_record(&solve));
+                let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
+                if half_width > widest {
+                    widest = half_width;
+                    found.size = self.size.found_by(&solve);
+                }
+                found.size.plastic = progress.plastic;
+                let is_end = k + 1 == count || solve.outcome.status.is_stopped();
+                let displacement = std::mem::take(&mut solve.outcome.state.response.displacement);
+                if estimates.is_none() {
+                    let nodal = solve.fields.iter().map(|field| field.nodal.clone()).collect();
+                    found.path.points.push((time, nodal));
+                }
+                if is_end {
+                    found.figures.push(Some(solve.all_figures()));
+                }
+                solve.outcome.state.response.displacement = displacement;
+                if let (true, Some(estimates)) = (is_end, estimates) {
+                    solve.outcome.history = std::mem::take(&mut history);
+                    solve.outcome.status = status;
+                    let mut step = self.step(&mut solve, load, &leg, &progress, solution, observer);
+                    step.coarse = estimates.coarse.get(number).copied().flatten();
+                    step.increment_error = estimates.increments.get(number).copied().flatten();
+                    step.increments = std::mem::take(&mut increments);
+                    let is_stopped = step.status.is_stopped();
+                    solution.steps.push(step);
+                    if is_stopped {
+                        return Ok(Some(found));
+                    }
+                }
+                solve.system.commit(&solve.outcome.state.response.displacement);
+                progress.accepted = solve.outcome.state.response.displacement;
+                system = solve.system;
+            }
+        }
+        Ok(Some(found))
+    }
+
+    /// A load as a leg of the history, from where the bodies are.
+    fn leg(&self, load: ContactLoad, progress: &Progress) -> Leg {
+        let problem = self.request.problem;
+        let (from, reached) = match load {
+            ContactLoad::Force(_) => (progress.force, progress.reached[0]),
+            ContactLoad::Approach(_) => (progress.approach, progress.reached[1]),
+        };
+        let onset = if problem.bodies.iter().all(|body| body.hardening().is_none()) {
+            Some(f64::INFINITY)
+        } else {
+            match load {
+                ContactLoad::Force(force) => {
+                    ElasticReference::of(self.request.job, force.max(f64::MIN_POSITIVE))
+                        .and_then(|reference| reference.yield_onset_force)
+                }
+                ContactLoad::Approach(_) => None,
+            }
+        };
+        Leg {
+            is_force: matches!(load, ContactLoad::Force(_)),
+            from,
+            to: load.magnitude(),
+            reached,
+            onset,
+            exponent: exponent(problem.stress_state, load),
+        }
+    }
+
+    /// One increment, from the accepted states; nothing of the system but its stiffness and the extent of its plastic region
+    /// is changed.
+    #[expect(clippy::too_many_arguments, reason = "what an increment needs of a history")]
+    fn increment(
+        &self,
+        mut system: System,
+        target: ContactLoad,
+        time: f64,
+        leg: &Leg,
+        progress: &mut Progress,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<MeshSolve, SolveError> {
+        let phases = &mut solution.phases;
+        let mut request = MeshSolveRequest { load: target, scales: progress.scales, ..self.mesh };
+        request.previous = None;
+        let mut start = None;
+        if couplings::of(request.solver.coupling).uses_tangent_moduli() {
+            if leg.falls() {
+                system.linearize(None, phases, observer)?;
+            } else if let Some(guide) = self.guide {
+                let change = guide.change(progress.time, time);
+                let fields = guide.meshes.iter().zip(&change);
+                let fields: Vec<_> =
+                    fields.map(|(mesh, displacement)| NodalField { mesh, displacement }).collect();
+                start = Some(system.linearize_after(&progress.accepted, &fields, phases, observer)?);
+            } else {
+                let ahead = progress.extrapolated(target.magnitude(), leg);
+                system.linearize(Some((&ahead, ReferenceModuli::Tangent)), phases, observer)?;
+                start = Some(ahead);
+            }
+        }
+        let mut start = start.unwrap_or_else(|| progress.accepted.clone());
+        let mut history = Vec::new();
+        let mut widenings = 0;
+        loop {
+            let initial = InitialState { displacement: Some(start), history, ..InitialState::default() };
+            let mut outcome = mesh_solve::iterate(&mut system, &request, initial, phases, observer)?;
+            let fields = phases.time_observed(Phase::Output, observer, |observer| {
+                mesh_solve::fields(&system, &mut outcome, observer)
+            });
+            let problem = self.request.problem;
+            let mut solve =
+                phases.time(Phase::Output, observer, || MeshSolve::of(problem, system, outcome, fields));
+            let is_stopped = solve.outcome.status.is_stopped();
+            if !is_stopped && widenings < 3 && solve.yields_outside_region() {
+                let envelope = solve.yielded_envelope().joined(&progress.plastic).scaled(WIDENING);
+                let region = if widenings == 0 {
+                    PlasticSearchRegion::Within(envelope)
+                } else {
+                    PlasticSearchRegion::WholeBody
+                };
+                widenings += 1;
+                history = std::mem::take(&mut solve.outcome.history);
+                start = solve.fields.into_iter().map(|field| field.displacement).collect();
+                system = solve.system;
+                system.extend_plastic_region(region, &progress.whole);
+                if progress.whole.is_empty() {
+                    progress.accepted = system.zeros();
+                } else {
+                    progress.accepted.clone_from(&progress.whole);
+                }
+                continue;
+            }
+            if !is_stopped {
+                progress.accept(&mut solve, target, time, leg);
+            }
+            return Ok(solve);
+        }
+    }
+
+    /// The end of a load as a step of the solution.
+    fn step(
+        &self,
+        solve: &mut MeshSolve,
+        load: ContactLoad,
+        leg: &Leg,
+        progress: &Progress,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> StepSolution {
+        let tolerance = self.mesh.solver.tolerance.get();
+        let unloading = final_check::unloading_stiffness(solve, &mut solution.phases, observer);
+        let load = match load {
+            ContactLoad::Force(_) => ContactLoad::Force(leg.to),
+            ContactLoad::Approach(_) => ContactLoad::Approach(leg.to),
+        };
+        let mut step = final_check::finish(
+            solve,
+            load,
+            tolerance,
+            progress.scales.force,
+            &mut solution.phases,
+            observer,
+        );
+        step.unloading_stiffness = unloading;
+        step
+    }
+}
+
+impl Progress {
+    /// Displacements at a load on the straight line through the last two increments of a leg.
+    fn extrapolated(&self, load: f64, leg: &Leg) -> BlockVector {
+        let now = if leg.to.to_bits() == load.to_bits() { leg.to } else { load };
+        let Some((before, at)) = &self.before else { return self.accepted.clone() };
+        let last = self.reached_measure(leg);
+        if last - at <= f64::EPSILON * last.abs() || before.len() != self.accepted.len() {
+            return self.accepted.clone();
+        }
+        let part = ((now - last) / (last - at)).clamp(0.0, 1.5);
+        let lines = before.iter().zip(&self.accepted);
+        lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
+    }
+
+    fn reached_measure(&self, leg: &Leg) -> f64 {
+        if leg.is_force { self.force } else { self.approach }
+    }
+
+    /// Takes over what an increment has found.
+    fn accept(&mut self, solve: &mut MeshSolve, target: ContactLoad, time: f64, leg: &Leg) {
+        let contact = &solve.outcome.state.response.contact;
+        self.before = (!leg.falls()).then(|| (self.accepted.clone(), self.reached_measure(leg)));
+        self.time = time;
+        self.force = match target {
+            ContactLoad::Force(force) => force,
+            ContactLoad::Approach(_) => contact.total_force() * solve.system.symmetry_factor() as f64,
+        };
+        self.approach = contact.approach;
+        self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
+        self.scales.force = self.scales.force.max(norm(&contact.force));
+        self.scales.displacement =
+            self.scales.displacement.max(solve.system.norm(&solve.outcome.state.response.displacement));
+        self.plastic = self.plastic.joined(&solve.yielded_envelope());
+        self.whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
+        let strains = solve.fields.iter().map(|field| {
+            field.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain).collect()
+        });
+        let accumulated: Vec<Vec<f64>> = strains.collect();
+        if self.reverse.is_empty() {
+            self.reverse = accumulated.iter().map(|strains| vec![0.0; strains.len()]).collect();
+        }
+        if leg.falls() {
+            let gained = self.reverse.iter_mut().flatten().zip(accumulated.iter().flatten());
+            for ((reverse, now), before) in gained.zip(self.accumulated.iter().flatten()) {
+                *reverse += now - before;
+            }
+        }
+        self.accumulated = accumulated;
+        for (field, reverse) in solve.fields.iter_mut().zip(&self.reverse) {
+            for (point, reverse) in field.stress.points.iter_mut().flatten().zip(reverse) {
+                point.reverse_plastic_strain = *reverse;
+            }
+        }
+    }
+}
+
+fn increment_record(solve: &MeshSolve) -> IncrementRecord {
+    let contact = &solve.outcome.state.response.contact;
+    IncrementRecord {
+        force: contact.total_force() * solve.system.symmetry_factor() as f64,
+        approach: contact.approach,
+        peak_pressure: solve.system.peak_pressure(&contact.force),
+        half_width: solve.patch.map_or(0.0, |patch| patch.half_width()),
+        iterations: solve.outcome.history.len(),
+        plastic_points: solve.outcome.history.last().map_or(0, |record| record.plastic_points),
+        status: solve.outcome.status,
+    }
+}
+
+/// The less good of two.
+fn worse(a: SolveStatus, b: SolveStatus) -> SolveStatus {
+    if a == SolveStatus::Converged { b } else { a }
+}

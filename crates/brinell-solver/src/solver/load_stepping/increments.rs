@@ -1,0 +1,128 @@
+//! How a load of a history is divided into increments.
+
+use crate::contact::ContactLoad;
+use crate::fem::element::StressState;
+
+/// By how much the contact grows in one increment of the coarsest division, over what it grows to.
+const GROWTH: f64 = 0.15;
+/// Part of the load at which plastic flow is taken to begin where nothing is known of it.
+const UNKNOWN_ONSET: f64 = 0.05;
+
+/// The division of every load of a history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Division {
+    /// So many equal increments for each load.
+    Fixed(u32),
+    /// By the growth of the contact, which is halved from one level to the next.
+    Level(u32),
+}
+
+impl Division {
+    /// The division to compare with, which has half as large increments.
+    pub fn finer(self) -> Self {
+        match self {
+            Self::Fixed(n) => Self::Fixed(2 * n),
+            Self::Level(level) => Self::Level(level + 1),
+        }
+    }
+}
+
+/// One load of a history, in its own measure: force or approach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Leg {
+    /// Whether the measure is the force.
+    pub is_force: bool,
+    /// The measure where the leg begins.
+    pub from: f64,
+    /// The measure where it ends.
+    pub to: f64,
+    /// Largest measure that the history has reached so far.
+    pub reached: f64,
+    /// Measure at which plastic flow begins on the way up from rest, if that is known.
+    pub onset: Option<f64>,
+    /// Power of the half-width with which the measure grows.
+    pub exponent: f64,
+}
+
+impl Leg {
+    /// Whether it unloads.
+    pub fn falls(&self) -> bool {
+        self.to < self.from
+    }
+
+    /// The measures at the ends of the increments, the last of them the end of the leg.
+    ///
+    /// A leg that falls, and the part of one that rises to where the history or elasticity has been before, is one
+    /// increment. In the rest the contact grows by about the same width in each.
+    pub fn ends(&self, division: Division) -> Vec<f64> {
+        let n = match division {
+            Division::Fixed(n) => {
+                let n = n.max(1);
+                let part = |k: u32| self.from + (self.to - self.from) * f64::from(k) / f64::from(n);
+                return (1..n).map(part).chain([self.to]).collect();
+            }
+            Division::Level(level) => f64::from(1u32 << level.min(16)),
+        };
+        let onset = self.onset.unwrap_or(UNKNOWN_ONSET * self.to);
+        let start = self.from.max(self.reached).max(onset);
+        if self.to <= start {
+            return vec![self.to];
+        }
+        let mut ends = Vec::new();
+        if start > self.from {
+            ends.push(start);
+        }
+        // Half-width at the start over that at the end.
+        let first = (start / self.to).powf(self.exponent.recip());
+        let count = (n * (1.0 - first) / GROWTH).ceil().clamp(1.0, 10_000.0);
+        let mut k = 1.0;
+        while k < count {
+            ends.push(self.to * (first + (1.0 - first) * k / count).powf(self.exponent));
+            k += 1.0;
+        }
+        ends.push(self.to);
+        ends
+    }
+}
+
+/// Power of the half-width with which a load grows, between the elastic and the fully plastic one.
+pub(super) fn exponent(stress_state: StressState, load: ContactLoad) -> f64 {
+    match (stress_state, load) {
+        (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
+        (_, ContactLoad::Force(_)) => 1.6,
+        (_, ContactLoad::Approach(_)) => 2.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn leg(from: f64, to: f64, reached: f64) -> Leg {
+        Leg { is_force: true, from, to, reached, onset: Some(100.0), exponent: 1.6 }
+    }
+
+    #[test]
+    fn loading_is_divided_beyond_the_onset_of_yield() {
+        let ends = leg(0.0, 500.0, 0.0).ends(Division::Level(1));
+        assert_eq!((ends[0], ends[ends.len() - 1]), (100.0, 500.0));
+        assert_eq!(ends.len(), 10);
+        let width = |k: usize| ends[k].powf(1.0 / 1.6);
+        assert!((1..9).all(|k| (width(k) - width(k - 1) - width(1) + width(0)).abs() < 1e-9));
+        assert_eq!(leg(0.0, 500.0, 0.0).ends(Division::Level(2)).len(), 18);
+    }
+
+    #[test]
+    fn unloading_and_loading_within_what_has_been_is_one_increment() {
+        assert_eq!(leg(500.0, 0.0, 500.0).ends(Division::Level(3)), [0.0]);
+        assert_eq!(leg(0.0, 500.0, 500.0).ends(Division::Level(3)), [500.0]);
+        assert_eq!(leg(0.0, 80.0, 0.0).ends(Division::Level(3)), [80.0]);
+        assert_eq!(leg(0.0, 550.0, 500.0).ends(Division::Level(0)), [500.0, 550.0]);
+    }
+
+    #[test]
+    fn a_fixed_division_is_even() {
+        assert_eq!(leg(500.0, 0.0, 500.0).ends(Division::Fixed(2)), [250.0, 0.0]);
+        assert_eq!(leg(0.0, 300.0, 0.0).ends(Division::Fixed(3)), [100.0, 200.0, 300.0]);
+    }
+}
