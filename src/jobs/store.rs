@@ -53,7 +53,7 @@ pub trait JobStore: Send + Sync + 'static {
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
-    /// nothing else ([`ClaimRequest::alone`]): no job is given up because of its neighbour's fault.
+    /// nothing else ([`ClaimRequest::exclusive`]): no job is given up because of its neighbour's fault.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].

@@ -1,6 +1,6 @@
 //! One table of fields per object of the job: its reader, its writer, its schema and its form come from it.
 //!
-//! [`record!`](record) declares a struct and its table together, [`tagged!`](tagged) an enumeration of such structs
+//! `record!` declares a struct and its table together, `tagged!` an enumeration of such structs
 //! that a word tells apart. Each law of hardening and each shape is one file that holds one such declaration.
 //!
 //! ```text
