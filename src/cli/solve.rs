@@ -13,7 +13,7 @@ use super::input::{read_job, write_answer};
 use super::progress::ProgressLine;
 use super::style::Style;
 use super::table::table;
-use crate::jobs::{check_finite, encode};
+use crate::jobs::encode;
 use brinell_solver::job::JobError;
 use brinell_solver::report::export::Export;
 use brinell_solver::report::{self, RunError};
@@ -96,10 +96,10 @@ pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
     })?;
     drop(progress);
     let text = if let Some(form) = format.export() {
-        check_finite(&report)?;
+        encode(&report)?;
         form.write(&job, &report, args.step.map(|step| step.get() - 1))?.into_bytes()
     } else if format == ResultFormat::Table {
-        check_finite(&report)?;
+        encode(&report)?;
         table(&job, &report, args.style()).into_bytes()
     } else {
         [encode(&report)?.as_ref(), b"\n"].concat()

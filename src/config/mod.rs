@@ -55,6 +55,10 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_MAX_JOB_MEMORY", value_name = "MIB", default_value = "4096")]
     pub max_job_memory: u32,
 
+    /// Largest estimated result of a job
+    #[arg(long, env = "BRINELL_MAX_RESULT", value_name = "MIB", default_value = "4096")]
+    pub max_result: u32,
+
     /// Jobs that one API key may hand in a second, ten seconds' worth at once [default: no limit]
     #[arg(long, env = "BRINELL_RATE_LIMIT", value_name = "N", value_parser = rate)]
     pub rate_limit: Option<f64>,
@@ -92,6 +96,7 @@ impl Default for ServeConfig {
             write_timeout: Duration::from_secs(30),
             max_event_streams: 1000,
             max_job_memory: 4096,
+            max_result: 4096,
             rate_limit: None,
             require_api_key: false,
             allow_anonymous: false,
@@ -107,7 +112,10 @@ impl ServeConfig {
     pub fn submission_limits(&self) -> SubmissionLimits {
         let job_bytes = u64::from(self.max_job_memory) << 20;
         let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.memory() };
-        SubmissionLimits { job_bytes: job_bytes.min(solvable) }
+        SubmissionLimits {
+            job_bytes: job_bytes.min(solvable),
+            result_bytes: u64::from(self.max_result) << 20,
+        }
     }
 
     /// Whether requests need an API key: if so set, and wherever others than this machine can ask.

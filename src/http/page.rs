@@ -11,8 +11,8 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use axum::extract::Path;
 use axum::extract::rejection::PathRejection;
 use axum::http::header::{
-    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG,
-    IF_NONE_MATCH, REFERRER_POLICY, VARY, X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, REFERRER_POLICY, VARY,
+    X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{HeaderMap, HeaderName, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -23,6 +23,7 @@ use rust_embed::{EmbeddedFile, RustEmbed};
 
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use super::result_body::{is_known, takes_gzip};
 
 #[derive(RustEmbed)]
 #[folder = "web/"]
@@ -86,22 +87,6 @@ fn tag(file: &EmbeddedFile, gzip: bool) -> String {
     let digest = file.metadata.sha256_hash().first_chunk().copied().map_or(0, u128::from_be_bytes);
     let coding = if gzip { "-gzip" } else { "" };
     format!("\"{digest:032x}{coding}\"")
-}
-
-fn is_known(tag: &str, headers: &HeaderMap) -> bool {
-    let known = headers.get_all(IF_NONE_MATCH).iter().filter_map(|value| value.to_str().ok());
-    known.flat_map(|list| list.split(',')).any(|one| {
-        let one = one.trim();
-        one == "*" || one.strip_prefix("W/").unwrap_or(one) == tag
-    })
-}
-
-fn takes_gzip(headers: &HeaderMap) -> bool {
-    let codings = headers.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
-    codings.flat_map(|list| list.split(',')).any(|coding| {
-        let (name, weight) = coding.split_once(";q=").unwrap_or((coding, "1"));
-        name.trim().eq_ignore_ascii_case("gzip") && weight.trim().parse().is_ok_and(|q: f32| q > 0.0)
-    })
 }
 
 fn compressed(file: &EmbeddedFile) -> io::Result<Bytes> {

@@ -4,7 +4,7 @@ use axum::http::header::{CONTENT_TYPE, RETRY_AFTER, WWW_AUTHENTICATE};
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 use super::problem_type::ProblemType;
 use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Rejection, StoreError, SubmitError};
@@ -104,9 +104,12 @@ impl From<Rejection> for Problem {
             Rejection::Invalid(JobError::Fields(errors)) => {
                 Self::new(ProblemType::InvalidJob, detail).with_errors(errors)
             }
-            Rejection::TooLarge { estimate, limit } => Self::new(ProblemType::JobTooLarge, detail)
-                .with("estimate", json!({"equations": estimate.equations, "bytes": estimate.bytes}))
-                .with("limit_bytes", limit),
+            Rejection::TooLarge { estimate, limit } | Rejection::ResultTooLarge { estimate, limit } => {
+                let estimate = serde_json::to_value(estimate).unwrap_or_default();
+                Self::new(ProblemType::JobTooLarge, detail)
+                    .with("estimate", estimate)
+                    .with("limit_bytes", limit)
+            }
         }
     }
 }
@@ -163,7 +166,7 @@ mod tests {
 
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
-        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30 };
+        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000 };
         let problem = Problem::from(Rejection::TooLarge { estimate, limit: 4 << 30 });
         insta::assert_json_snapshot!(problem, @r#"
         {
@@ -173,7 +176,8 @@ mod tests {
           "detail": "the job has 5000000 equations and needs about 8192 MiB; a job may need 4096 MiB at most",
           "estimate": {
             "bytes": 8589934592,
-            "equations": 5000000
+            "equations": 5000000,
+            "result_bytes": 100000
           },
           "limit_bytes": 4294967296
         }

@@ -52,8 +52,9 @@ problem_types! {
          pointer (RFC 6901).";
     /// The job would need too much memory.
     JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
-        "The job is valid, but its estimated memory is above the limit of this service. `estimate` has the \
-         number of equations and the bytes, `limit_bytes` the limit. Ask for fewer elements_per_half_width.";
+        "The job is valid, but its estimated memory, or its estimated result, is above the limit of this service. \
+         `estimate` has the number of equations, the bytes of memory and those of the result, `limit_bytes` the limit. \
+         Ask for fewer elements_per_half_width, fewer steps, or no fields.";
     /// No API key, or not a good one.
     Unauthorized, "unauthorized", UNAUTHORIZED, "An API key is required",
         "Send `Authorization: Bearer TOKEN` with the token that `brinell key create` printed.";

@@ -11,6 +11,7 @@ use utoipa::IntoParams;
 use super::HttpState;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use super::result_body::ResultParts;
 use crate::jobs::{JobFilter, JobId, JobState};
 
 /// Jobs on a page, unless asked otherwise, and at most.
@@ -77,6 +78,34 @@ impl FromRequestParts<HttpState> for Step {
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let step = read::<StepQuery>(parts, state).await?.step;
         Ok(Self(step.map(|step| step.get() - 1)))
+    }
+}
+
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ResultQuery {
+    /// One step of a sweep, counted from 1 [default: all].
+    #[param(value_type = Option<u32>, minimum = 1)]
+    step: Option<NonZeroUsize>,
+    /// Whether mesh and nodal fields are sent, if the job asked for them.
+    #[param(default = true)]
+    fields: Option<bool>,
+}
+
+/// The `?step=` and `?fields=` of a result.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ResultSelection(pub(super) ResultParts);
+
+impl FromRequestParts<HttpState> for ResultSelection {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let query = read::<ResultQuery>(parts, state).await?;
+        Ok(Self(ResultParts {
+            step: query.step.map(|step| step.get() - 1),
+            without_fields: query.fields == Some(false),
+        }))
     }
 }
 

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use axum::body::Bytes;
-use axum::http::header::{CONTENT_LOCATION, CONTENT_TYPE, LOCATION};
-use axum::http::{HeaderName, StatusCode};
+use axum::http::StatusCode;
+use axum::http::header::LOCATION;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use jiff::Timestamp;
@@ -208,11 +207,4 @@ pub fn accepted(record: &JobRecord) -> Response {
     let location = [(LOCATION, links.job.clone())];
     let receipt = Receipt { id: record.id, status: record.state, links };
     (StatusCode::ACCEPTED, location, Extension(JobIdExtension(record.id)), Json(receipt)).into_response()
-}
-
-/// 200 with a report.
-pub fn report(id: JobId, json: Bytes) -> Response {
-    let headers: [(HeaderName, String); 2] =
-        [(CONTENT_TYPE, "application/json".to_owned()), (CONTENT_LOCATION, Links::of(id).result)];
-    (headers, Extension(JobIdExtension(id)), json).into_response()
 }

@@ -64,7 +64,7 @@ pub enum Outcome {
     Reported {
         /// How the solve ended.
         status: SolveStatus,
-        /// The report as JSON.
+        /// The report without the steps, which are recorded as they are finished (JSON).
         report: Bytes,
     },
     /// Stopped before there was anything to report.

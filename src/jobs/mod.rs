@@ -15,6 +15,7 @@
 
 mod clock;
 mod closed_form;
+mod deflate;
 mod encode;
 mod export;
 mod failure;
@@ -23,6 +24,7 @@ mod keys;
 pub mod metrics;
 mod notifier;
 mod record;
+mod result;
 mod service;
 mod solver;
 mod state;
@@ -30,13 +32,15 @@ mod store;
 
 pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
-pub use encode::{EncodeError, check_finite, encode};
+pub use deflate::{DeflateError, Deflated, GzipStream};
+pub use encode::{EncodeError, encode};
 pub use export::ExportFailure;
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use id::{JobId, KeyId, WorkerId};
 pub use keys::{ApiKey, KeyStore, Scope, read_token};
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
+pub use result::{ResultHead, StepResult};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;

@@ -6,14 +6,15 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use thiserror::Error;
-use tokio::sync::Mutex;
+use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
 use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
 
 use super::{
-    ApiKey, ClosedForm, Counts, Enqueued, Idempotency, IterationRecord, JobFilter, JobId, JobNotifier,
-    JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, StoreError, Subscription, read_token,
+    ApiKey, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter, JobId,
+    JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead, StoreError,
+    Subscription, read_token,
 };
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
@@ -21,6 +22,9 @@ use brinell_solver::report::JobEstimate;
 /// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
 /// an announcement from another process is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
+
+/// Large results that are decoded at the same time.
+const DECODERS: usize = 4;
 
 /// Shortest time between two writes that show that the store is well.
 const PING_INTERVAL: Duration = Duration::from_secs(1);
@@ -30,6 +34,8 @@ const PING_INTERVAL: Duration = Duration::from_secs(1);
 pub struct SubmissionLimits {
     /// Largest memory \[bytes\] a job may be estimated to need.
     pub job_bytes: u64,
+    /// Largest result \[bytes\] a job may be estimated to have.
+    pub result_bytes: u64,
 }
 
 /// A job as it is handed in.
@@ -64,6 +70,17 @@ pub enum Rejection {
         /// What it may \[bytes\].
         limit: u64,
     },
+    /// Its result would be larger than one may be.
+    #[error(
+        "the result of the job would take about {} MiB; a result may take {} MiB at most",
+        .estimate.result_bytes >> 20, .limit >> 20
+    )]
+    ResultTooLarge {
+        /// What it would need.
+        estimate: JobEstimate,
+        /// What it may \[bytes\].
+        limit: u64,
+    },
 }
 
 /// Why a job was not queued.
@@ -88,6 +105,7 @@ pub struct JobService {
     keys: Arc<dyn KeyStore>,
     limits: SubmissionLimits,
     closed: AtomicBool,
+    decoders: Arc<Semaphore>,
     /// Until when the store is taken to be well.
     healthy_until: Mutex<Option<Instant>>,
 }
@@ -108,6 +126,7 @@ impl JobService {
             keys,
             limits,
             closed: AtomicBool::new(false),
+            decoders: Arc::new(Semaphore::new(DECODERS)),
             healthy_until: Mutex::new(None),
         }
     }
@@ -121,6 +140,9 @@ impl JobService {
         let estimate = self.solver.estimate(&job).map_err(JobError::Fields)?;
         if estimate.bytes > self.limits.job_bytes {
             return Err(Rejection::TooLarge { estimate, limit: self.limits.job_bytes });
+        }
+        if estimate.result_bytes > self.limits.result_bytes {
+            return Err(Rejection::ResultTooLarge { estimate, limit: self.limits.result_bytes });
         }
         Ok((job, estimate))
     }
@@ -224,12 +246,33 @@ impl JobService {
         self.store.request(id).await
     }
 
-    /// The report (JSON), if there is one.
+    /// The result without its steps, if there is one.
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
-        self.store.report(id).await
+    pub async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
+        self.store.result(id).await
+    }
+
+    /// The report of a step, counted from 0, without its fields.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
+        self.store.step(id, step).await
+    }
+
+    /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask for them.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
+        self.store.fields(id, step).await
+    }
+
+    /// Waits for the right to decode a large result; it ends when what is returned is dropped.
+    pub async fn decoder(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.decoders).acquire_owned().await.ok()
     }
 
     /// Asks a job to stop.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::metrics;
 use brinell_solver::job::{FieldError, Job};
-use brinell_solver::report::{self, JobEstimate, Report, RunError};
+use brinell_solver::report::{self, JobEstimate, Report, RunError, StepReport};
 use brinell_solver::solver::{FactorCache, Observer, Options};
 
 /// Solves jobs. The service uses [`CoreSolver`]; tests put slow, failing and panicking ones in its place.
@@ -17,11 +17,17 @@ pub trait JobSolver: Send + Sync + 'static {
         report::preflight(job)
     }
 
-    /// Solves the job; runs on a thread of its own and may take its time, but asks `observer` between phases.
+    /// Solves the job and hands over each step as soon as it is finished; the report that is returned has no steps. Runs on
+    /// a thread of its own and may take its time, but asks `observer` between phases.
     ///
     /// # Errors
     /// [`RunError`] when there is nothing to report. Not converging is a status of the report, not an error.
-    fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError>;
+    fn solve(
+        &self,
+        job: &Job,
+        observer: &mut dyn Observer,
+        on_step: &mut dyn FnMut(StepReport),
+    ) -> Result<Report, RunError>;
 }
 
 /// The solver of this crate.
@@ -38,9 +44,14 @@ impl CoreSolver {
 }
 
 impl JobSolver for CoreSolver {
-    fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    fn solve(
+        &self,
+        job: &Job,
+        observer: &mut dyn Observer,
+        on_step: &mut dyn FnMut(StepReport),
+    ) -> Result<Report, RunError> {
         let options = Options { cache: self.cache.as_ref(), ..Options::default() };
-        let report = report::run_with(job, options, observer);
+        let report = report::run_each(job, options, observer, on_step);
         if let Some(cache) = &self.cache {
             metrics::factor_cache(cache.stats());
         }

@@ -7,7 +7,10 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use thiserror::Error;
 
-use super::{IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, WorkerId};
+use super::{
+    Deflated, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead, StepResult,
+    WorkerId,
+};
 
 /// Keeps jobs, hands them out and remembers how they ended.
 ///
@@ -41,11 +44,23 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn request(&self, id: JobId) -> Result<Bytes, StoreError>;
 
-    /// The report (JSON), if the job has one.
+    /// The result without its steps, if the job has one.
     ///
     /// # Errors
     /// [`StoreError::NotFound`].
-    async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError>;
+    async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError>;
+
+    /// The report of a step of the result, counted from 0, without its fields.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`] without such a step.
+    async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError>;
+
+    /// The fields of a step of the result, counted from 0; `None` of a job that did not ask for them.
+    ///
+    /// # Errors
+    /// [`StoreError::NotFound`] without such a step.
+    async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError>;
 
     /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones, the highest
     /// priority first and the oldest first among equals. It stops at the first job that does not fit into the
@@ -71,7 +86,14 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError>;
 
-    /// Ends a leased job; `records` are its last iterations.
+    /// Keeps the results of further steps of a leased job, in order.
+    ///
+    /// # Errors
+    /// [`StoreError::LeaseLost`]; nothing is written then.
+    async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError>;
+
+    /// Ends a leased job; `records` are its last iterations, `steps` its last steps. Steps of a job that ends without a
+    /// report are removed.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.
@@ -79,6 +101,7 @@ pub trait JobStore: Send + Sync + 'static {
         &self,
         lease: &Lease,
         records: &[IterationRecord],
+        steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError>;
 

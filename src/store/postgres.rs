@@ -23,6 +23,7 @@ use crate::jobs::{Clock, JobId, JobNotifier, StoreError, WorkerId};
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/postgres/0002_requests.sql") },
+    Step { version: 3, name: "results", sql: include_str!("../../migrations/postgres/0003_results.sql") },
 ];
 
 /// Connections of one process.

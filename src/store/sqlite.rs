@@ -33,6 +33,7 @@ use crate::jobs::{Clock, JobNotifier, StoreError};
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") },
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/sqlite/0002_requests.sql") },
+    Step { version: 3, name: "results", sql: include_str!("../../migrations/sqlite/0003_results.sql") },
 ];
 
 /// Readers beside the writer.

@@ -3,27 +3,38 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use tokio::sync::mpsc::Sender;
+
 use super::observer::JobObserver;
-use crate::jobs::{JobFailure, JobId, JobSolver, Outcome, encode};
+use crate::jobs::{EncodeError, JobFailure, JobId, JobSolver, Outcome, StepResult, encode};
 use brinell_solver::job::{Job, JobError};
-use brinell_solver::report::RunError;
+use brinell_solver::report::{RunError, StepReport};
 
 /// Solves a job and catches whatever goes wrong. Never panics.
+///
+/// Results of steps go into `steps` as they are finished. The channel is short: the solve waits until they are written,
+/// so that its memory does not grow with the number of steps.
 pub(super) fn attempt(
     id: JobId,
     solver: &dyn JobSolver,
     request: &[u8],
     observer: &mut JobObserver,
+    steps: &Sender<StepResult>,
 ) -> Outcome {
     // Everything the closure touches is thrown away after a panic, save the observer's plain fields.
-    let solved = catch_unwind(AssertUnwindSafe(|| solve(solver, request, observer)));
+    let solved = catch_unwind(AssertUnwindSafe(|| solve(solver, request, observer, steps)));
     solved.unwrap_or_else(|panic| {
         tracing::error!(job = %id, panic = panic_message(panic.as_ref()), "the solver panicked");
         Outcome::Failed(JobFailure::internal("the solver failed unexpectedly; the fault has been logged"))
     })
 }
 
-fn solve(solver: &dyn JobSolver, request: &[u8], observer: &mut JobObserver) -> Outcome {
+fn solve(
+    solver: &dyn JobSolver,
+    request: &[u8],
+    observer: &mut JobObserver,
+    steps: &Sender<StepResult>,
+) -> Outcome {
     let job = match Job::from_json(request) {
         Ok(job) => job,
         Err(JobError::Fields(errors)) => return Outcome::Failed(JobFailure::input(errors)),
@@ -31,11 +42,20 @@ fn solve(solver: &dyn JobSolver, request: &[u8], observer: &mut JobObserver) -> 
             return Outcome::Failed(JobFailure::internal(error.to_string()));
         }
     };
-    match solver.solve(&job, observer) {
-        Ok(report) => match encode(&report) {
-            Ok(json) => Outcome::Reported { status: report.status, report: json },
-            Err(error) => Outcome::Failed(JobFailure::solver(format!("the result is not usable: {error}"))),
-        },
+    let mut unusable: Option<EncodeError> = None;
+    let mut on_step = |report: StepReport| match StepResult::encode(report) {
+        // Nobody receives it where the supervisor is gone, and then nobody receives the outcome either.
+        Ok(step) if unusable.is_none() => drop(steps.blocking_send(step)),
+        Ok(_) => {}
+        Err(error) => unusable = unusable.take().or(Some(error)),
+    };
+    let solved = solver.solve(&job, observer, &mut on_step);
+    let encoded = solved.map(|report| (report.status, unusable.map_or_else(|| encode(&report), Err)));
+    match encoded {
+        Ok((status, Ok(report))) => Outcome::Reported { status, report },
+        Ok((_, Err(error))) => {
+            Outcome::Failed(JobFailure::solver(format!("the result is not usable: {error}")))
+        }
         Err(RunError::Input(errors)) => Outcome::Failed(JobFailure::input(errors)),
         Err(error) => match observer.interrupt() {
             Some(interrupt) => Outcome::Interrupted(interrupt),

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use tokio::sync::mpsc::UnboundedSender;
 
 use super::supervise::Message;
-use crate::jobs::{IterationRecord, check_finite};
+use crate::jobs::{IterationRecord, encode};
 use brinell_solver::solver::{Interrupt, Observer};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
@@ -24,7 +24,7 @@ impl StopFlag {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    fn is_raised(&self) -> bool {
+    pub(super) fn is_raised(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
@@ -77,7 +77,7 @@ impl JobObserver {
 impl Observer for JobObserver {
     fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         // Progress is for watching: a record that JSON cannot carry is left out, and the report will say why.
-        if check_finite(record).is_ok() {
+        if encode(record).is_ok() {
             self.pending.push(record.clone());
         }
         self.on_checkpoint()

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
+use tokio::sync::mpsc::{self, Receiver, UnboundedReceiver, unbounded_channel};
 use tokio::time::{Instant, sleep, sleep_until};
 
 use super::WorkerState;
@@ -11,11 +11,18 @@ use super::attempt::attempt;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StoreError, metrics,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult, StoreError, metrics,
 };
 
 /// Most messages taken at once.
 const BATCH: usize = 64;
+
+/// Size \[bytes\] from which the result of a step is written at once; a smaller one waits for the next, or for the end of the
+/// job: a job of one step is written once.
+const LARGE_STEP: usize = 256 << 10;
+
+/// Wait before the results of steps are written again to a store that did not take them.
+const STEP_RETRY: Duration = Duration::from_secs(1);
 
 /// Time between two reports of progress. A job that ends sooner is written once, with its result.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
@@ -42,8 +49,16 @@ pub(super) enum Message {
     Done(Vec<IterationRecord>, Outcome),
 }
 
+/// What comes from a solver thread.
+struct SolveChannels {
+    messages: UnboundedReceiver<Message>,
+    steps: Receiver<StepResult>,
+}
+
 /// What came of a solve.
 struct SolveEnd {
+    /// Results of steps that are still to be written.
+    steps: Vec<StepResult>,
     /// Iterations that are still to be written.
     records: Vec<IterationRecord>,
     /// How many there were in all.
@@ -65,9 +80,9 @@ impl WorkerState {
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();
         self.running.add(lease, stop.clone());
-        let messages = self.start_solve(claim, stop.clone());
+        let channels = self.start_solve(claim, stop.clone());
         let started = Instant::now();
-        let SolveEnd { records, iterations, outcome } = self.follow(&lease, messages, &stop).await;
+        let SolveEnd { steps, records, iterations, outcome } = self.follow(&lease, channels, &stop).await;
         let time = started.elapsed();
         drop(slot);
         self.running.settle(&lease);
@@ -77,7 +92,7 @@ impl WorkerState {
         let written = if stopped_by_shutdown {
             self.store.release(&[lease]).await
         } else {
-            self.write_outcome(&lease, &records, outcome).await
+            self.write_outcome(&lease, &records, &steps, outcome).await
         };
         self.running.remove(&lease);
         match written {
@@ -90,25 +105,23 @@ impl WorkerState {
         }
     }
 
-    fn start_solve(&self, claim: Claim, stop: StopFlag) -> UnboundedReceiver<Message> {
+    fn start_solve(&self, claim: Claim, stop: StopFlag) -> SolveChannels {
         let (sender, messages) = unbounded_channel();
+        let (step_sender, steps) = mpsc::channel(1);
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
         self.pool.run(move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone());
-            let outcome = attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer);
+            let outcome =
+                attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);
             let _ = sender.send(Message::Done(observer.take_pending(), outcome));
         });
-        messages
+        SolveChannels { messages, steps }
     }
 
     /// Forwards progress to the store and the wish to stop to the solver, until the solve ends.
-    async fn follow(
-        &self,
-        lease: &Lease,
-        mut messages: UnboundedReceiver<Message>,
-        stop: &StopFlag,
-    ) -> SolveEnd {
+    async fn follow(&self, lease: &Lease, channels: SolveChannels, stop: &StopFlag) -> SolveEnd {
+        let SolveChannels { mut messages, steps: mut received } = channels;
         let mut subscription = self.notifier.subscribe(lease.job);
         if let Ok(record) = self.store.get(lease.job).await {
             // A cancellation between the claim and the subscription was not announced here.
@@ -122,13 +135,15 @@ impl WorkerState {
         let mut iterations = 0;
         let mut batch = Vec::with_capacity(BATCH);
         let mut records = Vec::new();
+        let mut steps = Vec::new();
         let mut write_at = Instant::now() + PROGRESS_INTERVAL;
         loop {
             tokio::select! {
                 count = messages.recv_many(&mut batch, BATCH) => {
                     if count == 0 {
                         let failure = JobFailure::internal("the solver thread is gone");
-                        return SolveEnd { records, iterations, outcome: Outcome::Failed(failure) };
+                        let outcome = Outcome::Failed(failure);
+                        return SolveEnd { steps, records, iterations, outcome };
                     }
                     for message in batch.drain(..) {
                         match message {
@@ -139,9 +154,22 @@ impl WorkerState {
                             Message::Done(last, outcome) => {
                                 iterations += last.len();
                                 records.extend(last);
-                                return SolveEnd { records, iterations, outcome };
+                                // Sent before the last message, though perhaps not received.
+                                while let Ok(step) = received.try_recv() {
+                                    steps.push(step);
+                                }
+                                return SolveEnd { steps, records, iterations, outcome };
                             }
                         }
+                    }
+                }
+                Some(step) = received.recv() => {
+                    let is_large = step.bytes() >= LARGE_STEP;
+                    if is_large || !steps.is_empty() {
+                        steps.push(step);
+                        self.write_steps(lease, &mut steps, stop).await;
+                    } else {
+                        steps.push(step);
                     }
                 }
                 () = sleep_until(write_at), if !records.is_empty() => {
@@ -165,21 +193,44 @@ impl WorkerState {
         }
     }
 
+    /// Writes the results of steps; the solve waits meanwhile. What could not be written when the solve is to stop is left to
+    /// the end of the job.
+    async fn write_steps(&self, lease: &Lease, steps: &mut Vec<StepResult>, stop: &StopFlag) {
+        loop {
+            match self.store.record_steps(lease, steps).await {
+                Ok(()) => return steps.clear(),
+                Err(StoreError::LeaseLost | StoreError::NotFound) => {
+                    steps.clear();
+                    return stop.raise();
+                }
+                Err(error) => {
+                    tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "steps not written yet");
+                }
+            }
+            if stop.is_raised() {
+                return;
+            }
+            sleep(STEP_RETRY).await;
+        }
+    }
+
     async fn write_outcome(
         &self,
         lease: &Lease,
         records: &[IterationRecord],
+        steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
         for wait in RETRIES {
-            match self.store.finish(lease, records, outcome.clone()).await {
-                Err(StoreError::Unavailable(error)) => {
-                    tracing::warn!(job = %lease.job, error = error.as_ref() as &dyn std::error::Error, "retrying");
+            match self.store.finish(lease, records, steps, outcome.clone()).await {
+                Err(error @ (StoreError::Unavailable(_) | StoreError::DiskFull)) => {
+                    tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "retrying");
+                    drop(error);
                     sleep(wait).await;
                 }
                 answer => return answer,
             }
         }
-        self.store.finish(lease, records, outcome).await
+        self.store.finish(lease, records, steps, outcome).await
     }
 }

@@ -16,6 +16,7 @@ mod openapi;
 mod page;
 mod protocol;
 mod readme;
+mod results;
 mod server;
 mod shutdown;
 mod solvers;

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use brinell::jobs::{FieldError, JobSolver};
 use brinell_solver::job::Job;
-use brinell_solver::report::{MeshReport, Report, RunError, Timings};
+use brinell_solver::report::{MeshReport, Report, RunError, StepReport, Timings};
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
 
 /// `abort`, `panic`, `nan`, `impossible`, `fail`; `slow` iterates until the gate is opened or it is told to stop; anything
@@ -46,7 +46,12 @@ impl TestSolver {
 }
 
 impl JobSolver for TestSolver {
-    fn solve(&self, job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    fn solve(
+        &self,
+        job: &Job,
+        observer: &mut dyn Observer,
+        _: &mut dyn FnMut(StepReport),
+    ) -> Result<Report, RunError> {
         match job.tags.get("test").map(String::as_str) {
             Some("abort") => std::process::abort(),
             Some("panic") => panic!("the secret of the solver"),

@@ -8,7 +8,7 @@ use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 use tokio::time::timeout;
 
-use crate::subject::{DEADLINE, LIMITS, Place, Subject, iteration, reported};
+use crate::subject::{DEADLINE, HEAD, LIMITS, Place, Subject, iteration, reported};
 
 #[tokio::test]
 async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
@@ -17,13 +17,13 @@ async fn sqlite_remembers_everything_and_runs_interrupted_jobs_again_at_once() {
         (subject.enqueue("done").await, subject.enqueue("running").await, subject.enqueue("queued").await);
     let claims = subject.claim(2).await;
     let records = [iteration(1), iteration(2)];
-    subject.store.finish(&claims[0].lease, &records, reported(SolveStatus::Converged)).await.unwrap();
+    subject.store.finish(&claims[0].lease, &records, &[], reported(SolveStatus::Converged)).await.unwrap();
     let Subject { store, clock, place, .. } = subject;
     drop(store);
 
     let after = Subject::again(place, clock).await;
     assert_eq!(after.store.history(done, 0).await.unwrap(), records);
-    assert_eq!(after.store.report(done).await.unwrap().unwrap(), "{\"report\": 1}");
+    assert_eq!(after.head(done).await, HEAD);
     assert_eq!(after.get(queued).await.queue_position, Some(0));
     let stale = after.finish(&claims[1].lease, SolveStatus::Converged).await;
     assert!(stale.is_ok(), "nobody has taken it up yet");
@@ -61,7 +61,7 @@ async fn what_one_process_does_another_hears() {
     timeout(DEADLINE, heard).await.expect("the wish to stop is heard of");
     there.finish(&lease, SolveStatus::Cancelled).await.unwrap();
     timeout(DEADLINE, at_client.finished()).await.expect("the end is heard of");
-    assert_eq!(here.store.report(id).await.unwrap().unwrap(), "{\"report\": 1}");
+    assert_eq!(here.head(id).await, HEAD);
 }
 
 #[tokio::test]

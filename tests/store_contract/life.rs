@@ -6,7 +6,7 @@ use brinell::jobs::{JobFailure, JobId, JobState, Outcome, Retention, StoreError}
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
-use crate::subject::{ALL, DEADLINE, Subject, iteration, reported};
+use crate::subject::{ALL, DEADLINE, HEAD, Subject, iteration, reported};
 
 pub async fn a_job_goes_its_way(subject: &Subject) {
     let store = &subject.store;
@@ -31,15 +31,15 @@ pub async fn a_job_goes_its_way(subject: &Subject) {
     let running = subject.get(id).await;
     assert_eq!((running.iterations, running.latest), (3, Some(iteration(3))));
     assert_eq!(store.history(id, 1).await.unwrap(), [iteration(2), iteration(3)]);
-    assert_eq!(store.report(id).await.unwrap(), None);
+    assert_eq!(store.result(id).await.unwrap(), None);
 
-    store.finish(&lease, &[iteration(4)], reported(SolveStatus::Converged)).await.unwrap();
+    store.finish(&lease, &[iteration(4)], &[], reported(SolveStatus::Converged)).await.unwrap();
     let finished = subject.get(id).await;
     assert_eq!((finished.iterations, store.history(id, 2).await.unwrap().len()), (4, 2));
     assert_eq!((finished.state, finished.has_report), (JobState::Succeeded, true));
     assert!(finished.finished_at.is_some());
     assert_eq!(store.request(id).await.unwrap(), "{\"job\": \"one\"}");
-    assert_eq!(store.report(id).await.unwrap().unwrap(), "{\"report\": 1}");
+    assert_eq!(subject.head(id).await, HEAD);
     assert_eq!(store.counts().await.unwrap().get(&JobState::Succeeded), Some(&1));
 }
 
@@ -47,7 +47,7 @@ pub async fn unknown_jobs_are_not_found(subject: &Subject) {
     let (store, id) = (&subject.store, JobId::generate());
     assert!(matches!(store.get(id).await, Err(StoreError::NotFound)));
     assert!(matches!(store.request(id).await, Err(StoreError::NotFound)));
-    assert!(matches!(store.report(id).await, Err(StoreError::NotFound)));
+    assert!(matches!(store.result(id).await, Err(StoreError::NotFound)));
     assert!(matches!(store.history(id, 0).await, Err(StoreError::NotFound)));
     assert!(matches!(store.cancel(id).await, Err(StoreError::NotFound)));
     assert!(matches!(store.delete(id).await, Err(StoreError::NotFound)));
@@ -76,7 +76,7 @@ pub async fn failures_are_kept(subject: &Subject) {
     let (store, id) = (&subject.store, subject.enqueue("x").await);
     let lease = subject.claim_one().await;
     let failure = JobFailure::solver("the stiffness matrix is not positive definite");
-    store.finish(&lease, &[], Outcome::Failed(failure.clone())).await.unwrap();
+    store.finish(&lease, &[], &[], Outcome::Failed(failure.clone())).await.unwrap();
     let failed = subject.get(id).await;
     assert_eq!((failed.state, failed.failure, failed.has_report), (JobState::Failed, Some(failure), false));
 }
@@ -122,5 +122,5 @@ pub async fn old_jobs_are_swept_each_in_its_time(subject: &Subject) {
     subject.clock.advance(SignedDuration::from_mins(60));
     assert_eq!(subject.store.sweep(&retention).await.unwrap(), 1);
     assert_eq!(subject.page(ALL).await.0, [waiting]);
-    assert!(matches!(subject.store.report(ids[0]).await, Err(StoreError::NotFound)));
+    assert!(matches!(subject.store.result(ids[0]).await, Err(StoreError::NotFound)));
 }

@@ -10,6 +10,7 @@ mod leases;
 mod life;
 mod names;
 mod queue;
+mod results;
 mod subject;
 mod upgrade;
 
@@ -39,6 +40,9 @@ macro_rules! contract {
             leases an_expired_job_that_was_to_stop_is_cancelled;
             leases the_last_attempt_runs_alone;
             leases a_released_job_is_queued_as_if_never_taken_up;
+            results steps_are_kept_as_they_are_finished;
+            results a_later_attempt_begins_without_steps;
+            results a_job_without_a_report_keeps_no_steps;
             keys api_keys_are_kept_and_revoked;
             names the_same_name_is_the_same_job;
             names a_name_is_free_again_with_its_job;

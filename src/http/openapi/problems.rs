@@ -64,6 +64,7 @@ pub(super) fn schemas() -> Vec<(&'static str, Value)> {
         [
             field("equations", count("Equations of both bodies.", 17_226)),
             field("bytes", count("Peak memory. Unit: byte.", 43_459_337)),
+            field("result_bytes", count("The result of all steps as it is kept. Unit: byte.", 18_432)),
         ],
     );
     vec![("Problem", problem), ("FieldError", field_error), ("Estimate", estimate)]

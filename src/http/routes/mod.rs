@@ -6,6 +6,7 @@ pub(super) mod get_capacity;
 pub(super) mod get_events;
 pub(super) mod get_examples;
 pub(super) mod get_export;
+pub(super) mod get_fields;
 pub(super) mod get_job;
 pub(super) mod get_metrics;
 pub(super) mod get_openapi;

@@ -4,7 +4,7 @@
 //! `Idempotency-Key` makes the submission repeatable: the same body under the same key is the same job.
 
 use axum::extract::State;
-use axum::http::{HeaderName, HeaderValue};
+use axum::http::{HeaderMap, HeaderName, HeaderValue};
 use axum::response::{IntoResponse, Response};
 
 use crate::http::access::Caller;
@@ -60,6 +60,7 @@ pub(in crate::http) async fn post_job(
     IdempotencyKey(idempotency_key): IdempotencyKey,
     Priority(priority): Priority,
     caller: Caller,
+    headers: HeaderMap,
     JobBody(request): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
@@ -71,17 +72,17 @@ pub(in crate::http) async fn post_job(
         record = state.jobs.wait(record.id, timeout).await?;
     }
     let mut response = if timeout.is_some() && record.state.is_finished() {
-        finished(&state, &record).await.unwrap_or_else(IntoResponse::into_response)
+        finished(&state, &record, &headers).await.unwrap_or_else(IntoResponse::into_response)
     } else {
         wire::accepted(&record)
     };
-    let headers = response.headers_mut();
+    let sent = response.headers_mut();
     if enqueued.replayed {
-        headers.insert(REPLAYED, HeaderValue::from_static("true"));
+        sent.insert(REPLAYED, HeaderValue::from_static("true"));
     }
     if let Some(timeout) = timeout {
         let applied = HeaderValue::try_from(format!("wait={}", timeout.as_secs()));
-        headers.extend(applied.ok().map(|applied| (APPLIED, applied)));
+        sent.extend(applied.ok().map(|applied| (APPLIED, applied)));
     }
     Ok(response)
 }

@@ -12,6 +12,7 @@
 use std::sync::Arc;
 
 use axum::extract::State;
+use axum::http::HeaderMap;
 use axum::response::Response;
 use tokio::runtime::Handle;
 
@@ -46,6 +47,7 @@ const URGENT: i16 = 1;
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     caller: Caller,
+    headers: HeaderMap,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
@@ -65,7 +67,7 @@ pub(in crate::http) async fn post_solve(
         return Ok(wire::accepted(&record));
     }
     cancel_on_drop.job = None;
-    finished(&state, &record).await
+    finished(&state, &record, &headers).await
 }
 
 /// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.

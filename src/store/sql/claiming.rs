@@ -13,9 +13,15 @@ type Candidate = (Uuid, i64, i32);
 const END: &str =
     "UPDATE jobs SET state = $2, failure = $3, finished_at = $4, owner = NULL, leased_until = NULL
      WHERE id = $1";
-const FORGET: &str = "DELETE FROM iterations WHERE job = $1";
+/// Removes what an attempt has left.
+pub(super) const FORGET: [&str; 3] = [
+    "DELETE FROM iterations WHERE job = $1",
+    "DELETE FROM result_steps WHERE job = $1",
+    "DELETE FROM result_fields WHERE job = $1",
+];
 const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
-         losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL
+         losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,
+         steps = 0, stored_bytes = 0
      WHERE id = $1 RETURNING attempts";
 const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
 
@@ -121,12 +127,14 @@ macro_rules! claiming {
                     .fetch_one(&mut *self)
                     .await?;
                 if attempt > 1 {
-                    sqlx::query::<$database>(FORGET).bind(id).execute(&mut *self).await?;
+                    for forget in FORGET {
+                        sqlx::query::<$database>(forget).bind(id).execute(&mut *self).await?;
+                    }
                 }
                 let text = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id);
                 let text = text.fetch_one(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
-                Ok(Claim { lease, exclusive, memory: count(memory)?, request: unpack(&text)? })
+                Ok(Claim { lease, exclusive, memory: count(memory)?, request: unpack(text)? })
             }
         }
     };

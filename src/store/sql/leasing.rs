@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::claiming::until;
+use super::claiming::{FORGET, until};
 use super::codec::{failure_json, pack, pack_records, to_json};
-use crate::jobs::{IterationRecord, Lease, LeaseStatus, Outcome, StoreError};
+use crate::jobs::{IterationRecord, Lease, LeaseStatus, Outcome, StepResult, StoreError};
 
 const BEAT: &str = "UPDATE jobs SET leased_until = $4
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
@@ -22,9 +22,15 @@ const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN '
          finished_at = CASE WHEN cancel_requested THEN $4 END,
          started_at = CASE WHEN cancel_requested THEN started_at END, owner = NULL, leased_until = NULL,
          iterations = CASE WHEN cancel_requested THEN iterations ELSE 0 END,
-         latest = CASE WHEN cancel_requested THEN latest END
+         latest = CASE WHEN cancel_requested THEN latest END,
+         steps = CASE WHEN cancel_requested THEN steps ELSE 0 END,
+         stored_bytes = CASE WHEN cancel_requested THEN stored_bytes ELSE 0 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
-const FORGET: &str = "DELETE FROM iterations WHERE job = $1";
+const STEPS: &str = "UPDATE jobs SET steps = steps + $4, stored_bytes = stored_bytes + $5
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING steps";
+const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)";
+const FIELDS: &str = "INSERT INTO result_fields (job, step, body) VALUES ($1, $2, $3)";
+const NO_STEPS: &str = "UPDATE jobs SET steps = 0, stored_bytes = 0 WHERE id = $1";
 
 /// Changes by the holder of a lease.
 pub(in crate::store) trait Leasing: Send {
@@ -38,6 +44,11 @@ pub(in crate::store) trait Leasing: Send {
         &mut self,
         lease: &Lease,
         records: &[IterationRecord],
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn record_steps(
+        &mut self,
+        lease: &Lease,
+        steps: &[StepResult],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn finish(
         &mut self,
@@ -100,6 +111,29 @@ macro_rules! leasing {
                 Ok(())
             }
 
+            async fn record_steps(&mut self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
+                if steps.is_empty() {
+                    return Ok(());
+                }
+                let more = i32::try_from(steps.len()).unwrap_or(i32::MAX);
+                let bytes: usize = steps.iter().map(StepResult::bytes).sum();
+                let recorded = fenced!(sqlx::query_scalar::<$database, i32>(STEPS), lease);
+                let recorded = recorded.bind(more).bind(i64::try_from(bytes).unwrap_or(i64::MAX));
+                let last = recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                for (number, step) in (last.saturating_sub(more)..).zip(steps) {
+                    let report = sqlx::query::<$database>(STEP).bind(lease.job.uuid()).bind(number);
+                    report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
+                    if let Some(fields) = &step.fields {
+                        let fields = sqlx::query::<$database>(FIELDS)
+                            .bind(lease.job.uuid())
+                            .bind(number)
+                            .bind(&fields[..]);
+                        fields.execute(&mut *self).await?;
+                    }
+                }
+                Ok(())
+            }
+
             async fn finish(&mut self, lease: &Lease, outcome: &Outcome, now: i64) -> Result<(), StoreError> {
                 let (report, failure) = match outcome {
                     Outcome::Reported { report, .. } => (Some(report), None),
@@ -115,6 +149,14 @@ macro_rules! leasing {
                 if let Some(report) = report {
                     let report = sqlx::query::<$database>(REPORT).bind(lease.job.uuid()).bind(pack(report)?);
                     report.execute(self).await?;
+                } else {
+                    let [_, steps, fields] = FORGET;
+                    for statement in [steps, fields, NO_STEPS] {
+                        sqlx::query::<$database>(statement)
+                            .bind(lease.job.uuid())
+                            .execute(&mut *self)
+                            .await?;
+                    }
                 }
                 Ok(())
             }
@@ -123,7 +165,9 @@ macro_rules! leasing {
                 let release = fenced!(sqlx::query_scalar::<$database, bool>(RELEASE), lease);
                 let cancelled = release.bind(now).fetch_optional(&mut *self).await?;
                 if cancelled == Some(false) {
-                    sqlx::query::<$database>(FORGET).bind(lease.job.uuid()).execute(self).await?;
+                    for forget in FORGET {
+                        sqlx::query::<$database>(forget).bind(lease.job.uuid()).execute(&mut *self).await?;
+                    }
                 }
                 Ok(cancelled)
             }

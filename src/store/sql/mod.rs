@@ -18,8 +18,9 @@ use async_trait::async_trait;
 use bytes::Bytes;
 
 use crate::jobs::{
-    ClaimRequest, Claims, Counts, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobPage,
-    JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, Retention, StoreError,
+    ClaimRequest, Claims, Counts, Deflated, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
+    JobPage, JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention,
+    StepResult, StoreError,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
@@ -94,8 +95,16 @@ impl<B: Backend> JobStore for SqlStore<B> {
         Reading::request(&mut *self.backend.read().await?, id).await
     }
 
-    async fn report(&self, id: JobId) -> Result<Option<Bytes>, StoreError> {
-        Reading::report(&mut *self.backend.read().await?, id).await
+    async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
+        Reading::result(&mut *self.backend.read().await?, id).await
+    }
+
+    async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
+        Reading::step(&mut *self.backend.read().await?, id, step).await
+    }
+
+    async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
+        Reading::fields(&mut *self.backend.read().await?, id, step).await
     }
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
@@ -121,14 +130,22 @@ impl<B: Backend> JobStore for SqlStore<B> {
         self.commit(transaction, Written, &[Change::Progress(lease.job)]).await
     }
 
+    async fn record_steps(&self, lease: &Lease, steps: &[StepResult]) -> Result<(), StoreError> {
+        let (mut transaction, _) = self.backend.write().await?;
+        Leasing::record_steps(&mut *transaction, lease, steps).await?;
+        self.commit(transaction, Written, &[]).await
+    }
+
     async fn finish(
         &self,
         lease: &Lease,
         records: &[IterationRecord],
+        steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         Leasing::record_progress(&mut *transaction, lease, records).await?;
+        Leasing::record_steps(&mut *transaction, lease, steps).await?;
         Leasing::finish(&mut *transaction, lease, &outcome, now).await?;
         self.commit(transaction, Synced, &[Change::Finished(lease.job)]).await
     }

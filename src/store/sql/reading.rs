@@ -4,8 +4,10 @@ use bytes::Bytes;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
-use super::codec::{JobRow, count, job_columns, job_record, state_named, unpack, unpack_records};
-use crate::jobs::{Counts, IterationRecord, JobFilter, JobId, JobPage, JobRecord, StoreError};
+use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack, unpack_records};
+use crate::jobs::{
+    Counts, Deflated, IterationRecord, JobFilter, JobId, JobPage, JobRecord, ResultHead, StoreError,
+};
 
 /// One job with its place in the queue.
 const FIND: &str = concat!(
@@ -22,7 +24,11 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
 const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
-const REPORT: &str = "SELECT r.body FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
+const RESULT: &str = "SELECT r.body, j.steps, j.attempts, EXISTS (SELECT 1 FROM result_fields f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
+const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
+const FIELDS: &str =
+    "SELECT f.body FROM result_steps s LEFT JOIN result_fields f ON f.job = s.job AND f.step = s.step
+     WHERE s.job = $1 AND s.step = $2";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
 /// Questions to a connection.
@@ -34,7 +40,13 @@ pub(in crate::store) trait Reading: Send {
         after: usize,
     ) -> impl Future<Output = Result<Vec<IterationRecord>, StoreError>> + Send;
     fn request(&mut self, id: JobId) -> impl Future<Output = Result<Bytes, StoreError>> + Send;
-    fn report(&mut self, id: JobId) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
+    fn result(&mut self, id: JobId) -> impl Future<Output = Result<Option<ResultHead>, StoreError>> + Send;
+    fn step(&mut self, id: JobId, step: usize) -> impl Future<Output = Result<Deflated, StoreError>> + Send;
+    fn fields(
+        &mut self,
+        id: JobId,
+        step: usize,
+    ) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
     fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
 }
@@ -57,20 +69,36 @@ macro_rules! reading {
                 let mut records = Vec::new();
                 for (first, packed) in rows.fetch_all(self).await? {
                     let seen: usize = count((after - first).max(0))?;
-                    records.extend(unpack_records(&packed)?.into_iter().skip(seen));
+                    records.extend(unpack_records(packed)?.into_iter().skip(seen));
                 }
                 Ok(records)
             }
 
             async fn request(&mut self, id: JobId) -> Result<Bytes, StoreError> {
                 let row = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id.uuid());
-                unpack(&row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?)
+                unpack(row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?)
             }
 
-            async fn report(&mut self, id: JobId) -> Result<Option<Bytes>, StoreError> {
-                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(REPORT).bind(id.uuid());
+            async fn result(&mut self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
+                let row =
+                    sqlx::query_as::<$database, (Option<Vec<u8>>, i32, i32, bool)>(RESULT).bind(id.uuid());
+                let (body, steps, attempts, has_fields) =
+                    row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
+                let Some(report) = body.map(unpack).transpose()? else { return Ok(None) };
+                Ok(Some(ResultHead { report, steps: count(steps)?, has_fields, attempt: count(attempts)? }))
+            }
+
+            async fn step(&mut self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
+                let step = i32::try_from(step).unwrap_or(i32::MAX);
+                let row = sqlx::query_scalar::<$database, Vec<u8>>(STEP).bind(id.uuid()).bind(step);
                 let body = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
-                body.as_deref().map(unpack).transpose()
+                Deflated::from_bytes(body.into()).ok_or_else(|| damaged("a step"))
+            }
+
+            async fn fields(&mut self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
+                let step = i32::try_from(step).unwrap_or(i32::MAX);
+                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(FIELDS).bind(id.uuid()).bind(step);
+                Ok(row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?.map(Bytes::from))
             }
 
             async fn list(&mut self, filter: &JobFilter) -> Result<JobPage, StoreError> {

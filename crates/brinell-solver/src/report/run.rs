@@ -6,8 +6,8 @@ use thiserror::Error;
 use super::build::ReportBuilder;
 use super::{Report, StepReport};
 use crate::fem::mesh::MeshError;
-use crate::job::{FieldError, Job};
-use crate::solver::{self, Interrupt, Observer, Options, SolveError, StepSolution};
+use crate::job::{FieldError, Job, Load};
+use crate::solver::{self, Estimate, Interrupt, Observer, Options, SolveError, StepSolution};
 
 /// Why a job gave no report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -54,8 +54,10 @@ impl From<SolveError> for RunError {
 pub struct JobEstimate {
     /// Equations of both bodies.
     pub equations: usize,
-    /// Peak memory \[bytes\].
+    /// Peak memory \[bytes\], the fields of a step while they are handed over included.
     pub bytes: u64,
+    /// The result of all steps as it is kept \[bytes\].
+    pub result_bytes: u64,
 }
 
 /// Estimates the cost of a job without meshing it.
@@ -64,9 +66,34 @@ pub struct JobEstimate {
 /// The fields that describe a contact which is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     match solver::estimate(job).map_err(RunError::from) {
-        Ok(estimate) => Ok(JobEstimate { equations: estimate.equations, bytes: estimate.bytes }),
+        Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
         Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
+    }
+}
+
+/// Bytes of the fields of a step for each node: ten numbers and the corners of an element.
+const FIELD_BYTES: u64 = 96;
+/// Copies of them while a step is written, encoded and stored.
+const FIELD_COPIES: u64 = 6;
+/// Bytes of the rest of a step's report, compressed; it grows with the number of contact nodes.
+const STEP_BYTES: u64 = 8 << 10;
+/// And for each element over the half-width.
+const STEP_BYTES_PER_ELEMENT: u64 = 512;
+
+/// Adds what the result takes to what the solve takes.
+fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
+    let steps = match &job.load {
+        Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count(),
+        Load::Onset => 1,
+    };
+    let nodes = estimate.equations as u64 / 2;
+    let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
+    let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
+    JobEstimate {
+        equations: estimate.equations,
+        bytes: estimate.bytes + FIELD_COPIES * fields,
+        result_bytes: step * steps as u64,
     }
 }
 

@@ -1,0 +1,224 @@
+//! Compressed texts that can be put together to one gzip stream without being compressed again.
+//!
+//! Each is a run of deflate blocks (RFC 1951) that ends at a byte boundary and refers to nothing before it, with the checksum and the
+//! length that the end of a gzip stream (RFC 1952) is made of.
+//!
+//! ```text
+//! offset   bytes   content
+//! 0        1       1, the version of this form
+//! 1        4       CRC-32 of the text, little-endian
+//! 5        8       length of the text, little-endian
+//! 13               deflate blocks, none of which is marked as the last
+//! ```
+
+use bytes::Bytes;
+use crc32fast::Hasher;
+use flate2::{Compress, Compression, Decompress, FlushCompress, FlushDecompress, Status};
+use thiserror::Error;
+
+const VERSION: u8 = 1;
+const HEAD: usize = 13;
+
+/// An empty block that is marked as the last, with fixed codes.
+const LAST_BLOCK: [u8; 2] = [3, 0];
+
+/// The head of a gzip stream: deflate, no name, no time, unknown system.
+const GZIP_HEAD: [u8; 10] = [0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255];
+
+/// Longest text \[bytes\] of one block that is stored as it is.
+const MAX_STORED: usize = 0xffff;
+
+/// Most bytes anything is unpacked to, should a row be damaged.
+const UNPACKED_LIMIT: u64 = 1 << 30;
+
+/// The bytes are not a compressed text.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("not a compressed text: {0}")]
+pub struct DeflateError(&'static str);
+
+/// A compressed text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Deflated(Bytes);
+
+impl Deflated {
+    /// Compresses a text.
+    ///
+    /// # Errors
+    /// [`DeflateError`] if the compressor fails, which it does not.
+    pub fn compress(text: &[u8]) -> Result<Self, DeflateError> {
+        let mut packed = Vec::with_capacity(HEAD + text.len() / 3 + 64);
+        head_of(text, &mut packed);
+        let mut compress = Compress::new(Compression::fast(), false);
+        loop {
+            packed.reserve(text.len() / 8 + 1024);
+            let read = usize::try_from(compress.total_in()).map_err(|_| DeflateError("too long"))?;
+            let rest = text.get(read..).unwrap_or_default();
+            compress
+                .compress_vec(rest, &mut packed, FlushCompress::Full)
+                .map_err(|_| DeflateError("the compressor failed"))?;
+            // A flush is complete when the output was not filled.
+            let all_read = compress.total_in() == text.len() as u64;
+            if all_read && packed.len() < packed.capacity() {
+                return Ok(Self(packed.into()));
+            }
+        }
+    }
+
+    /// A short text as it is, for what stands between two compressed ones.
+    pub fn stored(text: &'static [u8]) -> Self {
+        let text = &text[..text.len().min(MAX_STORED)];
+        let mut packed = Vec::with_capacity(HEAD + 5 + text.len());
+        head_of(text, &mut packed);
+        #[expect(clippy::cast_possible_truncation, reason = "at most 0xffff")]
+        let length = text.len() as u16;
+        packed.push(0);
+        packed.extend(length.to_le_bytes());
+        packed.extend((!length).to_le_bytes());
+        packed.extend_from_slice(text);
+        Self(packed.into())
+    }
+
+    /// Reads what [`Deflated::into_bytes`] gave; `None` if the bytes have another form.
+    pub fn from_bytes(bytes: Bytes) -> Option<Self> {
+        (bytes.len() >= HEAD && bytes[0] == VERSION).then_some(Self(bytes))
+    }
+
+    /// The bytes to keep.
+    pub fn into_bytes(self) -> Bytes {
+        self.0
+    }
+
+    /// Bytes to keep.
+    pub fn packed_len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Checksum of the text.
+    fn crc(&self) -> u32 {
+        self.0[1..5].try_into().map_or(0, u32::from_le_bytes)
+    }
+
+    /// Length of the text \[bytes\].
+    fn text_len(&self) -> u64 {
+        self.0[5..HEAD].try_into().map_or(0, u64::from_le_bytes)
+    }
+
+    /// The text.
+    ///
+    /// # Errors
+    /// [`DeflateError`] if the bytes are damaged.
+    pub fn text(&self) -> Result<Bytes, DeflateError> {
+        let length = Some(self.text_len()).filter(|length| *length <= UNPACKED_LIMIT);
+        let length = length.and_then(|length| usize::try_from(length).ok());
+        let length = length.ok_or(DeflateError("an impossible length"))?;
+        let mut text = Vec::with_capacity(length);
+        let mut decompress = Decompress::new(false);
+        let damaged = |_| DeflateError("damaged blocks");
+        decompress.decompress_vec(&self.0[HEAD..], &mut text, FlushDecompress::None).map_err(damaged)?;
+        // One byte of room shows whether there is more than there should be.
+        text.reserve(1);
+        let end =
+            decompress.decompress_vec(&LAST_BLOCK, &mut text, FlushDecompress::Finish).map_err(damaged)?;
+        let is_whole =
+            end == Status::StreamEnd && text.len() == length && crc32fast::hash(&text) == self.crc();
+        if is_whole {
+            Ok(text.into())
+        } else {
+            Err(DeflateError("the text is not the one that was compressed"))
+        }
+    }
+}
+
+fn head_of(text: &[u8], packed: &mut Vec<u8>) {
+    packed.push(VERSION);
+    packed.extend(crc32fast::hash(text).to_le_bytes());
+    packed.extend((text.len() as u64).to_le_bytes());
+}
+
+/// Puts compressed texts together to one gzip stream.
+#[derive(Debug, Default)]
+pub struct GzipStream {
+    checksum: Hasher,
+    length: u64,
+}
+
+impl GzipStream {
+    /// The beginning of the stream.
+    pub fn begin() -> (Self, Bytes) {
+        (Self::default(), Bytes::from_static(&GZIP_HEAD))
+    }
+
+    /// The next text.
+    pub fn append(&mut self, text: &Deflated) -> Bytes {
+        self.checksum.combine(&Hasher::new_with_initial_len(text.crc(), text.text_len()));
+        self.length += text.text_len();
+        text.0.slice(HEAD..)
+    }
+
+    /// The end of the stream.
+    pub fn end(self) -> Bytes {
+        #[expect(clippy::cast_possible_truncation, reason = "the format wants the length modulo 2^32")]
+        let length = self.length as u32;
+        [&LAST_BLOCK[..], &self.checksum.finalize().to_le_bytes(), &length.to_le_bytes()].concat().into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use flate2::read::GzDecoder;
+
+    use super::*;
+
+    fn texts() -> Vec<Vec<u8>> {
+        let figures: String = (0..40_000).map(|k| format!("{},", (f64::from(k) * 0.37).sin())).collect();
+        vec![Vec::new(), b"{}".to_vec(), vec![b' '; 200_000], figures.into_bytes()]
+    }
+
+    #[test]
+    fn what_is_compressed_is_read_back() {
+        for text in texts() {
+            let packed = Deflated::compress(&text).unwrap();
+            assert_eq!(packed.text().unwrap(), text);
+            assert_eq!(Deflated::from_bytes(packed.clone().into_bytes()), Some(packed));
+        }
+        assert!(Deflated::compress(&vec![b' '; 200_000]).unwrap().into_bytes().len() < 2000);
+        assert_eq!(Deflated::stored(b",").text().unwrap(), ",");
+    }
+
+    #[test]
+    fn parts_make_one_gzip_stream() {
+        let (mut stream, mut gzip) = {
+            let (stream, begin) = GzipStream::begin();
+            (stream, begin.to_vec())
+        };
+        let mut expected = Vec::new();
+        for text in texts() {
+            gzip.extend(stream.append(&Deflated::compress(&text).unwrap()));
+            gzip.extend(stream.append(&Deflated::stored(b",")));
+            expected.extend(text);
+            expected.push(b',');
+        }
+        gzip.extend(stream.end());
+        let mut read = Vec::new();
+        // A decoder of one member, as browsers have it.
+        GzDecoder::new(gzip.as_slice()).read_to_end(&mut read).unwrap();
+        assert!(read == expected, "{} bytes for {}", read.len(), expected.len());
+    }
+
+    #[test]
+    fn damage_is_an_error() {
+        let packed =
+            Deflated::compress(b"a text of some length, and then some more of it").unwrap().into_bytes();
+        for place in 1..packed.len() {
+            let mut spoilt = packed.to_vec();
+            spoilt[place] ^= 0x55;
+            let spoilt = Deflated::from_bytes(spoilt.into()).unwrap();
+            assert!(spoilt.text().is_err() || place >= HEAD, "byte {place} of the head");
+        }
+        let cut = Deflated::from_bytes(packed.slice(..packed.len() - 8)).unwrap();
+        assert!(cut.text().is_err());
+        assert_eq!(Deflated::from_bytes(Bytes::from_static(b"not this")), None);
+    }
+}

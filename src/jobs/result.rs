@@ -1,0 +1,60 @@
+//! A result as it is kept: in parts, so that nobody has to hold a long sweep in memory.
+
+use bytes::Bytes;
+
+use super::{Deflated, EncodeError, encode};
+use brinell_solver::report::{FieldArrays, StepReport};
+
+/// Where the steps of a report stand in its JSON.
+const STEPS: &str = "\"steps\":[]";
+
+/// The result of one step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StepResult {
+    /// The step's report without its fields (JSON).
+    pub report: Deflated,
+    /// Its fields, as [`FieldArrays`] writes them, in double precision.
+    pub fields: Option<Bytes>,
+}
+
+impl StepResult {
+    /// Takes a step's report apart.
+    ///
+    /// # Errors
+    /// [`EncodeError`] if a number in it is NaN or infinite.
+    pub fn encode(mut report: StepReport) -> Result<Self, EncodeError> {
+        let fields = report.fields.take();
+        let fields = fields.map(|fields| FieldArrays::encode(&fields)).transpose();
+        let fields = fields.map_err(|error| EncodeError::Altered(error.to_string()))?;
+        let report = Deflated::compress(&encode(&report)?)?;
+        Ok(Self { report, fields: fields.map(Bytes::from) })
+    }
+
+    /// Bytes it takes in the store.
+    pub fn bytes(&self) -> usize {
+        self.report.packed_len() + self.fields.as_ref().map_or(0, Bytes::len)
+    }
+}
+
+/// Everything in a result but its steps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ResultHead {
+    /// The report with an empty list of steps (JSON); of jobs of the first version, the whole report.
+    pub report: Bytes,
+    /// Steps that are kept apart.
+    pub steps: usize,
+    /// Whether the steps have fields.
+    pub has_fields: bool,
+    /// The attempt that it came of.
+    pub attempt: u32,
+}
+
+impl ResultHead {
+    /// The JSON before and behind the steps; `None` of a report of the first version, which has its steps in it.
+    pub fn around_steps(&self) -> Option<(Bytes, Bytes)> {
+        // Before the steps stand a few words of the service's own: no text of a client can be mistaken for them.
+        let text = std::str::from_utf8(&self.report).ok()?;
+        let begin = text.find(STEPS)? + STEPS.len() - 1;
+        Some((self.report.slice(..begin), self.report.slice(begin..)))
+    }
+}

@@ -1,0 +1,61 @@
+//! Results of steps.
+
+use brinell::jobs::{Deflated, JobFailure, Outcome, StepResult, StoreError};
+use brinell_solver::solver::SolveStatus;
+use bytes::Bytes;
+
+use crate::subject::{HEAD, Subject, reported};
+
+fn step(name: &str, fields: Option<&'static [u8]>) -> StepResult {
+    StepResult {
+        report: Deflated::compress(name.as_bytes()).unwrap(),
+        fields: fields.map(Bytes::from_static),
+    }
+}
+
+pub async fn steps_are_kept_as_they_are_finished(subject: &Subject) {
+    let store = &subject.store;
+    let id = subject.enqueue("x").await;
+    let lease = subject.claim_one().await;
+    store.record_steps(&lease, &[step("a", Some(b"A"))]).await.unwrap();
+    store.record_steps(&lease, &[step("b", Some(b"B")), step("c", None)]).await.unwrap();
+    assert_eq!(store.result(id).await.unwrap(), None, "a running job has no result");
+    store.finish(&lease, &[], &[step("d", None)], reported(SolveStatus::Converged)).await.unwrap();
+
+    let head = store.result(id).await.unwrap().unwrap();
+    assert_eq!((&head.report[..], head.steps, head.has_fields, head.attempt), (HEAD, 4, true, 1));
+    for (number, (text, fields)) in
+        [("a", Some("A")), ("b", Some("B")), ("c", None), ("d", None)].into_iter().enumerate()
+    {
+        assert_eq!(store.step(id, number).await.unwrap().text().unwrap(), text);
+        assert_eq!(store.fields(id, number).await.unwrap().as_deref(), fields.map(str::as_bytes));
+    }
+    assert!(matches!(store.step(id, 4).await, Err(StoreError::NotFound)));
+    assert!(matches!(store.fields(id, 4).await, Err(StoreError::NotFound)));
+    store.delete(id).await.unwrap();
+    assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)));
+}
+
+pub async fn a_later_attempt_begins_without_steps(subject: &Subject) {
+    let store = &subject.store;
+    let id = subject.enqueue("x").await;
+    let lost = subject.claim_one().await;
+    store.record_steps(&lost, &[step("a", Some(b"A")), step("b", Some(b"B"))]).await.unwrap();
+    store.release(&[lost]).await.unwrap();
+    assert!(matches!(store.record_steps(&lost, &[step("c", None)]).await, Err(StoreError::LeaseLost)));
+    let lease = subject.claim_one().await;
+    store.finish(&lease, &[], &[step("d", None)], reported(SolveStatus::Converged)).await.unwrap();
+    let head = store.result(id).await.unwrap().unwrap();
+    assert_eq!((head.steps, head.has_fields, head.attempt), (1, false, 2));
+    assert_eq!(store.step(id, 0).await.unwrap().text().unwrap(), "d");
+}
+
+pub async fn a_job_without_a_report_keeps_no_steps(subject: &Subject) {
+    let store = &subject.store;
+    let id = subject.enqueue("x").await;
+    let lease = subject.claim_one().await;
+    store.record_steps(&lease, &[step("a", Some(b"A"))]).await.unwrap();
+    store.finish(&lease, &[], &[step("b", None)], Outcome::Failed(JobFailure::solver("no"))).await.unwrap();
+    assert_eq!(store.result(id).await.unwrap(), None);
+    assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)));
+}
