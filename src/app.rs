@@ -13,13 +13,13 @@ use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
 use crate::config::{MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
-use crate::http::{HttpSettings, HttpState, Metrics, metrics_router, router, serve};
+use crate::http::{AllowedHosts, HttpSettings, HttpState, Metrics, metrics_router, router, serve};
 use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
 use crate::store::{
     PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory, open_sqlite_keys,
 };
 use crate::telemetry::collect;
-use crate::worker::Worker;
+use crate::worker::{STOP_TIMEOUT, Worker};
 
 /// Time for clients to take their last answers, once all jobs are done.
 const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
@@ -107,7 +107,9 @@ impl Service {
         ));
         let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
         let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
-        let state = HttpState::new(jobs, settings, metrics);
+        let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
+        let mut state = HttpState::new(jobs, settings, metrics);
+        state.hosts = hosts;
         Ok(Self { listener, address, state, worker, background, grace: config.work.grace })
     }
 
@@ -128,8 +130,10 @@ impl Service {
         stop.cancelled().await;
         self.state.jobs.close();
         if let Some(worker) = self.worker {
-            drain(worker, self.grace).await;
+            drain(worker, time_to_solve(self.grace)).await;
         }
+        // Who still waits is told where the job stands, before connections are closed.
+        self.state.jobs.end_waits();
         close.cancel();
         if timeout(CLOSE_TIMEOUT, &mut server).await.is_err() {
             tracing::warn!("clients were still connected");
@@ -161,7 +165,7 @@ pub async fn run_worker(
     start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
     let worker = Worker::start(store, notifier, solver, settings)?;
     stop.cancelled().await;
-    drain(worker, config.work.grace).await;
+    drain(worker, time_to_solve(config.work.grace)).await;
     Ok(())
 }
 
@@ -194,6 +198,11 @@ async fn upkeep(collected: PrometheusHandle) {
         sleep(UPKEEP_INTERVAL).await;
         collected.run_upkeep();
     }
+}
+
+/// The part of the grace time in which jobs may finish: stopping the others and closing connections takes the rest.
+fn time_to_solve(grace: Duration) -> Duration {
+    grace.saturating_sub(STOP_TIMEOUT + CLOSE_TIMEOUT).max(grace / 2)
 }
 
 async fn drain(worker: Worker, grace: Duration) {

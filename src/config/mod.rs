@@ -23,6 +23,10 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
     pub listen: String,
 
+    /// Name under which the service is addressed, several times if need be [default: those of loopback, if it listens there]
+    #[arg(long = "allowed-host", env = "BRINELL_ALLOWED_HOSTS", value_name = "NAME", value_delimiter = ',')]
+    pub allowed_hosts: Vec<String>,
+
     /// Do not solve here: leave the jobs to `brinell worker` (needs --database-url)
     #[arg(long, env = "BRINELL_NO_WORKERS", conflicts_with_all = ["workers", "memory_limit", "factor_cache"])]
     pub no_workers: bool,
@@ -88,6 +92,7 @@ impl Default for ServeConfig {
     fn default() -> Self {
         Self {
             listen: "127.0.0.1:8080".to_owned(),
+            allowed_hosts: Vec::new(),
             no_workers: false,
             solve_limit: Duration::from_secs(30),
             max_body: 1 << 20,

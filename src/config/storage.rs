@@ -58,6 +58,10 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_QUEUE_CAPACITY", value_name = "N", default_value = "10000")]
     pub queue_capacity: usize,
 
+    /// Most jobs of one API key that may wait in the queue [default: no bound but the queue's]
+    #[arg(long, env = "BRINELL_QUEUE_CAPACITY_PER_KEY", value_name = "N")]
+    pub queue_capacity_per_key: Option<usize>,
+
     /// Time jobs with a result are kept for
     #[arg(long, env = "BRINELL_KEEP_RESULTS", value_name = "HOURS", default_value = "168", value_parser = hours)]
     pub keep_results: Duration,
@@ -81,6 +85,7 @@ impl Default for StorageConfig {
             data_dir: PathBuf::from("brinell-data"),
             database_url: None,
             queue_capacity: 10_000,
+            queue_capacity_per_key: None,
             keep_results: Duration::from_hours(168),
             keep_failures: Duration::from_hours(72),
             min_free_disk: 256,
@@ -114,6 +119,7 @@ impl StorageConfig {
     pub fn limits(&self) -> StoreLimits {
         StoreLimits {
             queue_capacity: self.queue_capacity,
+            queued_by_key: self.queue_capacity_per_key,
             min_free_bytes: u64::from(self.min_free_disk) << 20,
         }
     }

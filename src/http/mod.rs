@@ -6,6 +6,7 @@
 
 mod access;
 mod body;
+mod edge;
 mod event_stream;
 mod job_path;
 mod listen;
@@ -45,6 +46,7 @@ use utoipa_swagger_ui::{Config, SwaggerUi};
 
 use crate::jobs::JobService;
 use access::authenticate;
+use edge::{check_host, drop_unusable_request_id, guard_response};
 use rates::Rates;
 use request_log::log_request;
 use routes::{
@@ -55,6 +57,7 @@ use routes::{
 
 use streams::EventStreamLimit;
 
+pub use edge::AllowedHosts;
 pub use listen::{ConnectionTimeouts, serve};
 pub use metrics::{Metrics, metrics_router};
 pub use problem::Problem;
@@ -121,6 +124,8 @@ pub struct HttpState {
     pub jobs: Arc<JobService>,
     /// Bounds.
     pub settings: HttpSettings,
+    /// Names that the service answers to.
+    pub hosts: Arc<AllowedHosts>,
     /// Cancelled when connections are about to be closed; streams without an end of their own end then.
     pub closing: CancellationToken,
     rates: Arc<Rates>,
@@ -133,13 +138,22 @@ impl HttpState {
     pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
         let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
-        Self { jobs, settings, closing: CancellationToken::new(), rates, streams, metrics }
+        Self {
+            jobs,
+            settings,
+            hosts: Arc::default(),
+            closing: CancellationToken::new(),
+            rates,
+            streams,
+            metrics,
+        }
     }
 }
 
 /// The whole HTTP surface.
 pub fn router(state: HttpState) -> Router {
     let keys = from_fn_with_state(state.clone(), authenticate);
+    let hosts = from_fn_with_state(state.clone(), check_host);
     // Noise does not compress.
     let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
@@ -150,12 +164,15 @@ pub fn router(state: HttpState) -> Router {
         .fallback(no_route)
         .method_not_allowed_fallback(no_method)
         .with_state(state)
+        .layer(hosts)
         .layer(CatchPanicLayer::custom(panicked))
         // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six times the time.
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible))
+        .layer(from_fn(guard_response))
         .layer(PropagateRequestIdLayer::x_request_id())
         .layer(from_fn(log_request))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
+        .layer(from_fn(drop_unusable_request_id))
 }
 
 /// Everything that is documented.

@@ -129,6 +129,7 @@ impl From<StoreError> for Problem {
         let kind = match &error {
             StoreError::NotFound => ProblemType::JobNotFound,
             StoreError::QueueFull { .. } => ProblemType::QueueFull,
+            StoreError::QuotaExceeded { .. } => ProblemType::QuotaExceeded,
             StoreError::KeyReused => ProblemType::IdempotencyKeyReused,
             StoreError::Unfinished(_) => ProblemType::JobUnfinished,
             StoreError::LeaseLost => ProblemType::Internal,
@@ -166,7 +167,7 @@ mod tests {
 
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
-        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000 };
+        let estimate = JobEstimate { equations: 5_000_000, bytes: 8 << 30, result_bytes: 100_000, work: 1 };
         let problem = Problem::from(Rejection::TooLarge { estimate, limit: 4 << 30 });
         insta::assert_json_snapshot!(problem, @r#"
         {

@@ -61,6 +61,10 @@ problem_types! {
     /// The API key may not do this.
     Forbidden, "forbidden", FORBIDDEN, "The API key may not do this",
         "The scope of the API key does not allow this request.";
+    /// A name that the service does not answer to.
+    UnknownHost, "unknown-host", MISDIRECTED_REQUEST, "The service does not answer under this name",
+        "The `Host` header names another service. One that listens on loopback answers to localhost, 127.0.0.1 and [::1], \
+         and to the names given by `--allowed-host`.";
     /// No such address.
     NotFound, "not-found", NOT_FOUND, "There is nothing at this address",
         "No resource has this address.";
@@ -99,6 +103,10 @@ problem_types! {
     TooManyJobs, "too-many-jobs", TOO_MANY_REQUESTS, "Too many jobs under one API key",
         "This API key hands in jobs faster than its share. Try again after the seconds in the `Retry-After` \
          header.";
+    /// One key has as much as it may.
+    QuotaExceeded, "quota-exceeded", TOO_MANY_REQUESTS, "The quota of the API key is used up",
+        "This API key has as many jobs waiting as it may. `detail` names the quota. Try again after the seconds in the \
+         `Retry-After` header.";
     /// Too many event streams.
     TooManyStreams, "too-many-streams", SERVICE_UNAVAILABLE, "Too many event streams are open",
         "As many event streams are open as may be. Try again after the seconds in the `Retry-After` header, or ask \

@@ -20,6 +20,8 @@ pub struct NewJob {
     pub priority: i16,
     /// Memory \[bytes\] it is estimated to need.
     pub memory: u64,
+    /// Work it is estimated to be, in units of its own: what it takes of its key's share.
+    pub work: u64,
     /// The API key it came under.
     pub submitter: Option<KeyId>,
     /// What makes a repeated submission recognisable.
@@ -38,6 +40,7 @@ impl NewJob {
             tags: BTreeMap::new(),
             priority: 0,
             memory: 0,
+            work: 1,
             submitter: None,
             idempotency: None,
             interactive: false,
@@ -76,7 +79,8 @@ pub struct JobRecord {
     pub finished_at: Option<Timestamp>,
     /// How often a worker took it up.
     pub attempts: u32,
-    /// Jobs that will be taken up before it, while it is queued.
+    /// Jobs of the same key that will be taken up before it, while it is queued; those that somebody waits for are counted
+    /// apart.
     pub queue_position: Option<usize>,
     /// Whether somebody asked it to stop.
     pub cancel_requested: bool,

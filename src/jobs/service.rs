@@ -10,6 +10,7 @@ use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
 use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
+use tokio_util::sync::CancellationToken;
 
 use super::{
     ApiKey, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter, JobId,
@@ -105,6 +106,7 @@ pub struct JobService {
     keys: Arc<dyn KeyStore>,
     limits: SubmissionLimits,
     closed: AtomicBool,
+    waits_end: CancellationToken,
     decoders: Arc<Semaphore>,
     /// Until when the store is taken to be well.
     healthy_until: Mutex<Option<Instant>>,
@@ -126,6 +128,7 @@ impl JobService {
             keys,
             limits,
             closed: AtomicBool::new(false),
+            waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
             healthy_until: Mutex::new(None),
         }
@@ -184,6 +187,7 @@ impl JobService {
             tags: job.tags,
             priority: submission.priority,
             memory: estimate.bytes,
+            work: estimate.work,
             submitter: submission.submitter,
             idempotency,
             interactive: submission.interactive,
@@ -201,7 +205,7 @@ impl JobService {
         self.store.get(id).await
     }
 
-    /// Like [`JobService::get`], once the job has finished or `timeout` has elapsed.
+    /// Like [`JobService::get`], once the job has finished, `timeout` has elapsed or waits have been ended ([`JobService::end_waits`]).
     ///
     /// # Errors
     /// [`StoreError`].
@@ -210,10 +214,14 @@ impl JobService {
         let deadline = Instant::now() + timeout;
         loop {
             let record = self.store.get(id).await?;
-            if record.state.is_finished() || Instant::now() >= deadline {
+            if record.state.is_finished() || Instant::now() >= deadline || self.waits_end.is_cancelled() {
                 return Ok(record);
             }
-            let _ = timeout_at(deadline.min(Instant::now() + POLL_INTERVAL), subscription.finished()).await;
+            let poll = deadline.min(Instant::now() + POLL_INTERVAL);
+            tokio::select! {
+                _ = timeout_at(poll, subscription.finished()) => {}
+                () = self.waits_end.cancelled() => {}
+            }
         }
     }
 
@@ -333,6 +341,11 @@ impl JobService {
     /// Takes no more jobs in. Questions are still answered.
     pub fn close(&self) {
         self.closed.store(true, Ordering::Relaxed);
+    }
+
+    /// Ends all waits with the present state of their jobs.
+    pub fn end_waits(&self) {
+        self.waits_end.cancel();
     }
 
     /// Whether the service has been closed.

@@ -62,9 +62,10 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`] without such a step.
     async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError>;
 
-    /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones, the highest
-    /// priority first and the oldest first among equals. It stops at the first job that does not fit into the
-    /// free memory, so that large jobs are not overtaken for ever.
+    /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones. API keys share the solvers by
+    /// the work of their jobs (start-time fair queueing), and so do the jobs of one key that somebody waits for, three parts
+    /// in four, and its others. Within such a flow the highest priority goes first, and the oldest among equals. It stops at
+    /// the first job that does not fit into the free memory, so that large jobs are not overtaken for ever.
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
@@ -281,6 +282,14 @@ pub enum StoreError {
     QueueFull {
         /// Jobs waiting.
         queued: usize,
+    },
+    /// The API key has as much as it may.
+    #[error("this API key may have {limit} {what}, and has them")]
+    QuotaExceeded {
+        /// What is bounded.
+        what: &'static str,
+        /// How many it may have.
+        limit: usize,
     },
     /// The idempotency key came with another body before.
     #[error("the idempotency key was used with another body before")]

@@ -21,6 +21,8 @@ impl<T: crate::jobs::JobStore + crate::jobs::KeyStore> Store for T {}
 pub struct StoreLimits {
     /// Most jobs that may wait.
     pub queue_capacity: usize,
+    /// Most jobs that may wait under one API key; `None` is no bound but the queue's.
+    pub queued_by_key: Option<usize>,
     /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a server is its own
     /// matter.
     pub min_free_bytes: u64,

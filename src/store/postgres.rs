@@ -24,6 +24,11 @@ const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/postgres/0002_requests.sql") },
     Step { version: 3, name: "results", sql: include_str!("../../migrations/postgres/0003_results.sql") },
+    Step {
+        version: 4,
+        name: "fair share",
+        sql: include_str!("../../migrations/postgres/0004_fair_share.sql"),
+    },
 ];
 
 /// Connections of one process.
@@ -74,7 +79,7 @@ pub async fn open_postgres(
     let node = WorkerId::generate();
     let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
     let backend = PostgresPool { pool, node, clock, listener };
-    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 #[async_trait]

@@ -34,6 +34,7 @@ const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") },
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/sqlite/0002_requests.sql") },
     Step { version: 3, name: "results", sql: include_str!("../../migrations/sqlite/0003_results.sql") },
+    Step { version: 4, name: "fair share", sql: include_str!("../../migrations/sqlite/0004_fair_share.sql") },
 ];
 
 /// Readers beside the writer.
@@ -139,7 +140,7 @@ pub async fn open_sqlite_in_memory(
     let backend = SqliteDatabase::in_memory(bytes, clock).await;
     let failed = |source| SqliteError::Database { path: PathBuf::from(":memory:"), source };
     let backend = backend.map_err(failed)?;
-    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 async fn open(
@@ -152,7 +153,7 @@ async fn open(
     let path = directory.join("brinell.db");
     let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
     let backend = backend.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(SqlStore { backend, notifier, queue_capacity: limits.queue_capacity }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.

@@ -25,7 +25,7 @@ use running::Running;
 use slots::{Reservation, Slots};
 
 /// Time for solves to notice that they must stop, once the grace time is over.
-const STOP_TIMEOUT: Duration = Duration::from_secs(2);
+pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
 
 /// How a worker goes about its work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

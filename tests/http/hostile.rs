@@ -41,7 +41,7 @@ fn statuses(heard: &str) -> Vec<&str> {
 #[test]
 fn requests_that_can_be_read_in_two_ways() {
     let server = Server::start();
-    let hidden = "GET /v1/capacity HTTP/1.1\r\nHost: x\r\n\r\n";
+    let hidden = "GET /v1/capacity HTTP/1.1\r\nHost: localhost\r\n\r\n";
     for lengths in [
         "Content-Length: 5\r\nTransfer-Encoding: chunked\r\n",
         "Transfer-Encoding: chunked\r\nContent-Length: 5\r\n",
@@ -53,7 +53,7 @@ fn requests_that_can_be_read_in_two_ways() {
         "Transfer-Encoding : chunked\r\n",
         "Content-Length: 0x5\r\n",
     ] {
-        let head = "POST /v1/validate HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n";
+        let head = "POST /v1/validate HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
         let heard = say(&server.target, format!("{head}{lengths}\r\n0\r\n\r\n{hidden}").as_bytes());
         let statuses = statuses(&heard);
         assert_eq!(statuses, ["400"], "{lengths:?} was answered by\n{heard}");
@@ -64,10 +64,10 @@ fn requests_that_can_be_read_in_two_ways() {
 #[test]
 fn heads_too_large() {
     let server = Server::start();
-    let head = "GET /livez HTTP/1.1\r\nHost: x\r\nConnection: close\r\n";
+    let head = "GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n";
     let many = "X-A: b\r\n".repeat(200);
     let long = format!("X-Long: {}\r\n", "a".repeat(200_000));
-    let url = format!("GET /{} HTTP/1.1\r\nHost: x\r\n", "a".repeat(200_000));
+    let url = format!("GET /{} HTTP/1.1\r\nHost: localhost\r\n", "a".repeat(200_000));
     for text in [format!("{head}{many}\r\n"), format!("{head}{long}\r\n")] {
         assert_eq!(statuses(&say(&server.target, text.as_bytes())), ["431"]);
     }
@@ -115,12 +115,12 @@ fn heads_and_bodies_that_do_not_come() {
     let started = Instant::now();
     let silent: Vec<_> = (0..50).map(|_| connect(&server.target)).collect();
     let mut half = connect(&server.target);
-    half.write_all(b"GET /livez HTTP/1.1\r\nHost: x\r\nX-Slow: ").unwrap();
+    half.write_all(b"GET /livez HTTP/1.1\r\nHost: localhost\r\nX-Slow: ").unwrap();
     for stream in silent.into_iter().chain([half]) {
         let heard = hear(stream);
         assert!(heard.is_empty() || statuses(&heard) == ["408"], "{heard}");
     }
-    let head = "POST /v1/solve HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{";
+    let head = "POST /v1/solve HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{";
     let heard = say(&server.target, head.as_bytes());
     let answer: Answer = parse(heard.as_bytes()).unwrap();
     answer.problem(408, "body-timeout");
@@ -144,7 +144,7 @@ fn clients_that_do_not_read_are_hung_up_on() {
     // Nobody is connected yet.
     let before = sockets(&server);
     let mut deaf = connect(&server.target);
-    let _ = deaf.write_all("GET /openapi.json HTTP/1.1\r\nHost: x\r\n\r\n".repeat(1000).as_bytes());
+    let _ = deaf.write_all("GET /openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n".repeat(1000).as_bytes());
     let started = Instant::now();
     let until = |is_so: &dyn Fn(usize) -> bool| {
         while !is_so(sockets(&server)) {
@@ -194,7 +194,7 @@ fn event_streams_are_bounded() {
     service.target.wait_for(&id, &["running"]);
     let follow = || {
         let mut stream = connect(&service.target);
-        write!(stream, "GET {id}/events HTTP/1.1\r\nHost: x\r\n\r\n").unwrap();
+        write!(stream, "GET {id}/events HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
         let mut first = [0; 15];
         stream.read_exact(&mut first).unwrap();
         assert_eq!(&first, b"HTTP/1.1 200 OK");

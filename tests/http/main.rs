@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod curl;
+mod edge;
 mod events;
 mod exports;
 mod hostile;

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
+use crate::curl::{parse, spawn_curl};
 use crate::in_process::{InProcess, job};
 use crate::server::{DEADLINE, Scratch, Server, example};
 
@@ -63,13 +64,36 @@ fn a_job_that_outlasts_the_grace_time_is_queued_again() {
 }
 
 #[test]
+fn clients_that_wait_are_answered_before_connections_close() {
+    let directory = Scratch::new();
+    let service = InProcess::start(|config| {
+        config.work.grace = Duration::from_millis(200);
+        config.storage.data_dir.clone_from(&directory.0);
+    });
+    let target = service.target.clone();
+    let id = target.submit(&job("slow"));
+    target.wait_for(&id, &["running"]);
+    let waits = spawn_curl(&[&format!("{}{id}?wait=60", target.url)]);
+    let solve = job("slow").to_string();
+    let json = "Content-Type: application/json";
+    let solves = spawn_curl(&["-H", json, "--data-binary", &solve, &format!("{}/v1/solve", target.url)]);
+    while target.get("/v1/jobs").json()["jobs"].as_array().map(Vec::len) != Some(2) {}
+    service.stop.cancel();
+    let waited = parse(&waits.wait_with_output().unwrap().stdout).expect("an answer");
+    assert_eq!(waited.status, 200);
+    assert!(["running", "queued"].contains(&waited.json()["status"].as_str().unwrap()));
+    let solved = parse(&solves.wait_with_output().unwrap().stdout).expect("an answer");
+    assert_eq!((solved.status, solved.json()["status"].as_str()), (202, Some("queued")));
+    service.wait();
+}
+
+#[test]
 fn a_second_signal_stops_at_once() {
     let mut server = Server::start();
     let address = server.target.url.strip_prefix("http://").unwrap().to_owned();
     // A client that never finishes its request holds the shutdown up.
     let mut client = TcpStream::connect(&address).unwrap();
-    let head =
-        "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{";
+    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n{";
     client.write_all(head.as_bytes()).unwrap();
     server.target.assert_alive();
     server.signal("TERM");

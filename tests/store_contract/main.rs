@@ -4,6 +4,7 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod durable;
+mod fair_share;
 mod in_memory;
 mod keys;
 mod leases;
@@ -43,6 +44,11 @@ macro_rules! contract {
             results steps_are_kept_as_they_are_finished;
             results a_later_attempt_begins_without_steps;
             results a_job_without_a_report_keeps_no_steps;
+            fair_share a_greedy_key_does_not_hold_up_another;
+            fair_share keys_share_by_work_and_not_by_number;
+            fair_share waiting_clients_do_not_starve_the_queue;
+            fair_share an_idle_key_does_not_save_up_its_share;
+            fair_share a_key_has_its_places_in_the_queue_and_no_more;
             keys api_keys_are_kept_and_revoked;
             names the_same_name_is_the_same_job;
             names a_name_is_free_again_with_its_job;

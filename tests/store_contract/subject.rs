@@ -18,7 +18,11 @@ use crate::cluster::Cluster;
 
 /// Limits that every backend under test is started with.
 pub const QUEUE_CAPACITY: usize = 4;
-pub const LIMITS: StoreLimits = StoreLimits { queue_capacity: QUEUE_CAPACITY, min_free_bytes: 0 };
+pub const LIMITS: StoreLimits = StoreLimits {
+    queue_capacity: QUEUE_CAPACITY,
+    queued_by_key: Some(QUEUE_CAPACITY - 1),
+    min_free_bytes: 0,
+};
 /// Bytes that a store in memory may take.
 pub const MEMORY_STORE: u64 = 64 << 20;
 pub const LEASE: Duration = Duration::from_secs(30);

@@ -50,7 +50,7 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
         )),
     ),
     extensions(("x-problems" = json!([
-        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "too-many-jobs", "insufficient-storage",
+        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage",
         "shutting-down", "no-result", "solve-failed"
     ]))),
 )]

@@ -19,6 +19,7 @@ use tokio::runtime::Handle;
 use super::get_result::finished;
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
+use crate::http::preference::IdempotencyKey;
 use crate::http::wire::Receipt;
 use crate::http::{HttpState, Problem, wire};
 use crate::jobs::{JobId, JobService, Submission};
@@ -32,6 +33,12 @@ const URGENT: i16 = 1;
 /// up cancels its job.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
+    params(
+        ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this submission, in \
+            visible ASCII characters without spaces, bare or in quotes. The same body under the same key is the \
+            same job; another body is refused.", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#,
+            example = "press-7"),
+    ),
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
         (status = OK, description = "The result, converged or not; its `status` says which.", body = ref("#/components/schemas/Report"), content_type = "application/json",
@@ -41,11 +48,12 @@ const URGENT: i16 = 1;
         )),
     ),
     extensions(("x-problems" = json!([
-        "invalid-job", "job-too-large", "queue-full", "too-many-jobs", "insufficient-storage", "shutting-down", "no-result", "solve-failed"
+        "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage", "shutting-down", "no-result", "solve-failed"
     ]))),
 )]
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
+    IdempotencyKey(idempotency_key): IdempotencyKey,
     caller: Caller,
     headers: HeaderMap,
     JobBody(text): JobBody,
@@ -56,10 +64,12 @@ pub(in crate::http) async fn post_solve(
         priority: URGENT,
         submitter: caller.key(),
         interactive: true,
-        idempotency_key: None,
+        idempotency_key,
     };
-    let id = state.jobs.submit(submission).await?.job.id;
-    let mut cancel_on_drop = CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id) };
+    let enqueued = state.jobs.submit(submission).await?;
+    let id = enqueued.job.id;
+    let mut cancel_on_drop =
+        CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id).filter(|_| !enqueued.replayed) };
     let record = state.jobs.wait(id, state.settings.solve_limit).await?;
     if !record.state.is_finished() {
         state.jobs.sync().await?;

@@ -7,6 +7,15 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 use super::codec::{count, failure_json, unpack};
 use crate::jobs::{Claim, ClaimRequest, Claims, JobFailure, JobId, JobState, Lease, StoreError};
 
+/// How much of the solvers jobs that somebody waits for get for each part of the others of the same key.
+const INTERACTIVE_WEIGHT: f64 = 3.0;
+
+/// The head of a flow's queue: flow, whether it is interactive, its virtual time; job, memory, losses so far less one, work.
+type Head = (i64, bool, f64, Uuid, i64, i32, i64);
+
+const SERVED: &str = "UPDATE flows SET virtual_time = $2 WHERE id = $1";
+const CLOCK: &str = "UPDATE scheduler SET virtual_time = $1";
+
 /// A job that might be handed out: name, estimated memory, losses so far.
 type Candidate = (Uuid, i64, i32);
 
@@ -53,7 +62,7 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
 }
 
 macro_rules! claiming {
-    ($database:ty, $connection:ty, $lock:literal) => {
+    ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr) => {
         impl Claiming for $connection {
             async fn expire(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
                 let lost = sqlx::query_as::<$database, (Uuid, i32, bool)>(concat!(
@@ -87,25 +96,33 @@ macro_rules! claiming {
                     $lock
                 ));
                 let lost = lost.bind(now).bind(memory).bind(slots.saturating_add(1)).fetch_all(&mut *self).await?;
-                let (exclusive, mut candidates): (Vec<Candidate>, Vec<Candidate>) = lost
+                let (exclusive, candidates): (Vec<Candidate>, Vec<Candidate>) = lost
                     .into_iter()
                     .partition(|(_, _, losses)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
                 if let (Some(job), true) = (exclusive.first(), request.exclusive) {
                     let jobs = vec![self.lease_job(*job, true, request, now).await?];
                     return Ok(Claims { jobs, exclusive_pending: false });
                 }
-                let queued = sqlx::query_as::<$database, Candidate>(concat!(
-                    "SELECT id, memory, losses - 1 FROM jobs WHERE state = 'queued' AND memory <= $1
-                     ORDER BY priority DESC, id LIMIT $2",
-                    $lock
-                ));
-                candidates.extend(queued.bind(memory).bind(slots).fetch_all(&mut *self).await?);
                 let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
                 let mut free = request.free_memory;
                 for job in candidates.into_iter().take(request.slots) {
-                    let Some(rest) = free.checked_sub(count(job.1)?) else { break };
+                    let Some(rest) = free.checked_sub(count(job.1)?) else { return Ok(claims) };
                     free = rest;
                     claims.jobs.push(self.lease_job(job, false, request, now).await?);
+                }
+                let turn = sqlx::query::<$database>(concat!("SELECT virtual_time FROM scheduler", $turn));
+                turn.fetch_optional(&mut *self).await?;
+                while claims.jobs.len() < request.slots {
+                    let head = sqlx::query_as::<$database, Head>($head).bind(memory);
+                    let Some(head) = head.fetch_optional(&mut *self).await? else { break };
+                    let (flow, interactive, time, id, memory, losses, work) = head;
+                    let Some(rest) = free.checked_sub(count(memory)?) else { break };
+                    free = rest;
+                    claims.jobs.push(self.lease_job((id, memory, losses), false, request, now).await?);
+                    let weight = if interactive { INTERACTIVE_WEIGHT } else { 1.0 };
+                    let next = time + work as f64 / weight;
+                    sqlx::query::<$database>(SERVED).bind(flow).bind(next).execute(&mut *self).await?;
+                    sqlx::query::<$database>(CLOCK).bind(time).execute(&mut *self).await?;
                 }
                 Ok(claims)
             }
@@ -140,5 +157,29 @@ macro_rules! claiming {
     };
 }
 
-claiming!(Sqlite, SqliteConnection, "");
-claiming!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");
+/// The job that goes next: the first of the flow whose virtual time is the least. A flow that has had nothing to do does not
+/// make up for it: its time is that of the job handed out last.
+macro_rules! head_of_queue {
+    ($lock:literal) => {
+        concat!(
+            "SELECT f.id, f.interactive,
+                 CASE WHEN f.virtual_time > s.virtual_time THEN f.virtual_time ELSE s.virtual_time END,
+                 j.id, j.memory, j.losses - 1, j.work
+             FROM scheduler s CROSS JOIN flows f
+             JOIN jobs j ON j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1
+                 ORDER BY q.priority DESC, q.id LIMIT 1) AND j.state = 'queued'
+             ORDER BY 3, j.id LIMIT 1",
+            $lock
+        )
+    };
+}
+
+claiming!(Sqlite, SqliteConnection, "", "", head_of_queue!(""));
+// Claims of several workers take turns on the one row of `scheduler`; a job that is just being cancelled is passed over.
+claiming!(
+    Postgres,
+    PgConnection,
+    " FOR UPDATE SKIP LOCKED",
+    " FOR UPDATE",
+    head_of_queue!(" FOR UPDATE OF j SKIP LOCKED")
+);

@@ -8,13 +8,17 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 use super::codec::{count, pack, to_json};
 use super::reading::Reading;
 use crate::jobs::{Enqueued, Idempotency, JobId, JobRecord, JobState, NewJob, Retention, SWEEP, StoreError};
+use crate::store::StoreLimits;
 
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at)
-     VALUES ($1, 'queued', $2, $3, $4, $5, $6)";
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, flow)
+     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, (SELECT id FROM flows WHERE submitter = $8 AND interactive = $9))";
+const FLOW: &str = "INSERT INTO flows (submitter, interactive) VALUES ($1, $2) ON CONFLICT DO NOTHING";
+const QUEUED_BY: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'
+     AND flow IN (SELECT id FROM flows WHERE submitter = $1)";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
@@ -32,7 +36,7 @@ pub(in crate::store) trait Intake: Reading {
     fn enqueue(
         &mut self,
         job: NewJob,
-        capacity: usize,
+        limits: StoreLimits,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
     fn label(
@@ -69,7 +73,7 @@ macro_rules! intake {
             async fn enqueue(
                 &mut self,
                 job: NewJob,
-                capacity: usize,
+                limits: StoreLimits,
                 now: i64,
             ) -> Result<Enqueued, StoreError> {
                 let submitter = job.submitter.map(|key| key.uuid());
@@ -80,9 +84,19 @@ macro_rules! intake {
                 }
                 let queued = sqlx::query_scalar::<$database, i64>(QUEUED).fetch_one(&mut *self).await?;
                 let queued: usize = count(queued)?;
-                if queued >= capacity {
+                if queued >= limits.queue_capacity {
                     return Err(StoreError::QueueFull { queued });
                 }
+                let owner = submitter.unwrap_or_default();
+                if let Some(most) = limits.queued_by_key.filter(|_| submitter.is_some()) {
+                    let queued = sqlx::query_scalar::<$database, i64>(QUEUED_BY).bind(owner);
+                    let queued: usize = count(queued.fetch_one(&mut *self).await?)?;
+                    if queued >= most {
+                        return Err(StoreError::QuotaExceeded { what: "queued jobs", limit: most });
+                    }
+                }
+                let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
+                flow.execute(&mut *self).await?;
                 sqlx::query::<$database>(INSERT)
                     .bind(job.id.uuid())
                     .bind(i32::from(job.priority))
@@ -90,6 +104,9 @@ macro_rules! intake {
                     .bind(to_json(&job.tags)?)
                     .bind(submitter)
                     .bind(now)
+                    .bind(i64::try_from(job.work).unwrap_or(i64::MAX))
+                    .bind(owner)
+                    .bind(job.interactive)
                     .execute(&mut *self)
                     .await?;
                 let request = sqlx::query::<$database>(REQUEST).bind(job.id.uuid()).bind(pack(&job.request)?);

@@ -17,6 +17,7 @@ use std::time::Duration;
 use async_trait::async_trait;
 use bytes::Bytes;
 
+use super::StoreLimits;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Deflated, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
     JobPage, JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention,
@@ -49,7 +50,7 @@ impl From<sqlx::Error> for StoreError {
 pub(super) struct SqlStore<B> {
     pub(super) backend: B,
     pub(super) notifier: Arc<JobNotifier>,
-    pub(super) queue_capacity: usize,
+    pub(super) limits: StoreLimits,
 }
 
 impl<B: Backend> SqlStore<B> {
@@ -78,7 +79,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
         self.backend.check_space().await?;
         let durability = if job.interactive { Written } else { Synced };
         let (mut transaction, now) = self.backend.write().await?;
-        let enqueued = Intake::enqueue(&mut *transaction, job, self.queue_capacity, now).await?;
+        let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }

@@ -13,7 +13,7 @@ use crate::jobs::{
 const FIND: &str = concat!(
     "SELECT ",
     job_columns!(),
-    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued'
+    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued' AND q.flow = j.flow
        AND (q.priority > j.priority OR (q.priority = j.priority AND q.id < j.id))) END
      FROM jobs j WHERE j.id = $1"
 );

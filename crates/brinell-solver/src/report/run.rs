@@ -58,6 +58,9 @@ pub struct JobEstimate {
     pub bytes: u64,
     /// The result of all steps as it is kept \[bytes\].
     pub result_bytes: u64,
+    /// How much work it is, in units of its own: to weigh jobs against each other.
+    #[serde(skip)]
+    pub work: u64,
 }
 
 /// Estimates the cost of a job without meshing it.
@@ -81,6 +84,9 @@ const STEP_BYTES: u64 = 8 << 10;
 /// And for each element over the half-width.
 const STEP_BYTES_PER_ELEMENT: u64 = 512;
 
+/// Bytes of a factor whose step is one unit of work.
+const WORK_UNIT: u64 = 1 << 16;
+
 /// Adds what the result takes to what the solve takes.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let steps = match &job.load {
@@ -94,6 +100,7 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
         equations: estimate.equations,
         bytes: estimate.bytes + FIELD_COPIES * fields,
         result_bytes: step * steps as u64,
+        work: (estimate.bytes / WORK_UNIT).max(1) * steps as u64,
     }
 }
 

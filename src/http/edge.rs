@@ -1,0 +1,129 @@
+//! What holds for every request and every answer: the host that is addressed, the name of the request, and headers that
+//! keep browsers from guessing.
+
+use std::net::SocketAddr;
+
+use axum::extract::{Request, State};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderName, HeaderValue,
+    X_CONTENT_TYPE_OPTIONS,
+};
+use axum::middleware::Next;
+use axum::response::Response;
+
+use super::HttpState;
+use super::problem::Problem;
+use super::problem_type::ProblemType;
+
+/// Longest `x-request-id` that is taken over from a client.
+const REQUEST_ID: usize = 128;
+
+/// Answers are data: nothing in them is to be run, embedded or framed.
+const DATA_POLICY: &str = "default-src 'none'; frame-ancestors 'none'";
+
+/// The browsable document brings its own scripts and styles.
+const DOCS_POLICY: &str = "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; \
+                           img-src 'self' data:; frame-ancestors 'none'";
+
+/// Names under which a service that listens on loopback is addressed.
+const LOOPBACK: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
+
+/// The hosts that a service answers to.
+///
+/// A page from elsewhere can have its own name point to this machine (DNS rebinding) and then ask as if it were from
+/// here. The name in `Host` gives it away.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct AllowedHosts(Option<Vec<String>>);
+
+impl AllowedHosts {
+    /// These names; without any, the names of loopback where the service listens there alone, and every name elsewhere,
+    /// where requests need an API key or anybody may ask anyway.
+    pub fn new(names: &[String], address: SocketAddr) -> Self {
+        let is_loopback = address.ip().to_canonical().is_loopback();
+        if names.is_empty() && !is_loopback {
+            return Self(None);
+        }
+        let bound = address.ip().to_string();
+        let loopback = LOOPBACK.iter().map(|name| (*name).to_owned()).chain([bound]);
+        let names = names.iter().map(|name| name.to_ascii_lowercase());
+        Self(Some(names.chain(loopback.filter(|_| is_loopback)).collect()))
+    }
+
+    fn allow(&self, host: &str) -> bool {
+        let name = host.rsplit_once(':').filter(|(_, port)| port.bytes().all(|byte| byte.is_ascii_digit()));
+        let name = name.map_or(host, |(name, _)| name).to_ascii_lowercase();
+        self.0.as_ref().is_none_or(|names| names.contains(&name))
+    }
+}
+
+/// Takes over no name of a request that is long or not printable: the request then gets one of the service's.
+pub(super) async fn drop_unusable_request_id(mut request: Request, next: Next) -> Response {
+    let id = request.headers().get("x-request-id");
+    if id.is_some_and(|id| id.len() > REQUEST_ID || !id.as_bytes().iter().all(u8::is_ascii_graphic)) {
+        request.headers_mut().remove("x-request-id");
+    }
+    next.run(request).await
+}
+
+/// Refuses requests that do not say, or say wrongly, which host they are for.
+pub(super) async fn check_host(
+    State(state): State<HttpState>,
+    request: Request,
+    next: Next,
+) -> Result<Response, Problem> {
+    let mut hosts = request.headers().get_all(HOST).iter();
+    let (Some(host), None) = (hosts.next(), hosts.next()) else {
+        return Err(Problem::new(ProblemType::InvalidHeader, "Host must come once"));
+    };
+    if !host.to_str().is_ok_and(|host| state.hosts.allow(host)) {
+        let detail = "this service does not answer under this name; --allowed-host adds one";
+        return Err(Problem::new(ProblemType::UnknownHost, detail));
+    }
+    Ok(next.run(request).await)
+}
+
+/// Adds the headers that every answer has, unless it has its own.
+pub(super) async fn guard_response(request: Request, next: Next) -> Response {
+    let is_docs = request.uri().path().starts_with("/docs");
+    let mut response = next.run(request).await;
+    let headers = response.headers_mut();
+    let policy = if is_docs { DOCS_POLICY } else { DATA_POLICY };
+    let mut set = |name: HeaderName, value: &'static str| {
+        headers.entry(name).or_insert(HeaderValue::from_static(value));
+    };
+    set(X_CONTENT_TYPE_OPTIONS, "nosniff");
+    set(CACHE_CONTROL, "no-store");
+    set(CONTENT_SECURITY_POLICY, policy);
+    if headers.get(CONTENT_TYPE).is_some_and(|kind| kind.as_bytes() == b"image/svg+xml") {
+        // A figure may be looked at by itself, and has its own styles.
+        headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(FIGURE_POLICY));
+    }
+    response
+}
+
+/// Figures have styles of their own, and nothing else.
+const FIGURE_POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_known_names_are_answered_to() {
+        let hosts = |names: &[&str], address: &str| {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            AllowedHosts::new(&names, address.parse().unwrap())
+        };
+        let local = hosts(&[], "127.0.0.1:8080");
+        for name in ["localhost", "LOCALHOST:8080", "127.0.0.1:8080", "[::1]:8080", "[::1]"] {
+            assert!(local.allow(name), "{name}");
+        }
+        for name in ["evil.example", "localhost.evil.example:8080", "", "127.0.0.1.evil.example"] {
+            assert!(!local.allow(name), "{name}");
+        }
+        assert!(hosts(&[], "0.0.0.0:8080").allow("any.example"));
+        let named = hosts(&["Brinell.example"], "0.0.0.0:8080");
+        assert!(named.allow("brinell.example:443") && !named.allow("localhost"));
+        assert!(hosts(&["brinell.example"], "127.0.0.1:8080").allow("localhost"));
+    }
+}

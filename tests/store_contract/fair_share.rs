@@ -1,0 +1,92 @@
+//! Keys share the solvers by the work of their jobs, whatever they submit.
+
+use brinell::jobs::{JobId, KeyId, NewJob, StoreError};
+
+use crate::subject::{QUEUE_CAPACITY, Subject, ids, job};
+
+struct Client {
+    key: KeyId,
+    interactive: bool,
+}
+
+impl Client {
+    fn new(interactive: bool) -> Self {
+        Self { key: KeyId::generate(), interactive }
+    }
+
+    async fn submit(&self, subject: &Subject, work: u64, priority: i16) -> JobId {
+        let (submitter, interactive) = (Some(self.key), self.interactive);
+        let new = NewJob { submitter, interactive, work, priority, ..job("x") };
+        subject.submit(new).await.unwrap().job.id
+    }
+}
+
+/// The next job of the queue.
+async fn next(subject: &Subject) -> JobId {
+    let claims = subject.claim(1).await;
+    ids(&claims)[0]
+}
+
+pub async fn a_greedy_key_does_not_hold_up_another(subject: &Subject) {
+    let (greedy, modest) = (Client::new(false), Client::new(false));
+    let first = greedy.submit(subject, 10, 100).await;
+    let second = greedy.submit(subject, 10, 100).await;
+    let other = modest.submit(subject, 10, -100).await;
+    assert_eq!(next(subject).await, first);
+    assert_eq!(next(subject).await, other, "whatever its priority");
+    assert_eq!(next(subject).await, second);
+}
+
+pub async fn keys_share_by_work_and_not_by_number(subject: &Subject) {
+    let (large, small) = (Client::new(false), Client::new(false));
+    let mut served = [0, 0];
+    // Both always have a job waiting; one hands in jobs of ten times the work.
+    let mut waiting = [large.submit(subject, 100, 0).await, small.submit(subject, 10, 0).await];
+    for _ in 0..44 {
+        let id = next(subject).await;
+        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
+        served[which] += 1;
+        let (client, work) = if which == 0 { (&large, 100) } else { (&small, 10) };
+        waiting[which] = client.submit(subject, work, 0).await;
+    }
+    assert_eq!(served, [4, 40], "as much work of each");
+}
+
+pub async fn waiting_clients_do_not_starve_the_queue(subject: &Subject) {
+    let (solve, queue) = (Client::new(true), Client::new(false));
+    let mut served = [0, 0];
+    let mut waiting = [solve.submit(subject, 10, 1).await, queue.submit(subject, 10, 0).await];
+    for _ in 0..40 {
+        let id = next(subject).await;
+        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
+        served[which] += 1;
+        let client = if which == 0 { &solve } else { &queue };
+        waiting[which] = client.submit(subject, 10, 0).await;
+    }
+    assert!((29..=31).contains(&served[0]), "{served:?}: three parts in four");
+}
+
+pub async fn an_idle_key_does_not_save_up_its_share(subject: &Subject) {
+    let (busy, idle) = (Client::new(false), Client::new(false));
+    for _ in 0..10 {
+        busy.submit(subject, 10, 0).await;
+        next(subject).await;
+    }
+    let mut order = Vec::new();
+    let ahead = busy.submit(subject, 10, 0).await;
+    let late = [idle.submit(subject, 10, 0).await, idle.submit(subject, 10, 0).await];
+    for _ in 0..3 {
+        order.push(next(subject).await);
+    }
+    assert_eq!(order.iter().position(|id| *id == ahead), Some(1), "{order:?} of {ahead} and {late:?}");
+}
+
+pub async fn a_key_has_its_places_in_the_queue_and_no_more(subject: &Subject) {
+    let (greedy, modest) = (Client::new(false), Client::new(false));
+    for _ in 1..QUEUE_CAPACITY {
+        greedy.submit(subject, 1, 0).await;
+    }
+    let refused = subject.submit(NewJob { submitter: Some(greedy.key), ..job("x") }).await;
+    assert!(matches!(refused, Err(StoreError::QuotaExceeded { what: "queued jobs", limit: 3 })));
+    modest.submit(subject, 1, 0).await;
+}
