@@ -1,5 +1,6 @@
 //! The job an address names, and how long its asker will wait.
 
+use std::collections::HashMap;
 use std::time::Duration;
 
 use axum::extract::{FromRequestParts, Path};
@@ -21,8 +22,8 @@ impl FromRequestParts<HttpState> for JobPath {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let text = Path::<String>::from_request_parts(parts, state).await.ok();
-        let id = text.and_then(|Path(text)| text.parse().ok()).ok_or(StoreError::NotFound)?;
+        let named = Path::<HashMap<String, String>>::from_request_parts(parts, state).await.ok();
+        let id = named.and_then(|Path(named)| named.get("id")?.parse().ok()).ok_or(StoreError::NotFound)?;
         let caller = Caller::from_request_parts(parts, state).await?;
         if caller.confined_to().is_some() && !caller.sees(&state.jobs.get(id).await?) {
             return Err(StoreError::NotFound.into());

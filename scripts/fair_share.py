@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""What one API key that floods the service does to two others.
+
+usage: scripts/fair_share.py [--seconds 20] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
+With `-- --database-url postgres://…` on PostgreSQL. Two keys take turns with default jobs, one through POST /v1/solve, one through the
+queue, first alone, then while a third floods both with everything it may: its priority is 100. Prints the waits of the two, and
+their ratio, for each way.
+"""
+import argparse, http.client, json, statistics, subprocess, sys, tempfile, threading, time
+from pathlib import Path
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--seconds", type=float, default=20)
+parser.add_argument("--binary", default="target/release/brinell")
+parser.add_argument("--connections", type=int, default=16, help="of the flood, each way")
+parser.add_argument("serve", nargs="*")
+args = parser.parse_args()
+JOB = Path("api/examples/two_cylinders.json").read_text()
+
+
+def ask(connection, token, method, path, body=None):
+    headers = {"Content-Type": "application/json", "Authorization": f"Bearer {token}"}
+    connection.request(method, path, body, headers)
+    answer = connection.getresponse()
+    return answer.status, answer.read()
+
+
+def solve(connection, token):
+    status, _ = ask(connection, token, "POST", "/v1/solve", JOB)
+    return status == 200
+
+
+def queue(connection, token):
+    status, receipt = ask(connection, token, "POST", "/v1/jobs", JOB)
+    if status != 202:
+        return False
+    job = json.loads(receipt)["id"]
+    status, document = ask(connection, token, "GET", f"/v1/jobs/{job}?wait=60")
+    return json.loads(document)["status"] == "succeeded"
+
+
+def client(host, token, way, until, waits):
+    connection = http.client.HTTPConnection(host, timeout=120)
+    while time.monotonic() < until:
+        begin = time.monotonic()
+        if not way(connection, token):
+            sys.exit("a job of a modest key was not solved")
+        waits.append(time.monotonic() - begin)
+
+
+def flood(host, token, path, until):
+    connection = http.client.HTTPConnection(host, timeout=120)
+    while time.monotonic() < until:
+        ask(connection, token, "POST", path, JOB)
+
+
+def p99(waits):
+    return sorted(waits)[min(len(waits) - 1, len(waits) * 99 // 100)]
+
+
+def round_of(host, tokens, greedy):
+    until = time.monotonic() + args.seconds
+    waits = {solve: [], queue: []}
+    threads = [threading.Thread(target=client, args=(host, token, way, until, waits[way]))
+               for token, way in zip(tokens, waits)]
+    if greedy:
+        paths = ["/v1/jobs?priority=100", "/v1/solve"] * args.connections
+        threads += [threading.Thread(target=flood, args=(host, greedy, path, until), daemon=True) for path in paths]
+    for thread in threads:
+        thread.start()
+    for thread in threads[:2]:
+        thread.join()
+    return waits
+
+
+with tempfile.TemporaryDirectory() as data:
+    flags = ["--data-dir", data, *args.serve]
+    stored = [flag for flag in flags]
+    tokens = [subprocess.run([args.binary, "key", "create", name, *stored], check=True, capture_output=True, text=True).stdout.strip()
+              for name in ("solves", "queues", "floods")]
+    server = subprocess.Popen([args.binary, "serve", "--listen", "127.0.0.1:0", "--require-api-key", "--queue-capacity-per-key", "1000", *flags],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        host = server.stdout.readline().split("//")[1].strip()
+        alone = round_of(host, tokens[:2], None)
+        flooded = round_of(host, tokens[:2], tokens[2])
+        for way in (solve, queue):
+            a, b = alone[way], flooded[way]
+            print(f"{way.__name__}: alone median {1e3 * statistics.median(a):.0f} ms, p99 {1e3 * p99(a):.0f} ms of {len(a)}; flooded median "
+                  f"{1e3 * statistics.median(b):.0f} ms, p99 {1e3 * p99(b):.0f} ms of {len(b)}; p99 {p99(b) / p99(a):.2f} times", flush=True)
+    finally:
+        server.kill()
+        server.wait()
