@@ -4,6 +4,7 @@ import { ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { loadOf } from '../setup/fields.js';
+import { writeHistory } from '../setup/history.js';
 import { NAMES, finished } from '../result/watch.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
@@ -163,9 +164,12 @@ function loadWords(job) {
   if (kind === 'onset') return 'onset of yield';
   const far = kind.startsWith('approach');
   const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
-  const figures = Array.isArray(value)
-    ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
-    : plain(Number(value));
+  const figures =
+    kind === 'history'
+      ? writeHistory(value)
+      : Array.isArray(value)
+        ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
+        : plain(Number(value));
   return `${far ? 'α' : 'P'} ${figures} ${name}`;
 }
 

@@ -2,6 +2,7 @@
 
 import { ELASTIC, LAWS, LOADS, SETTINGS, SHAPES } from '../setup/fields.js';
 import { plain } from '../lib/units.js';
+import { writeHistory } from '../setup/history.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{pointer: string, label: string, symbol: string, values: unknown[]}} Difference */
@@ -53,6 +54,7 @@ function nameOf(pointer) {
 export function writeValue(value) {
   if (value === undefined) return '—';
   if (typeof value === 'number') return plain(value);
+  if (Array.isArray(value) && typeof value[0] === 'object' && !Array.isArray(value[0])) return writeHistory(value);
   if (Array.isArray(value))
     return value.every((one) => typeof one === 'number')
       ? `${plain(value[0])} … ${plain(value[value.length - 1])}`

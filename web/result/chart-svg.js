@@ -1,7 +1,7 @@
 /** A chart as an SVG by itself: title, legend, axes with units, in the light colours of paper. */
 
 import { svg } from '../lib/dom.js';
-import { paper } from '../lib/theme.js';
+import { colour, paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 
 /** @typedef {import('./chart.js').Plot} Plot */
@@ -14,6 +14,9 @@ const LINE = 16;
 
 let count = 0;
 
+/** Colours of the drawing under way, by name: those of paper, or of the page. */
+let ink = paper;
+
 /**
  * @param {Plot} plot
  * @param {string} title
@@ -22,11 +25,20 @@ let count = 0;
  * @returns {SVGSVGElement}
  */
 export function chartSvg(plot, title, width, height) {
-  const legend = legendRows(plot.curves, width);
-  const head = 22 + LINE * legend.length;
+  return drawing(plot, title, width, height, paper);
+}
+
+/** The same without title and legend, in the colours of the page: for curves that turn back. @param {Plot} plot @param {number} width @param {number} height */
+export const bareChart = (plot, width, height) => drawing(plot, '', width, height, colour);
+
+/** @param {Plot} plot @param {string} title @param {number} width @param {number} height @param {(name: string) => string} colours by name */
+function drawing(plot, title, width, height, colours) {
+  ink = colours;
+  const legend = title ? legendRows(plot.curves, width) : [];
+  const head = title ? 22 + LINE * legend.length : 0;
   const left = plot.curves.filter(({ right }) => !right);
   const right = plot.curves.filter((curve) => curve.right);
-  const [x0, x1] = plot.range ?? extent(plot.curves.flatMap(({ x }) => [x[0], x[x.length - 1]]));
+  const [x0, x1] = plot.range ?? extent(plot.curves.flatMap(({ x }) => x));
   const seen = (/** @type {Curve[]} */ curves) =>
     curves.flatMap(({ x, y }) => y.filter((value, k) => value !== null && x[k] >= x0 && x[k] <= x1));
   const yRange = grown(
@@ -65,7 +77,7 @@ export function chartSvg(plot, title, width, height) {
         svg('rect', { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top }),
       ),
     ),
-    svg('text', { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: paper('--ink') }, title),
+    svg('text', { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: ink('--ink') }, title),
     ...legend.flatMap((row, k) => row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k))),
     ...grid(plot, x, y, yr, box),
     svg(
@@ -85,9 +97,9 @@ export const svgFile = (picture) =>
 /** @param {Plot} plot @param {Axis} x @param {Axis} y @param {Axis} yr @param {{left: number, right: number, top: number, bottom: number}} box */
 function grid(plot, x, y, yr, box) {
   const text = (/** @type {Record<string, any>} */ where, /** @type {string} */ words) =>
-    svg('text', { fill: paper('--quiet'), ...where }, words);
+    svg('text', { fill: ink('--quiet'), ...where }, words);
   const line = (/** @type {string} */ d, /** @type {string} */ stroke) =>
-    svg('path', { d, stroke: paper(stroke), fill: 'none' });
+    svg('path', { d, stroke: ink(stroke), fill: 'none' });
   const turned = (/** @type {number} */ at, /** @type {string} */ words) =>
     text(
       { x: 0, y: 0, 'text-anchor': 'middle', transform: `translate(${at} ${(box.top + box.bottom) / 2}) rotate(-90)` },
@@ -125,7 +137,7 @@ function path(curve, x, y) {
   });
   const dots = curve.points
     ? curve.x.map((value, k) =>
-        svg('circle', { cx: x.at(value), cy: y.at(curve.y[k] ?? NaN), r: 2.2, fill: paper(curve.colour) }),
+        svg('circle', { cx: x.at(value), cy: y.at(curve.y[k] ?? NaN), r: 2.2, fill: ink(curve.colour) }),
       )
     : [];
   return svg(
@@ -133,7 +145,7 @@ function path(curve, x, y) {
     {},
     svg('path', {
       d,
-      stroke: paper(curve.colour),
+      stroke: ink(curve.colour),
       'stroke-width': curve.dashed ? 1.1 : 1.6,
       'stroke-dasharray': dashOf(curve)?.join(' '),
     }),
@@ -150,7 +162,7 @@ function markOf(mark, x, y, box) {
   const at = upright ? x.at(mark.at) : y.at(mark.at);
   const [from, to] = upright ? [box.left, box.right] : [box.top, box.bottom];
   if (!(at >= from - 0.5 && at <= to + 0.5)) return [];
-  const stroke = paper(mark.colour ?? '--quiet');
+  const stroke = ink(mark.colour ?? '--quiet');
   const d = upright ? `M${at} ${box.top}V${box.bottom}` : `M${box.left} ${at}H${box.right}`;
   const last = upright ? at + mark.text.length * LETTER + 6 > box.right : !mark.left;
   const place = upright
@@ -164,7 +176,7 @@ function markOf(mark, x, y, box) {
         ...place,
         fill: stroke,
         'text-anchor': last ? 'end' : 'start',
-        stroke: '#fff',
+        stroke: ink('--panel'),
         'stroke-width': 3,
         'paint-order': 'stroke',
       },
@@ -196,11 +208,11 @@ const legendItem = (curve, x, y) =>
     {},
     svg('path', {
       d: `M${x} ${y - 4}h24`,
-      stroke: paper(curve.colour),
+      stroke: ink(curve.colour),
       'stroke-width': 1.8,
       'stroke-dasharray': dashOf(curve)?.join(' '),
     }),
-    svg('text', { x: x + 30, y, fill: paper('--ink') }, curve.label + (curve.right ? ' (right)' : '')),
+    svg('text', { x: x + 30, y, fill: ink('--ink') }, curve.label + (curve.right ? ' (right)' : '')),
   );
 
 /** @param {number[]} values @returns {[number, number]} */

@@ -3,7 +3,7 @@
 import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { figure, plain } from '../lib/units.js';
-import { chartSvg, dashOf } from './chart-svg.js';
+import { bareChart, chartSvg, dashOf } from './chart-svg.js';
 
 /** @typedef {any} uPlot */
 /**
@@ -30,6 +30,7 @@ import { chartSvg, dashOf } from './chart-svg.js';
  * @property {string} y label with unit
  * @property {string} [right] label with unit
  * @property {boolean} [log]
+ * @property {boolean} [turns] whether curves turn back, as loops do
  * @property {Curve[]} curves
  * @property {Mark[]} [marks]
  * @property {[number, number]} [range] of x to begin with
@@ -58,7 +59,7 @@ export class Chart {
 
   /** @param {Plot} plot */
   show(plot) {
-    const kept = this.#drawn?.x === plot.x ? this.#zoom() : undefined;
+    const kept = this.#uplot && this.#drawn?.x === plot.x ? this.#zoom() : undefined;
     this.#plot = plot;
     this.canvas.setAttribute('aria-label', plot.words);
     this.#draw(kept);
@@ -122,7 +123,7 @@ export class Chart {
   #fit() {
     const width = this.canvas.clientWidth;
     if (!width) return;
-    if (this.#drawn === this.#plot) this.#uplot?.setSize({ width, height: this.height });
+    if (this.#drawn === this.#plot && this.#uplot) this.#uplot.setSize({ width, height: this.height });
     else this.#draw();
   }
 
@@ -132,6 +133,14 @@ export class Chart {
     const width = this.canvas.clientWidth;
     if (!plot || !width) return;
     this.#uplot?.destroy();
+    this.#uplot = undefined;
+    this.canvas.replaceChildren();
+    if (plot.turns) {
+      this.canvas.append(bareChart(plot, width, this.height));
+      this.#drawn = plot;
+      this.#read(null);
+      return;
+    }
     const Plotter = /** @type {any} */ (globalThis).uPlot;
     const tables = plot.curves.map(({ x, y }) => [x, y]);
     const data = tables.length ? Plotter.join(tables) : [[], []];

@@ -68,6 +68,10 @@ export class SweepPanel {
   }
 }
 
+/** Whether the load falls again on a body that remembers: the curve has a way back of its own. @param {Shown} shown */
+const turnsBack = ({ job, report: { steps } }) =>
+  job.solver?.theory === 'flow' && steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach);
+
 /** @param {Shown} shown */
 const onsetOf = ({ report }) => report.steps[0].hertz?.yield_onset_force;
 
@@ -76,8 +80,11 @@ function overApproach(swept, first, at) {
   const { report } = first;
   const force = unit(forceOf(report), report.units);
   const onset = onsetOf(first);
-  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.approach - b.approach);
+  const turns = swept.some(turnsBack);
+  const rising = (/** @type {Report} */ { steps }) =>
+    turns ? steps : [...steps].sort((a, b) => a.approach - b.approach);
   return {
+    turns,
     x: `α  [${unit('length', report.units)}]`,
     y: `P  [${force}]`,
     curves: swept.map((one) => ({

@@ -96,7 +96,7 @@ const NODE = 4 * (2 + 2 + 6) + 16;
 
 /** @param {{equations: number, bytes: number}} estimate @param {import('../types.js').Job} job @returns {string} what it takes to solve it, and to look at it */
 function cost({ equations, bytes }, job) {
-  const steps = job.load?.forces?.length ?? job.load?.approaches?.length ?? 1;
+  const steps = (job.load?.forces ?? job.load?.approaches ?? job.load?.history)?.length ?? 1;
   const parts = [`${grouped(equations)} equations, ${megabytes(bytes)}`];
   if (steps > 1) parts.push(`${steps} steps`);
   if (job.output?.fields) parts.push(`fields ${megabytes((steps * equations * NODE) / 2)}`);
@@ -110,9 +110,11 @@ function cost({ equations, bytes }, job) {
  * @returns {Promise<Hertz | null>} nothing where the theory does not apply
  */
 async function closedForm(job, signal) {
-  const forced = job.load?.force !== undefined || job.load?.forces !== undefined;
+  const highest = Math.max(0, ...(job.load?.history ?? []).map((/** @type {any} */ load) => Number(load.force) || 0));
+  const forced = job.load?.force !== undefined || job.load?.forces !== undefined || highest > 0;
+  const load = highest > 0 ? { force: highest } : forced ? job.load : { force: 1 };
   try {
-    const answer = await post('v1/hertz', forced ? job : { ...job, load: { force: 1 } }, signal);
+    const answer = await post('v1/hertz', { ...job, load }, signal);
     return forced ? answer : { ...answer, steps: [] };
   } catch (error) {
     if (error instanceof Problem) return null;

@@ -130,6 +130,10 @@ function* within(job, parent, fields) {
     if (field.pair && Array.isArray(value)) {
       for (const k of value.keys())
         yield* /** @type {[string, Quantity][]} */ (field.pair.map((quantity, j) => [`${place}/${k}/${j}`, quantity]));
+    } else if (field.kind === 'history' && Array.isArray(value)) {
+      for (const [k, load] of value.entries())
+        for (const key of Object.keys(load))
+          yield [`${place}/${k}/${key}`, key === 'approach' ? 'length' : /** @type {Quantity} */ (field.quantity)];
     } else if (Array.isArray(value)) {
       for (const k of value.keys()) yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];
     } else if (field.quantity) {

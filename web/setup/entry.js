@@ -4,6 +4,7 @@ import { h } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { help } from './help.js';
+import { historyControl } from './history.js';
 import { pointsControl } from './points.js';
 import { slider } from './slider.js';
 
@@ -118,6 +119,8 @@ function control(field, id, change, surroundings) {
       const input = h('textarea', { id, rows: 2, spellcheck: 'false' });
       return { input, ...text(input, readTags, writeTags) };
     }
+    case 'history':
+      return historyControl(field, id, change, surroundings);
     case 'list':
       return listControl(field, id, surroundings);
     default:

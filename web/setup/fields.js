@@ -9,7 +9,7 @@ import * as tables from './tables.js';
  * @property {string} label
  * @property {string} [symbol]
  * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'points' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
+ * @property {'number' | 'list' | 'history' | 'points' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
@@ -92,6 +92,17 @@ export const LOADS = {
       hint: 'Separated by spaces; 0.002…0.02/10 makes ten.',
     },
   },
+  history: {
+    label: 'History of loads',
+    field: {
+      key: 'history',
+      label: 'Loads in turn',
+      symbol: 'P',
+      quantity: 'load',
+      kind: 'history',
+      hint: 'Forces one after the other, 0 takes the load away; α0.01 is an approach.',
+    },
+  },
   onset: { label: 'Onset of yield' },
 };
 
@@ -99,6 +110,8 @@ export const LOADS = {
 export const ANALYSES = { plane_strain: 'Plane strain', plane_stress: 'Plane stress', axisymmetric: 'Axisymmetric' };
 /** @type {Record<string, string>} */
 export const UNIT_SYSTEMS = { mm_N_MPa: 'mm, N, MPa', SI: 'm, N, Pa' };
+/** @type {Record<string, string>} */
+export const THEORIES = { deformation: 'Deformation theory', flow: 'Flow theory' };
 /** @type {Record<string, string>} */
 export const SUPPORTS = { clamped: 'Clamped', roller: 'Roller' };
 
@@ -130,6 +143,7 @@ export const DEFAULTS = {
   '/upper/support': 'clamped',
   '/lower/support': 'clamped',
   '/mesh/elements_per_half_width': 20,
+  '/solver/theory': 'deformation',
   '/solver/coupling': 'accelerated',
   '/solver/contact': 'active_set',
   '/solver/tolerance': 1e-6,

@@ -13,6 +13,7 @@ import {
   SETTINGS,
   SHAPES,
   SUPPORTS,
+  THEORIES,
   UNIT_SYSTEMS,
   lawOf,
   loadOf,
@@ -260,6 +261,7 @@ export class Form {
         { class: 'grid' },
         this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
         field && this.#field('/load', field),
+        this.#choice('/solver/theory', 'Theory', THEORIES),
       ),
     );
   }
@@ -346,7 +348,8 @@ export class Form {
   /** @param {string} kind */
   #useLoad(kind) {
     const old = this.draft.job.load ?? {};
-    const one = Number(old.force ?? old.forces?.at(-1)) || 600;
+    const highest = Math.max(...(old.history ?? []).map((/** @type {any} */ load) => load.force ?? 0));
+    const one = Number(old.force ?? old.forces?.at(-1) ?? highest) || 600;
     const deep = Number(old.approach ?? old.approaches?.at(-1)) || 0.02;
     const sweep = (/** @type {number} */ end) =>
       Array.from({ length: 10 }, (_, k) => Number(((end * (k + 1)) / 10).toPrecision(6)));
@@ -355,9 +358,14 @@ export class Form {
       forces: sweep(one),
       approach: deep,
       approaches: sweep(deep),
+      history: [{ force: one }, { force: 0 }],
       onset: true,
     });
-    this.draft.set('/load', { [kind]: loads[kind] }, SOURCE);
+    // Only flow theory knows what a load leaves behind.
+    const job = structuredClone(this.draft.job);
+    job.load = { [kind]: loads[kind] };
+    if (kind === 'history') job.solver = { ...job.solver, theory: 'flow' };
+    this.draft.replace(job, SOURCE);
   }
 }
 

@@ -3,6 +3,7 @@
 import { byId, svg } from '../lib/dom.js';
 import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { loadOf } from './fields.js';
+import { writeHistory } from './history.js';
 import { outline } from './outline.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
@@ -101,9 +102,12 @@ function load(job, upper, scale) {
   const kind = loadOf(job.load);
   const value = job.load?.[kind];
   const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
-  const figures = Array.isArray(value)
-    ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}`
-    : plain(Number(value));
+  const figures =
+    kind === 'history'
+      ? writeHistory(value)
+      : Array.isArray(value)
+        ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}`
+        : plain(Number(value));
   const text =
     kind === 'onset'
       ? 'P = ? (first yield)'
