@@ -77,6 +77,19 @@
  * @property {{peak_pressure: number, half_width: number, approach: number} | null} estimated_error
  * @property {{upper: Mesh | null, lower: Mesh | null}} [fields]
  * @property {Iteration[]} history
+ * @property {Flow} [flow] what only flow theory knows
+ *
+ * @typedef {object} Surface of one body near the contact, heights outward from the undeformed one
+ * @property {number[]} x
+ * @property {number[]} height
+ * @property {number} depth
+ * @property {number} pile_up
+ * @property {boolean} yielded_in_reverse
+ *
+ * @typedef {object} Flow
+ * @property {number} unloading_stiffness
+ * @property {{work: number, dissipated: number}} energy
+ * @property {{upper: Surface | null, lower: Surface | null}} surfaces
  *
  * @typedef {object} Report
  * @property {import('./lib/units.js').Units | import('./lib/units.js').UnitSet} units of the job, or those it is shown in

@@ -436,8 +436,10 @@ export class FieldPanel {
   }
 
   #home() {
-    const contact = this.#step()?.contact;
-    if (contact) this.#camera.home(1.9 * contact.half_width || 1);
+    // Where the load is taken away, what the largest one has left is to be seen.
+    const widths = this.#shown?.report.steps.map(({ contact }) => contact.half_width) ?? [];
+    const half = this.#step()?.contact.half_width || Math.max(...widths);
+    if (this.#shown) this.#camera.home(1.9 * half || 1);
     this.#later();
   }
 

@@ -27,6 +27,9 @@ const DASHES = [undefined, [7, 3], [2, 3], [8, 3, 2, 3], [12, 4], [4, 2]];
 /** Stresses in axisymmetry have the directions r, z, θ, in this order. */
 const ROUND = /** @type {Partial<Record<Component, string>>} */ ({ sigma_x: 'σr', sigma_y: 'σz', sigma_z: 'σθ' });
 
+/** Largest half-width of all steps. @param {Shown} shown */
+const widest = ({ report }) => Math.max(...report.steps.map(({ contact }) => contact.half_width));
+
 /** @param {Component} component @param {string} analysis */
 const nameOf = (component, analysis) =>
   (analysis === 'axisymmetric' ? ROUND[component] : undefined) ?? COMPONENTS[component].name;
@@ -99,13 +102,15 @@ export class DepthPanel {
     );
     const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
     const [stress, length] = [unit('stress', units), unit('length', units)];
-    if (shown.length === 1 && profile && step.hertz) curves.push(...this.#elastic(first, step, profile.depth));
+    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
+      curves.push(...this.#elastic(first, step, profile.depth));
     this.chart.show({
       x: `depth  [${length}]`,
       y: `stress  [${stress}]`,
       right: curves.some(({ right }) => right) ? 'plastic strain' : undefined,
       curves,
-      range: [0, 4 * step.contact.half_width || 1],
+      // Where the load is taken away, the zone is as wide as under the largest one.
+      range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
       marks: strength
         ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
         : [],

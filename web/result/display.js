@@ -29,6 +29,8 @@ const QUANTITIES = {
     'outline',
     'spacing',
     'yield_onset_depth',
+    'height',
+    'pile_up',
   ]),
   ...named('stress', [
     'peak_pressure',
@@ -42,7 +44,7 @@ const QUANTITIES = {
     'von_mises',
   ]),
   ...named('load', ['force', 'yield_onset_force']),
-  ...named('slope', ['contact_stiffness', 'stiffness']),
+  ...named('slope', ['contact_stiffness', 'stiffness', 'unloading_stiffness']),
   area: 'area',
 };
 /** Parts without units: relative errors, times, meshes whose figures are converted where they are read. */

@@ -65,6 +65,17 @@ function figures(job, report, step) {
       undefined,
       'dP/dα, slope of load over approach',
     ),
+    ...(step.flow
+      ? [
+          card(
+            'Unloading stiffness',
+            step.flow.unloading_stiffness,
+            unit(stiffnessOf(report), units),
+            undefined,
+            'dP/dα where the load begins to fall',
+          ),
+        ]
+      : []),
     ...(step.yield_onset
       ? [
           card(

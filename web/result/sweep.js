@@ -57,7 +57,9 @@ export class SweepPanel {
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     this.#shown = [shown, at];
-    const swept = shown.filter(({ report }) => report.steps.length > 1);
+    const swept = shown.filter(
+      ({ report }) => report.steps.length > 1 || (report.load_approach?.force.length ?? 0) > 2,
+    );
     this.panel.show(swept.length > 0);
     if (swept.length === 0) return;
     this.chart.show(
@@ -81,8 +83,7 @@ function overApproach(swept, first, at) {
   const force = unit(forceOf(report), report.units);
   const onset = onsetOf(first);
   const turns = swept.some(turnsBack);
-  const rising = (/** @type {Report} */ { steps }) =>
-    turns ? steps : [...steps].sort((a, b) => a.approach - b.approach);
+  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.approach - b.approach);
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
@@ -92,8 +93,9 @@ function overApproach(swept, first, at) {
       colour: one.colour,
       dash: one.dash,
       points: true,
-      x: rising(one.report).map(({ approach }) => approach),
-      y: rising(one.report).map(({ contact }) => contact.force),
+      // Of a history, every increment.
+      x: turns ? (one.report.load_approach?.approach ?? []) : rising(one.report).map(({ approach }) => approach),
+      y: turns ? (one.report.load_approach?.force ?? []) : rising(one.report).map(({ contact }) => contact.force),
     })),
     marks: [
       ...(onset

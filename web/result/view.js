@@ -4,6 +4,7 @@ import { byId, h } from '../lib/dom.js';
 import { figure, forceOf, setOf, unit, unitsOf } from '../lib/units.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
+import { DentPanel } from './dent.js';
 import { DepthPanel } from './depth.js';
 import { DifferencesPanel } from './differences.js';
 import { DisplayUnits, inUnits } from './display.js';
@@ -35,6 +36,7 @@ export class View {
     this.depth = new DepthPanel();
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
+    this.dent = new DentPanel();
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
     this.history = new HistoryPanel();
@@ -50,7 +52,7 @@ export class View {
       );
     byId('panels').replaceChildren(
       this.tools,
-      column(this.pressure, this.depth, this.sweep),
+      column(this.pressure, this.dent, this.depth, this.sweep),
       column(this.field, this.convergence),
       this.figures.panel.element,
       this.differences.panel.element,
@@ -73,6 +75,7 @@ export class View {
     this.steps.stop();
     for (const { panel } of [
       this.sweep,
+      this.dent,
       this.pressure,
       this.field,
       this.depth,
@@ -122,7 +125,7 @@ export class View {
     showSheet({
       shown: this.#shown,
       at: this.#at,
-      drawings: [this.pressure, this.depth, this.sweep].flatMap(({ panel, chart }) =>
+      drawings: [this.pressure, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
       field: this.field.canvas(),
@@ -154,13 +157,14 @@ export class View {
     const step = report.steps[this.#at];
     const many = report.steps.length;
     const load = `${figure(step.contact.force, 4)} ${unit(forceOf(report), report.units)}`;
-    for (const { panel } of [this.pressure, this.depth, this.field])
+    for (const { panel } of [this.pressure, this.dent, this.depth, this.field])
       panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
     for (const { panel } of [this.sweep, this.convergence]) panel.of = label;
     this.steps.show(many, this.#at, load);
     showHeadline(shown[0], this.#at);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
+    this.dent.show(shown, this.#at);
     this.depth.show(shown, this.#at);
     this.figures.show(shown, this.#at);
     this.differences.show(shown);

@@ -1,0 +1,62 @@
+/** What a load leaves behind: the surface of both bodies, a dent where the force is zero. */
+
+import { h } from '../lib/dom.js';
+import { figure, percent, unit } from '../lib/units.js';
+import { Chart } from './chart.js';
+import { Panel } from './panel.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+
+const COLOURS = { upper: '--curve-2', lower: '--curve-1' };
+
+export class DentPanel {
+  constructor() {
+    this.chart = new Chart(220);
+    this.words = h('p', { class: 'readout', role: 'status' });
+    this.panel = new Panel('dent', 'Surfaces', [this.chart.element, this.words], {
+      picture: (title) => this.chart.picture(title),
+      drawing: (title) => this.chart.drawing(title),
+    });
+  }
+
+  /** @param {Shown[]} shown @param {number} at step of the first */
+  show(shown, at) {
+    const [{ report }] = shown;
+    const step = report.steps[at];
+    const { flow } = step;
+    this.panel.show(Boolean(flow));
+    if (!flow) return;
+    const length = unit('length', report.units);
+    const round = report.analysis === 'axisymmetric';
+    const bodies = /** @type {const} */ (['lower', 'upper']).flatMap((name) => {
+      const surface = flow.surfaces[name];
+      return surface ? [{ name, surface }] : [];
+    });
+    this.chart.show({
+      x: `${round ? 'r' : 'x'}  [${length}]`,
+      y: `height  [${length}]`,
+      curves: bodies.map(({ name, surface }) => ({
+        label: `${name} body, outward`,
+        colour: COLOURS[name],
+        x: surface.x,
+        y: surface.height,
+        dash: name === 'upper' ? [7, 3] : undefined,
+      })),
+      marks: [{ across: 'y', at: 0, text: 'undeformed' }],
+      words: `${step.contact.force === 0 ? 'Residual' : 'Loaded'} height of the surfaces: ${bodies
+        .map(({ name, surface }) => `${name} body ${figure(surface.depth, 4)} ${length} deep`)
+        .join(', ')}.`,
+    });
+    this.words.textContent = [
+      ...bodies.map(
+        ({ name, surface }) =>
+          `${name} body: ${figure(surface.depth, 4)} ${length} below the undeformed surface, pile-up ${figure(surface.pile_up, 3)} ${length}${
+            surface.yielded_in_reverse ? ', yielded in reverse' : ''
+          }`,
+      ),
+      flow.energy.work > 0 ? `${percent(flow.energy.dissipated / flow.energy.work, 3)} of the work is dissipated` : '',
+    ]
+      .filter(Boolean)
+      .join('\n');
+  }
+}
