@@ -1,0 +1,64 @@
+/** Flow theory: histories of loads, what they leave behind. */
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, serve, visit } from '../browser.js';
+
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => {
+  [server, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
+
+/** The draft as it is kept. @param {import('playwright-core').Page} page */
+const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');
+
+test('a history of loads is typed, brought back to 0 and undone', async () => {
+  const { page, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByLabel('Given').selectOption('history');
+  assert.deepEqual((await draft(page)).load, { history: [{ force: 612.6106 }, { force: 0 }] });
+  assert.equal((await draft(page)).solver.theory, 'flow', 'only flow theory knows what a load leaves behind');
+  const loads = page.getByLabel('Loads in turn');
+  await loads.fill('500 α0.02 300');
+  assert.deepEqual((await draft(page)).load.history, [{ force: 500 }, { approach: 0.02 }, { force: 300 }]);
+  await page.getByRole('button', { name: 'and back to 0' }).click();
+  assert.equal(await loads.inputValue(), '500 α0.02 300 0');
+  await page.getByLabel('Units').selectOption('SI');
+  assert.deepEqual((await draft(page)).load.history.slice(0, 2), [{ force: 500000 }, { approach: 0.00002 }]);
+  await loads.fill('500 oops');
+  await page.locator('[data-place="/load/history"] .error').getByText('load 2: “oops” is not a number').waitFor();
+  for (let k = 0; k < 8; k++) await page.keyboard.press('Control+Z');
+  assert.equal((await draft(page)).load.force, 612.6106);
+  await close();
+});
+
+test('unloading leaves a dent, a loop and residual stresses', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByText('Mesh, solver, output, tags').click();
+  await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
+  await page.getByLabel('Given').selectOption('history');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor({ timeout: 120_000 });
+  const dent = page.locator('#panel-dent');
+  assert.match(
+    (await dent.locator('.plot').getAttribute('aria-label')) ?? '',
+    /^Residual height of the surfaces: .*0\.00\d+ mm deep/,
+  );
+  await dent.getByText('of the work is dissipated').waitFor();
+  await page.locator('#panel-sweep .plot svg').waitFor();
+  assert.match(
+    (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
+    /highest von Mises stress \d/,
+  );
+  await page.locator('#headline').getByText('Unloading stiffness').waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
