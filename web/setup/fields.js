@@ -130,6 +130,7 @@ export const SETTINGS = [
     kind: 'choice',
     choices: { active_set: 'Active set', simplex: 'Simplex' },
   },
+  { key: 'solver/increments', label: 'Increments a load', quantity: 'number' },
   { key: 'solver/tolerance', label: 'Tolerance', quantity: 'number' },
   { key: 'solver/max_iterations', label: 'Iterations at most', quantity: 'number' },
   { key: 'output/subsurface', label: 'Stresses over depth', kind: 'flag' },

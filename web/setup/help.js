@@ -28,8 +28,10 @@ export const TEXTS = {
   'solver/coupling':
     'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are the paper’s.',
   'solver/contact': 'Two methods for the same contact problem; the simplex is the paper’s and slower.',
+  'solver/increments':
+    'Steps in which flow theory puts each load on. Left empty, the program chooses them from its own estimate of their error.',
   'solver/tolerance': 'Relative change of displacements and out-of-balance force at which the iteration ends.',
-  'solver/theory':
+  theory:
     'Deformation theory takes plastic strain from the state as it is: fast, and close as long as the load only grows. Flow theory follows the history in increments: it knows unloading, residual stresses and the dent.',
 };
 
