@@ -91,6 +91,7 @@ const WORK_UNIT: u64 = 1 << 16;
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let steps = match &job.load {
         Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count(),
+        Load::History(history) => history.iter().count(),
         Load::Onset => 1,
     };
     let nodes = estimate.equations as u64 / 2;
