@@ -69,6 +69,10 @@ const MAX_ZONE_SPAN: f64 = 0.8;
 /// Largest part of the body's depth that the block may take.
 const MAX_BLOCK_DEPTH: f64 = 0.5;
 
+/// Where the ray from a lower corner of the block meets the base at least, on the way from below the corner to the end of
+/// the base.
+const CORNER_RAY: f64 = 0.3;
+
 /// A point in the plane of the interpolation: `(ln r, φ)` about the centre.
 #[derive(Clone, Copy)]
 struct Polar {
@@ -191,10 +195,26 @@ impl<'a> Builder<'a> {
         let end = |sign: f64| self.outline.end(sign);
         let first = angle_about(centre, end(1.0));
         let last = if self.zone.symmetric { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
-        let (from, to) = (inner[0].angle, inner[inner.len() - 1].angle);
-        let mut angles: Vec<f64> =
-            inner.iter().map(|p| first + (p.angle - from) * (last - first) / (to - from)).collect();
         let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
+        let ends = [(0, first), (inner.len() - 1, last)];
+        let mut angles = stretched(inner, &ends);
+        let base_x = |angle: f64| centre[0] - (centre[1] + depth) * angle.cos() / angle.sin();
+        // Rays from the sides of a block that nearly fills the body must not turn under it.
+        let mut bends = Vec::new();
+        for (corner, sign) in [(self.rows, 1.0), (inner.len() - 1 - self.rows, -1.0)] {
+            if has_wall(sign) || (sign < 0.0 && self.zone.symmetric) {
+                continue;
+            }
+            let block = centre[0] + inner[corner].log_radius.exp() * inner[corner].angle.cos();
+            let least = block + CORNER_RAY * (end(sign)[0] - block);
+            if (base_x(angles[corner]) - least) * sign < 0.0 {
+                bends.push((corner, angle_about(centre, [least, -depth])));
+            }
+        }
+        if !bends.is_empty() {
+            let knots: Vec<_> = ends[..1].iter().chain(&bends).chain(&ends[1..]).copied().collect();
+            angles = stretched(inner, &knots);
+        }
         let mut corners = Vec::new();
         for sign in [1.0, -1.0] {
             if has_wall(sign) && (sign > 0.0 || !self.zone.symmetric) {
@@ -313,6 +333,19 @@ impl<'a> Builder<'a> {
 fn angle_about(centre: [f64; 2], point: [f64; 2]) -> f64 {
     let angle = (point[1] - centre[1]).atan2(point[0] - centre[0]);
     if angle > 0.5 * PI { angle - 2.0 * PI } else { angle }
+}
+
+/// The angles of the inner rays, stretched from knot to knot: at each, given by its index, the angle is as given.
+fn stretched(inner: &[Polar], knots: &[(usize, f64)]) -> Vec<f64> {
+    let mut angles = vec![knots[0].1; inner.len()];
+    for pair in knots.windows(2) {
+        let ((from, start), (to, end)) = (pair[0], pair[1]);
+        for s in from + 1..=to {
+            let part = (inner[s].angle - inner[from].angle) / (inner[to].angle - inner[from].angle);
+            angles[s] = start + part * (end - start);
+        }
+    }
+    angles
 }
 
 /// Sets the inner angle nearest to `target` to it and returns its index; angles fall and stay in order.

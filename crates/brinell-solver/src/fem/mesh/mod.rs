@@ -20,6 +20,7 @@ mod interpolation;
 mod locator;
 mod outline;
 mod quality;
+mod smoothing;
 
 pub use half_o_grid::{ContactZone, Refinement};
 pub use locator::{Locator, Place};
@@ -87,12 +88,18 @@ impl Mesh {
     pub fn generate(outline: &Outline, zone: ContactZone, refinement: Refinement) -> Result<Self, MeshError> {
         // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
         // folds the rings there; a steeper fade keeps it near the surface.
+        let centre = [zone.centre(), outline.height(zone.centre())];
         let mut outcome = Err(MeshError::Inverted { element: 0 });
-        for fade in FADES {
-            let mesh = half_o_grid::generate(outline, zone, refinement, fade)?;
-            outcome = quality::require_positive_jacobians(&mesh).map(|()| mesh);
-            if outcome.is_ok() {
-                break;
+        for unfold in [false, true] {
+            for fade in FADES {
+                let mut mesh = half_o_grid::generate(outline, zone, refinement, fade)?;
+                if unfold {
+                    smoothing::unfold(&mut mesh, centre);
+                }
+                outcome = quality::require_positive_jacobians(&mesh).map(|()| mesh);
+                if outcome.is_ok() {
+                    return outcome;
+                }
             }
         }
         outcome
@@ -119,5 +126,68 @@ impl Mesh {
     /// Coordinates of the four corners of an element \[mm\].
     pub fn corners(&self, element: usize) -> [[f64; 2]; 4] {
         self.elements[element].map(|node| self.nodes[node as usize])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+    use proptest::prelude::*;
+
+    fn outline(shape: &str) -> Outline {
+        let body =
+            format!(r#"{{"shape": {shape}, "material": {{"young_modulus": 1e5, "poisson_ratio": 0.3}}}}"#);
+        let job = format!(
+            r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body}, "load": {{"force": 1}}}}"#
+        );
+        Outline::of(&Job::from_json(job.as_bytes()).unwrap().upper.shape)
+    }
+
+    /// A zone of a part of the largest that fits, `shift` of the way to where it touches the end of that.
+    fn zone(outline: &Outline, part: f64, shift: f64, columns: usize, symmetric: bool) -> ContactZone {
+        let (left, right) = outline.span();
+        let reach = 0.8 * right.min(-left);
+        let half = part * reach;
+        if symmetric {
+            return ContactZone { x_min: 0.0, x_max: half, columns, symmetric };
+        }
+        let centre = shift * (reach - half);
+        ContactZone { x_min: centre - half, x_max: centre + half, columns: 2 * columns, symmetric }
+    }
+
+    fn shape() -> impl Strategy<Value = String> {
+        let parabola = (1.0..100.0f64, 1.0..20.0f64).prop_map(|(flatness, room)| {
+            let points: Vec<String> = (-40..=40)
+                .map(|k| f64::from(k) * 0.25)
+                .map(|x| format!("[{x}, {}]", -x * x / (20.0 * flatness)))
+                .collect();
+            let depth = 5.0 / flatness + room;
+            format!(r#"{{"type": "profile", "points": [{}], "depth": {depth}}}"#, points.join(", "))
+        });
+        let groove = (10.5..100.0f64, 1.0..40.0f64).prop_map(|(radius, depth)| {
+            format!(r#"{{"type": "groove", "radius": {radius}, "width": 20, "depth": {depth}}}"#)
+        });
+        prop_oneof![
+            Just(r#"{"type": "cylinder", "radius": 10}"#.to_owned()),
+            (1.0..100.0f64)
+                .prop_map(|depth| format!(r#"{{"type": "block", "width": 20, "depth": {depth}}}"#)),
+            groove,
+            parabola,
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+        #[test]
+        fn every_zone_that_fits_is_meshed(
+            shape in shape(), part in 0.001..1.0f64, shift in -1.0..1.0f64, columns in 8..64usize, symmetric: bool
+        ) {
+            let outline = outline(&shape);
+            let zone = zone(&outline, part, shift, columns, symmetric);
+            let refinement = Refinement { growth: 1.0 + 2.0 / columns as f64 };
+            let mesh = Mesh::generate(&outline, zone, refinement);
+            prop_assert!(mesh.is_ok(), "{:?}", mesh.err());
+        }
     }
 }

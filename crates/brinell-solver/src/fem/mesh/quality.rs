@@ -33,11 +33,15 @@ impl Quality {
 }
 
 pub(super) fn require_positive_jacobians(mesh: &Mesh) -> Result<(), MeshError> {
-    let bad = |element: &usize| !corner_determinants(&mesh.corners(*element)).iter().all(|&d| d > 0.0);
-    match (0..mesh.elements.len()).find(bad) {
+    match (0..mesh.elements.len()).find(|&element| is_folded(mesh, element)) {
         Some(element) => Err(MeshError::Inverted { element }),
         None => Ok(()),
     }
+}
+
+/// Whether the Jacobian is not positive everywhere in an element.
+pub(super) fn is_folded(mesh: &Mesh, element: usize) -> bool {
+    !corner_determinants(&mesh.corners(element)).iter().all(|&d| d > 0.0)
 }
 
 /// Twice the signed areas of the triangles at the corners, in proportion to the Jacobian determinants there.
