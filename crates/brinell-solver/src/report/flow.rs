@@ -110,7 +110,6 @@ fn surface(body: &BodySolution, symmetric: bool, write: UnitConverter) -> Surfac
     let mut surface: Vec<[f64; 2]> = body
         .mesh
         .free_surface_nodes()
-        .into_iter()
         .map(|node| [body.mesh.nodes[node as usize][0], body.displacement[node as usize][1]])
         .filter(|[x, _]| (x - zone.centre()).abs() <= limit)
         .collect();

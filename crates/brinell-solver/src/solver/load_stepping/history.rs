@@ -83,7 +83,7 @@ pub(super) fn run(
     let guide = couplings::of(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
     let run = MeshHistory { request: &request, mesh, size, division, guide };
     let result =
-        run.solve(Some(Estimates { coarse: &coarse.figures, increments: &errors }), solution, observer);
+        run.solve(Some(&Estimates { coarse: &coarse.figures, increments: &errors }), solution, observer);
     match result {
         // The steps that are done are worth keeping.
         Err(SolveError::Interrupted(interrupt)) if !solution.steps.is_empty() => {
@@ -257,7 +257,7 @@ impl MeshHistory<'_> {
     /// are handed over to the solution.
     fn solve(
         &self,
-        estimates: Option<Estimates<'_>>,
+        estimates: Option<&Estimates<'_>>,
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<Found, SolveError> {
@@ -267,9 +267,7 @@ impl MeshHistory<'_> {
             solution.passes += 1;
             let steps = solution.steps.len();
             let run = MeshHistory { mesh, ..*self };
-            if let Some(mut found) =
-                run.solve_on_zone(estimates.as_ref(), enlargements, solution, observer)?
-            {
+            if let Some(mut found) = run.solve_on_zone(estimates, enlargements, solution, observer)? {
                 found.mesh = mesh.zone;
                 return Ok(found);
             }
@@ -332,7 +330,8 @@ impl MeshHistory<'_> {
             let (count, mut history, mut increments) = (ends.len(), Vec::new(), Vec::new());
             let mut status = SolveStatus::Converged;
             for (k, &end) in ends.iter().enumerate() {
-                let part = if leg.to == leg.from { 1.0 } else { (end - leg.from) / (leg.to - leg.from) };
+                let range = leg.to - leg.from;
+                let part = if range.abs() > 0.0 { (end - leg.from) / range } else { 1.0 };
                 let time = number as f64 + if k + 1 == count { 1.0 } else { part };
                 let target = match load {
                     ContactLoad::Force(_) => ContactLoad::Force(end),
