@@ -229,7 +229,7 @@ fn steel_modulus() -> f64 {
     effective_modulus([Some(ElasticConstants { young_modulus: 200_000.0, poisson_ratio: 0.3 }), None])
 }
 
-/// dP/dα = 2 E* a at the instant of unloading, whatever the dent. The half-width is known to a part of an element of 5 %.
+/// dP/dα = 2 E* a at the instant of unloading, whatever the dent.
 #[test]
 fn a_dent_unloads_by_the_slope_of_a_flat_punch() {
     for interference in [0.9, 10.0, 40.0] {
@@ -238,6 +238,6 @@ fn a_dent_unloads_by_the_slope_of_a_flat_punch() {
         assert_eq!(step.status, SolveStatus::Converged);
         assert!(step.contact.half_width < 0.5);
         let slope = 2.0 * steel_modulus() * step.contact.half_width;
-        assert_within(step.flow.as_ref().unwrap().unloading_stiffness, slope, 1.5e-2);
+        assert_within(step.flow.as_ref().unwrap().unloading_stiffness, slope, 5e-3);
     }
 }

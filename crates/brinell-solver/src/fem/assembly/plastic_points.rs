@@ -113,10 +113,6 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// of `load` is left zero. Returns the Gauss points beyond yield.
     fn evaluate(&self, u: &[f64], load: &mut [f64]) -> usize;
 
-    /// Overwrites `load` by what the reductions of the moduli of reference add to the load of displacements u,
-    /// `-∫BᵀCB dV u`.
-    fn reduction_load(&self, u: &[f64], load: &mut [f64]);
-
     /// Accepts an increment that ends at the displacements `u` \[mm\], by equation: its states are from now on those that
     /// everything else begins from.
     fn commit(&mut self, u: &[f64]);
@@ -225,18 +221,6 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
             *held = 0.0;
         }
         plastic_points
-    }
-
-    fn reduction_load(&self, u: &[f64], load: &mut [f64]) {
-        load.fill(0.0);
-        for element in &self.elements {
-            let Some(k) = element.reduction else { continue };
-            let stress = self.reductions[k].stress(&element.strain(u)).map(|component| component.map(|s| -s));
-            element.add_forces(&stress, load);
-        }
-        if let Some(held) = load.last_mut() {
-            *held = 0.0;
-        }
     }
 
     fn commit(&mut self, u: &[f64]) {

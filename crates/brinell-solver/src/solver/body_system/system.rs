@@ -189,15 +189,6 @@ impl System {
         }
     }
 
-    /// What the reductions of the moduli of reference add to the load of displacements, `-∫BᵀCB dV u`.
-    pub fn reduction_load(&self, displacement: &BlockVector, loads: &mut BlockVector) {
-        for ((body, u), load) in self.bodies.iter().zip(displacement).zip(loads) {
-            if let Some(points) = &body.plastic_region.points {
-                points.reduction_load(u, load);
-            }
-        }
-    }
-
     /// Watches another part of each body. The factors have to be made anew before the next iteration with tangent
     /// moduli.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {

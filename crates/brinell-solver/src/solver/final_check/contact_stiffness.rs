@@ -31,19 +31,14 @@ pub(crate) fn contact_stiffness(
     stiffness(system, state, patch, |v| tangent.softening(v), observer)
 }
 
-/// The same where the load begins to fall and plastic strain stays as it is.
+/// The same where the load begins to fall and plastic strain stays as it is; the stiffness of the system is the elastic one.
 pub(crate) fn unloading(
     system: &System,
     state: &State,
     patch: Option<ContactPatch>,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
-    let stiffer = |v: &BlockVector| {
-        let mut load = system.zeros();
-        system.reduction_load(v, &mut load);
-        load
-    };
-    stiffness(system, state, patch, stiffer, observer)
+    stiffness(system, state, patch, |_| system.zeros(), observer)
 }
 
 /// The stiffness with the tangent `K - softening`.

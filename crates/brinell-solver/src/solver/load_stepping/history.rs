@@ -493,7 +493,6 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
-        let unloading = final_check::unloading_stiffness(solve, &mut solution.phases, observer);
         let load = match load {
             ContactLoad::Force(_) => ContactLoad::Force(leg.to),
             ContactLoad::Approach(_) => ContactLoad::Approach(leg.to),
@@ -506,7 +505,12 @@ impl MeshHistory<'_> {
             &mut solution.phases,
             observer,
         );
-        step.unloading_stiffness = unloading;
+        // Plastic strain stays as it is where the load begins to fall, so that the stiffness is that of the elastic bodies.
+        let elastic = solve.system.linearize(None, &mut solution.phases, observer);
+        if elastic.is_ok() {
+            step.unloading_stiffness =
+                final_check::unloading_stiffness(solve, &mut solution.phases, observer);
+        }
         step
     }
 }
