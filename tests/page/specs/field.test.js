@@ -290,3 +290,39 @@ test('a finger that taps reads, and the page scrolls under the field', async () 
   await labelled(page, /^Field of von Mises stress/);
   await close();
 });
+
+test('figures are on the page before any field, and fields come a step at a time', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  const asked = /** @type {string[]} */ ([]);
+  let letGo = () => {};
+  const held = new Promise((resolve) => {
+    letGo = () => resolve(undefined);
+  });
+  await page.route('**/v1/jobs/*/fields/*', async (route) => {
+    asked.push(new URL(route.request().url()).pathname.split('/').at(-1) ?? '');
+    await held;
+    await route.continue();
+  });
+  const id = await page.evaluate(async () => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    const job = { ...examples[0].job, load: { forces: [100, 300, 612] }, output: { fields: true } };
+    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
+    const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(job) });
+    return (answer.headers.get('content-location') ?? '').split('/')[3];
+  });
+  await page.goto(`${server.url}/#job=${id}`);
+  await page.locator('#headline').getByText('612.00').waitFor();
+  await page.getByText('Loading the field of this step').waitFor();
+  assert.equal(await page.locator('[data-status=running]').count(), 0, 'nothing runs any more');
+  assert.deepEqual(asked, ['3'], 'the step that is shown, and no other');
+  letGo();
+  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+  await page.getByText('Loading the field of this step').waitFor({ state: 'hidden' });
+  await page.getByLabel('Step', { exact: true }).focus();
+  await page.keyboard.press('Home');
+  await labelled(page, /^Field of von Mises stress, from .* to 3\d\d/);
+  assert.deepEqual([...new Set(asked)].sort(), ['1', '2', '3']);
+  assert.equal(asked.length, 3, 'each once');
+  assert.deepEqual(faults, []);
+  await close();
+});

@@ -38,3 +38,27 @@ test('a history of loads is typed, brought back to 0 and undone', async () => {
   assert.equal((await draft(page)).load.force, 612.6106);
   await close();
 });
+
+test('unloading leaves a dent, a loop and residual stresses', async () => {
+  const { page, faults, close } = await visit(browser, server.url);
+  await page.getByText('1500.0 MPa').waitFor();
+  await page.getByText('Mesh, solver, output, tags').click();
+  await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
+  await page.getByLabel('Given').selectOption('history');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor({ timeout: 120_000 });
+  const dent = page.locator('#panel-dent');
+  assert.match(
+    (await dent.locator('.plot').getAttribute('aria-label')) ?? '',
+    /^Residual height of the surfaces: .*0\.00\d+ mm deep/,
+  );
+  await dent.getByText('of the work is dissipated').waitFor();
+  await page.locator('#panel-sweep .plot svg').waitFor();
+  assert.match(
+    (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
+    /highest von Mises stress \d/,
+  );
+  await page.locator('#headline').getByText('Unloading stiffness').waitFor();
+  assert.deepEqual(faults, []);
+  await close();
+});
