@@ -26,6 +26,7 @@ pub enum ExportFailure {
     Unreadable(String),
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "the shape that map_err takes")]
 fn unreadable(error: impl ToString) -> ExportFailure {
     ExportFailure::Unreadable(error.to_string())
 }

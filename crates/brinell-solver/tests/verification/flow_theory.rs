@@ -188,7 +188,7 @@ fn what_a_theory_cannot_do_is_refused_by_name() {
         );
         match Job::from_json(job.as_bytes()) {
             Err(JobError::Fields(faults)) => {
-                faults.iter().map(|fault| format!("{fault}\n")).collect::<String>()
+                faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
             }
             other => panic!("{other:?}"),
         }
