@@ -172,7 +172,8 @@ mod tests {
     use super::*;
 
     fn texts() -> Vec<Vec<u8>> {
-        let figures: String = (0..40_000).map(|k| format!("{},", (f64::from(k) * 0.37).sin())).collect();
+        let figures: Vec<String> = (0..40_000).map(|k| (f64::from(k) * 0.37).sin().to_string()).collect();
+        let figures = figures.join(",");
         vec![Vec::new(), b"{}".to_vec(), vec![b' '; 200_000], figures.into_bytes()]
     }
 
