@@ -37,7 +37,7 @@ impl Client {
     pub fn ask(&mut self, method: &str, path: &str, headers: &str, body: &str) -> (u16, Value) {
         let length = body.len();
         let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
              {headers}\r\n"
         );
         self.stream.get_mut().write_all((head + body).as_bytes()).unwrap();

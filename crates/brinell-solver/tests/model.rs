@@ -87,7 +87,9 @@ mod accepted {
     fn every_example_is_written_as_it_was_read() {
         for text in [TWO_CYLINDERS, CYLINDER_ON_BLOCK, RAMBERG_OSGOOD] {
             let job = Job::from_json(text.as_bytes()).unwrap();
-            let read: Value = serde_json::from_str(text).unwrap();
+            let mut read: Value = serde_json::from_str(text).unwrap();
+            // The examples leave the theory to its default, which is written.
+            read["solver"]["theory"] = json!("deformation");
             assert_eq!(serde_json::to_value(&job).unwrap(), read);
             assert_eq!(job.validate(), Ok(()));
         }
@@ -106,6 +108,7 @@ mod accepted {
         let read = Job::from_value(&si).unwrap();
         let plain = Job::from_json(TWO_CYLINDERS.as_bytes()).unwrap();
         assert_eq!(Job { units: Units::MmNMpa, ..read.clone() }, plain);
+        si["solver"]["theory"] = json!("deformation");
         assert_eq!(serde_json::to_value(&read).unwrap(), si);
     }
 
