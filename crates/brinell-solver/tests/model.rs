@@ -75,7 +75,8 @@ mod accepted {
         assert_eq!(written["mesh"], json!({"elements_per_half_width": 20}));
         assert_eq!(
             written["solver"],
-            json!({"coupling": "accelerated", "contact": "active_set", "tolerance": 1e-6, "max_iterations": 500})
+            json!({"theory": "deformation", "coupling": "accelerated", "contact": "active_set", "tolerance": 1e-6,
+                "max_iterations": 500})
         );
         assert_eq!(written["output"], json!({"subsurface": true, "fields": false}));
         assert_eq!(written["upper"]["support"], "clamped");
@@ -237,9 +238,9 @@ mod refused {
 
     #[test]
     fn loads() {
-        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, onset");
+        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, history, onset");
         assert_snapshot!(faults_of(&with("/load", json!({"force": 1, "approach": 0}))), @r"
-        /load: must have only one of: force, forces, approach, approaches, onset
+        /load: must have only one of: force, forces, approach, approaches, history, onset
         /load/approach: must be greater than 0, got 0
         ");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": []}))), @"/load/forces: must have between 1 and 1000 items, got 0");
