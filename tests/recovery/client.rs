@@ -41,12 +41,13 @@ impl Client {
              {headers}\r\n"
         );
         self.stream.get_mut().write_all((head + body).as_bytes()).unwrap();
-        let (mut status, mut length) = (0, 0);
+        let (mut status, mut length, mut is_chunked) = (0, 0, false);
         loop {
             let mut line = String::new();
             self.stream.read_line(&mut line).unwrap();
             match line.trim_end().split_once(": ") {
                 Some(("content-length", value)) => length = value.parse().unwrap(),
+                Some(("transfer-encoding", "chunked")) => is_chunked = true,
                 Some(_) => {}
                 None if line.starts_with("HTTP/1.1 ") => status = line[9..12].parse().unwrap(),
                 None => break,
@@ -54,6 +55,15 @@ impl Client {
         }
         let mut body = vec![0; length];
         self.stream.read_exact(&mut body).unwrap();
+        while is_chunked {
+            let mut line = String::new();
+            self.stream.read_line(&mut line).unwrap();
+            let mut chunk = vec![0; usize::from_str_radix(line.trim_end(), 16).unwrap()];
+            self.stream.read_exact(&mut chunk).unwrap();
+            self.stream.read_line(&mut line).unwrap();
+            is_chunked = !chunk.is_empty();
+            body.append(&mut chunk);
+        }
         (status, serde_json::from_slice(&body).unwrap_or(Value::Null))
     }
 
