@@ -33,8 +33,8 @@ impl Job {
                 if let Load::History(loads) = &self.load {
                     let is_zero = |load: &HistoryLoad| load.magnitude() == 0.0;
                     for (k, _) in loads.iter().enumerate().filter(|(_, load)| is_zero(load)) {
-                        let detail =
-                            "deformation theory knows no unloading; a load of zero needs the theory `flow`";
+                        let detail = "deformation theory takes each load from rest, where a load of zero makes no \
+                                      contact that could be solved; unloading needs the theory `flow`";
                         fault(format!("/load/history/{k}"), detail);
                     }
                 }

@@ -98,11 +98,10 @@ fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
 }
 
 fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepReport {
-    let peak = contact::peak_abscissa(step);
     // Who stops a job wants its core back, not its stresses.
     let is_stopped = step.status.is_stopped();
     let subsurface = (job.output.subsurface && !is_stopped)
-        .then(|| per_body(step, |body| subsurface::profile(body, step.symmetric, peak, write)));
+        .then(|| per_body(step, |body| subsurface::profile(body, step.symmetric, step.peak_position, write)));
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);

@@ -17,7 +17,7 @@ pub struct ContactReport {
     pub half_width: f64,
     /// Largest pressure.
     pub peak_pressure: f64,
-    /// x of the largest pressure.
+    /// x of the largest pressure; where nothing touches, of the largest that the history had.
     pub peak_position: f64,
     /// Force over width, or over the area of the contact circle.
     pub mean_pressure: f64,
@@ -57,12 +57,6 @@ pub(super) fn force(step: &StepSolution) -> f64 {
     if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
 }
 
-/// x of the largest pressure \[mm\].
-pub(super) fn peak_abscissa(step: &StepSolution) -> f64 {
-    let highest = step.pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
-    highest.map_or(0.0, |pair| pair.x)
-}
-
 /// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
 fn area(step: &StepSolution, half_width: f64) -> f64 {
     match step.stress_state {
@@ -83,7 +77,7 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
         force: write.force(force),
         half_width: write.length(half_width),
         peak_pressure: write.stress(step.peak_pressure),
-        peak_position: write.length(peak_abscissa(step)),
+        peak_position: write.length(step.peak_position),
         mean_pressure: write.stress(mean),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })

@@ -64,7 +64,8 @@ fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: Un
     if mirror {
         report.elements.iter_mut().for_each(|corners| corners.reverse());
     }
-    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain] in Recovery::new(body, step.symmetric).nodes() {
+    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _] in Recovery::new(body, step.symmetric).nodes()
+    {
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         report.sigma_x.push(write.stress(sigma_x));
         report.sigma_y.push(write.stress(sigma_y));

@@ -6,7 +6,8 @@
 //!
 //! The zone is where `f >= 0`. Because deformation theory has `q = 3G (ε_q - ε_p)`, f is the stress that the strain
 //! would cause in an elastic body, less the yield stress: unlike q it runs smoothly through the boundary. For a law
-//! without a yield point (Ramberg–Osgood) the zone is by convention where q exceeds the reference stress.
+//! without a yield point (Ramberg–Osgood) the zone is by convention where q exceeds the reference stress. Under flow theory
+//! the zone is what has yielded so far: q is the largest that each point has borne.
 //!
 //! f is recovered at the nodes. Each quadrilateral is cut along the straight line between the zeros on its edges;
 //! an edge that two pieces share cancels, and what is left is chained to closed polygons.
@@ -93,6 +94,8 @@ struct Excess {
     limit: f64,
     /// 3G where plastic strain counts \[MPa\], else 0.
     triple_shear: f64,
+    /// Whether q is the largest so far.
+    has_memory: bool,
 }
 
 impl Excess {
@@ -100,12 +103,17 @@ impl Excess {
         let law = solution.model.hardening()?;
         // Without an elastic limit there is plastic strain on both sides of the boundary.
         let triple_shear = if law.yield_stress() > 0.0 { 3.0 * solution.model.elastic().shear } else { 0.0 };
-        Some(Self { limit: law.nominal_yield_stress(), triple_shear })
+        Some(Self {
+            limit: law.nominal_yield_stress(),
+            triple_shear,
+            has_memory: solution.model.has_memory(),
+        })
     }
 
-    fn at(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]: Values) -> f64 {
+    fn at(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, largest]: Values) -> f64 {
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
-        stress.von_mises() + self.triple_shear * plastic_strain - self.limit
+        let von_mises = if self.has_memory { largest } else { stress.von_mises() };
+        von_mises + self.triple_shear * plastic_strain - self.limit
     }
 }
 

@@ -18,8 +18,8 @@ use crate::fem::element::{QUADRATURE_POINTS, natural_coordinates, shape_function
 use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
 
-/// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p]` at a point \[MPa, MPa, MPa, MPa, 1\].
-pub(super) type Values = [f64; 5];
+/// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p, q]` at a point, q the largest von Mises stress so far \[MPa, MPa, MPa, MPa, 1, MPa\].
+pub(super) type Values = [f64; 6];
 
 /// Recovers values on one body, node by node as they are needed.
 pub(super) struct Recovery<'a> {
@@ -81,7 +81,7 @@ impl<'a> Recovery<'a> {
         let near = around.map(|&element| element as usize).find_map(within);
         let (element, shape) = near.or_else(|| (0..mesh.elements.len()).find_map(within))?;
         self.last = element;
-        let mut values = [0.0; 5];
+        let mut values = [0.0; 6];
         for (&node, weight) in mesh.elements[element].iter().zip(shape) {
             for (value, recovered) in values.iter_mut().zip(self.node(node)) {
                 *value += weight * recovered;
@@ -147,7 +147,7 @@ impl<'a> Recovery<'a> {
 fn element_mean(points: &[GaussPoint; QUADRATURE_POINTS]) -> ([f64; 2], Values) {
     let mean = GaussPoint::mean(points);
     let [x, y, z, t] = mean.stress;
-    (mean.position, [x, y, z, t, mean.equivalent_plastic_strain])
+    (mean.position, [x, y, z, t, mean.equivalent_plastic_strain, mean.largest_von_mises])
 }
 
 /// Least-squares plane through samples, read at `centre`; their mean where they determine no plane.
@@ -156,7 +156,7 @@ fn plane_fit(samples: &[([f64; 2], Values)], centre: [f64; 2]) -> Values {
         .iter()
         .map(|([x, y], _)| (x - centre[0]).abs().max((y - centre[1]).abs()))
         .fold(f64::MIN_POSITIVE, f64::max);
-    let (mut normal, mut right) = (Matrix3::zeros(), SMatrix::<f64, 3, 5>::zeros());
+    let (mut normal, mut right) = (Matrix3::zeros(), SMatrix::<f64, 3, 6>::zeros());
     for ([x, y], values) in samples {
         let basis = Vector3::new(1.0, (x - centre[0]) / scale, (y - centre[1]) / scale);
         normal += basis * basis.transpose();
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_plane_is_recovered_exactly() {
-        let value = |x: f64, y: f64| [1.0 + x, y, 2.0 * x - y, 3.0, 0.0];
+        let value = |x: f64, y: f64| [1.0 + x, y, 2.0 * x - y, 3.0, 0.0, x + y];
         let samples: Vec<_> = [(0.0, 0.0), (1.0, 0.1), (0.2, 1.0), (1.3, 0.9), (2.0, 0.4)]
             .map(|(x, y)| ([x, y], value(x, y)))
             .to_vec();

@@ -33,7 +33,7 @@ pub(super) fn profile(
         // A node on the very line needs no interpolation.
         let is_on_line = (mesh.nodes[node as usize][0] - x).abs() <= 1e-12 * mesh.zone.half_width();
         let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, y]) };
-        let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain]) = values else { continue };
+        let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _]) = values else { continue };
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         report.depth.push(write.figure(Quantity::Length, surface - y));
         report.sigma_x.push(write.figure(Quantity::Stress, sigma_x));

@@ -52,6 +52,8 @@ pub struct StepSolution {
     pub contact_stiffness: f64,
     /// Largest contact pressure \[MPa\].
     pub peak_pressure: f64,
+    /// x of it; where nothing touches, of the largest that the history had \[mm\].
+    pub peak_position: f64,
     /// Upper and lower body; `None` for a rigid one.
     pub bodies: [Option<Arc<BodySolution>>; 2],
     /// Every iteration.

@@ -3,7 +3,7 @@
 use brinell_solver::analytical::ElasticConstants;
 use brinell_solver::analytical::effective_modulus;
 use brinell_solver::job::{Coupling, Job, JobError};
-use brinell_solver::report::{self, Report};
+use brinell_solver::report::{self, Report, StepReport};
 use brinell_solver::solver::{Solution, SolveStatus, Unobserved, run};
 
 use crate::problems::assert_within;
@@ -116,6 +116,29 @@ fn a_force_taken_away_leaves_a_dent() {
     assert!(subsurface.sigma_x.iter().any(|stress| *stress < -20.0), "residual compression");
     let way = report.load_approach.unwrap();
     assert!(way.force.first() == Some(&0.0) && way.force.last() == Some(&0.0));
+}
+
+/// Taking the force away changes neither the plastic strain nor where it is reported, and the outline stays around what has
+/// yielded.
+#[test]
+fn what_has_yielded_is_still_there_without_force() {
+    let load = r#"{"history": [{"force": 700}, {"force": 300}, {"force": 0}, {"force": 0}]}"#;
+    let report = report(&cylinders(BILINEAR, load, FLOW, 12));
+    let [loaded, .., unloaded] = report.steps.as_slice() else { panic!("steps are missing") };
+    let profile = |step: &StepReport| step.subsurface.as_ref().unwrap().lower.clone().unwrap();
+    let (before, after) = (profile(loaded), profile(unloaded));
+    assert_eq!(loaded.contact.peak_position.to_bits(), unloaded.contact.peak_position.to_bits());
+    let most = before.equivalent_plastic_strain.iter().copied().fold(0.0, f64::max);
+    for (p, q) in before.equivalent_plastic_strain.iter().zip(&after.equivalent_plastic_strain) {
+        assert!((p - q).abs() < 1e-3 * most, "{p} {q}");
+    }
+    let zones = [loaded, unloaded].map(|step| step.plasticity.lower.clone().unwrap());
+    assert!(most > 0.8 * zones[1].max_equivalent_plastic_strain);
+    assert_eq!(zones[0].area.to_bits(), zones[1].area.to_bits());
+    // Beside the zone some elastic points bear more when the force is taken away.
+    for (p, q) in zones[0].outline[0].iter().zip(&zones[1].outline[0]) {
+        assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-2 * loaded.contact.half_width, "{p:?} {q:?}");
+    }
 }
 
 /// The work of the force, integrated along many increments, is the elastic energy and the plastic work in the bodies.

@@ -2,7 +2,7 @@
 
 use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
-use crate::material::{ConstitutiveModel, OutOfPlane};
+use crate::material::{ConstitutiveModel, OutOfPlane, von_mises};
 use sparse_cholesky::simd_dispatch;
 
 /// State of one Gauss point.
@@ -24,6 +24,8 @@ pub struct GaussPoint {
     pub yielded: bool,
     /// Equivalent plastic strain gained since the load last began to fall.
     pub reverse_plastic_strain: f64,
+    /// Largest von Mises stress at the ends of the increments so far \[MPa\].
+    pub largest_von_mises: f64,
     /// `∫σ:dε_p` over the history \[MPa\].
     pub plastic_work: f64,
     /// The part of it that the backstress stores \[MPa\].
@@ -47,6 +49,7 @@ impl GaussPoint {
             secant_shear: mean(&|point| point.secant_shear),
             yielded: points.iter().any(|point| point.yielded),
             reverse_plastic_strain: mean(&|point| point.reverse_plastic_strain),
+            largest_von_mises: mean(&|point| point.largest_von_mises),
             plastic_work: mean(&|point| point.plastic_work),
             backstress_energy: mean(&|point| point.backstress_energy),
         }
@@ -99,6 +102,7 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
                     secant_shear: response.secant_shear,
                     yielded: response.yielded,
                     reverse_plastic_strain: 0.0,
+                    largest_von_mises: von_mises(response.stress),
                     plastic_work: response.plastic_work,
                     backstress_energy: response.backstress_energy,
                 };

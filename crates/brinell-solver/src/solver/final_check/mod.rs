@@ -166,6 +166,7 @@ fn final_check(
         smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force),
+        peak_position: peak_position(&pairs),
         pairs,
         patch: pass.patch,
         parts: pass.parts(),
@@ -183,6 +184,12 @@ fn final_check(
         unloading_stiffness: 0.0,
         energy: energy(system, &bodies),
     }
+}
+
+/// x of the largest pressure \[mm\].
+fn peak_position(pairs: &[PairState]) -> f64 {
+    let highest = pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
+    highest.map_or(0.0, |pair| pair.x)
 }
 
 /// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.

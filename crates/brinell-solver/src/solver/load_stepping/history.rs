@@ -16,6 +16,7 @@ use std::sync::Arc;
 use super::increments::{Division, Leg, exponent};
 use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
 use crate::contact::{ContactLoad, ContactSolver};
+use crate::fem::assembly::GaussPoint;
 use crate::fem::mesh::{ContactZone, Mesh};
 use crate::job::Job;
 use crate::material::ReferenceModuli;
@@ -247,9 +248,23 @@ struct Progress {
     reached: [f64; 2],
     scales: Scales,
     plastic: RadialEnvelope,
-    /// Equivalent plastic strain at the points of each model, and what of it came while loads fell.
-    accumulated: Vec<Vec<f64>>,
-    reverse: Vec<Vec<f64>>,
+    /// Whether the load falls.
+    is_falling: bool,
+    /// Largest peak pressure so far, and its x.
+    peak: [f64; 2],
+    /// What the points of each model have been through.
+    points: Vec<Vec<PointHistory>>,
+}
+
+/// What a point has been through, beyond the state of its law.
+#[derive(Debug, Clone, Copy, Default)]
+struct PointHistory {
+    /// Equivalent plastic strain.
+    accumulated: f64,
+    /// What of it came since the load last began to fall.
+    reverse: f64,
+    /// Largest von Mises stress \[MPa\].
+    von_mises: f64,
 }
 
 impl MeshHistory<'_> {
@@ -315,17 +330,16 @@ impl MeshHistory<'_> {
             reached: [0.0; 2],
             scales: Scales::default(),
             plastic: RadialEnvelope::NONE,
-            accumulated: Vec::new(),
-            reverse: Vec::new(),
+            is_falling: false,
+            peak: [0.0; 2],
+            points: Vec::new(),
         };
         let can_enlarge =
             enlargements < MAX_ENLARGEMENTS && mesh_solve::fits(problem, &mesh_solve::enlarge(zone));
         let mut widest = 0.0;
         for (number, &load) in self.request.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
-            if leg.falls() {
-                progress.reverse.iter_mut().flatten().for_each(|strain| *strain = 0.0);
-            }
+            progress.begin(&leg);
             let ends = leg.ends(self.division);
             let (count, mut history, mut increments) = (ends.len(), Vec::new(), Vec::new());
             let mut status = SolveStatus::Converged;
@@ -365,7 +379,7 @@ impl MeshHistory<'_> {
                 if let (true, Some(estimates)) = (is_end, estimates) {
                     solve.outcome.history = std::mem::take(&mut history);
                     solve.outcome.status = status;
-                    let mut step = self.step(&mut solve, load, &leg, &progress, solution, observer);
+                    let mut step = self.step(&mut solve, load, &leg, &mut progress, solution, observer);
                     step.coarse = estimates.coarse.get(number).copied().flatten();
                     step.increment_error = estimates.increments.get(number).copied().flatten();
                     step.increments = std::mem::take(&mut increments);
@@ -488,7 +502,7 @@ impl MeshHistory<'_> {
         solve: &mut MeshSolve,
         load: ContactLoad,
         leg: &Leg,
-        progress: &Progress,
+        progress: &mut Progress,
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> StepSolution {
@@ -505,6 +519,13 @@ impl MeshHistory<'_> {
             &mut solution.phases,
             observer,
         );
+        if step.patch.is_some() {
+            if step.peak_pressure > progress.peak[0] {
+                progress.peak = [step.peak_pressure, step.peak_position];
+            }
+        } else {
+            step.peak_position = progress.peak[1];
+        }
         // Plastic strain stays as it is where the load begins to fall, so that the stiffness is that of the elastic bodies.
         let elastic = solve.system.linearize(None, &mut solution.phases, observer);
         if elastic.is_ok() {
@@ -516,6 +537,14 @@ impl MeshHistory<'_> {
 }
 
 impl Progress {
+    /// Turns to a load. What points gain while loads fall counts from where the first of them begins to fall.
+    fn begin(&mut self, leg: &Leg) {
+        if leg.falls() && !self.is_falling {
+            self.points.iter_mut().flatten().for_each(|point| point.reverse = 0.0);
+        }
+        self.is_falling = leg.falls();
+    }
+
     /// Displacements at a load on the straight line through the last two increments of a leg.
     fn extrapolated(&self, load: f64, leg: &Leg) -> BlockVector {
         let now = if leg.to.to_bits() == load.to_bits() { leg.to } else { load };
@@ -549,25 +578,27 @@ impl Progress {
             self.scales.displacement.max(solve.system.norm(&solve.outcome.state.response.displacement));
         self.plastic = self.plastic.joined(&solve.yielded_envelope());
         self.whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
-        let strains = solve.fields.iter().map(|field| {
-            field.stress.points.iter().flatten().map(|point| point.equivalent_plastic_strain).collect()
-        });
-        let accumulated: Vec<Vec<f64>> = strains.collect();
-        if self.reverse.is_empty() {
-            self.reverse = accumulated.iter().map(|strains| vec![0.0; strains.len()]).collect();
-        }
-        if leg.falls() {
-            let gained = self.reverse.iter_mut().flatten().zip(accumulated.iter().flatten());
-            for ((reverse, now), before) in gained.zip(self.accumulated.iter().flatten()) {
-                *reverse += now - before;
+        self.points.resize_with(solve.fields.len(), Vec::new);
+        for (field, histories) in solve.fields.iter_mut().zip(&mut self.points) {
+            let points = field.stress.points.as_flattened_mut();
+            histories.resize(points.len(), PointHistory::default());
+            for (point, history) in points.iter_mut().zip(histories) {
+                history.take(point, self.is_falling);
             }
         }
-        self.accumulated = accumulated;
-        for (field, reverse) in solve.fields.iter_mut().zip(&self.reverse) {
-            for (point, reverse) in field.stress.points.iter_mut().flatten().zip(reverse) {
-                point.reverse_plastic_strain = *reverse;
-            }
+    }
+}
+
+impl PointHistory {
+    /// Goes on to the end of an increment, and tells the point what it has been through.
+    fn take(&mut self, point: &mut GaussPoint, is_falling: bool) {
+        if is_falling {
+            self.reverse += point.equivalent_plastic_strain - self.accumulated;
         }
+        self.accumulated = point.equivalent_plastic_strain;
+        self.von_mises = self.von_mises.max(point.largest_von_mises);
+        point.reverse_plastic_strain = self.reverse;
+        point.largest_von_mises = self.von_mises;
     }
 }
 
