@@ -100,7 +100,7 @@ fn step() -> Value {
                 "estimated_error",
                 nullable(
                     "ErrorEstimate",
-                    "Bounds of the relative discretization errors; null where nothing touches.",
+                    "Bounds of the relative discretization errors; null where nothing touches and where the bodies collapse.",
                 ),
             ),
             optional("fields", named("FieldsOfBodies")),
@@ -455,6 +455,7 @@ fn validity_note() -> Value {
         "timed_out",
         "wide_contact",
         "large_strain",
+        "collapse",
         "deformation_theory",
         "contact_at_edge",
         "coarse_mesh",
@@ -474,7 +475,8 @@ fn estimated_error() -> Value {
         [
             field("peak_pressure", figure(Pure, "Of the peak pressure.", 0.000_52)),
             field("half_width", figure(Pure, "Of the half-width.", 0.024)),
-            field("approach", figure(Pure, "Of the approach.", 0.000_94)),
+            field("approach", figure(Pure, "Of the approach; 0 where it is prescribed.", 0.000_94)),
+            field("force", figure(Pure, "Of the contact force; 0 where it is prescribed.", 0.0)),
         ],
     )
 }

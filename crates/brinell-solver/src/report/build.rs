@@ -104,7 +104,9 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
         .then(|| per_body(step, |body| subsurface::profile(body, step.symmetric, step.peak_position, write)));
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
-    let radius = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
+    let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
+    // Of bodies that conform the effective radius is larger than either.
+    let radius = if effective > 0.0 { effective.min(smallest_arc(job)) } else { effective };
     let plasticity = if is_stopped {
         PerBody { upper: None, lower: None }
     } else {
@@ -135,6 +137,16 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
         fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
+}
+
+/// The smallest radius of a cylinder or groove \[mm\]; infinite without one.
+fn smallest_arc(job: &Job) -> f64 {
+    let radius = |body: &Body| match &body.shape {
+        Shape::Cylinder(cylinder) => cylinder.radius.get(),
+        Shape::Groove(groove) => groove.radius().get(),
+        _ => f64::INFINITY,
+    };
+    radius(&job.upper).min(radius(&job.lower))
 }
 
 /// What there is to say of each deformable body; once where one solution stands for both.

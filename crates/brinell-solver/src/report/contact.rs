@@ -68,7 +68,8 @@ fn area(step: &StepSolution, half_width: f64) -> f64 {
 pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
     let force = force(step);
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    let mean = if half_width > 0.0 { force / area(step, half_width) } else { 0.0 };
+    // The half-width is known to half an element; a mean above the peak would be its error.
+    let mean = if half_width > 0.0 { (force / area(step, half_width)).min(step.peak_pressure) } else { 0.0 };
     // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
     let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
     let pairs =

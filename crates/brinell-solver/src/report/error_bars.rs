@@ -3,7 +3,8 @@
 //! ```text
 //! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements
 //! half-width      max(|Δ|, 0.5 h/a)
-//! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a)
+//! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
+//! force           0; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
 //! and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
@@ -18,6 +19,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::solver::StepSolution;
 
@@ -45,15 +47,18 @@ pub struct ErrorEstimate {
     pub peak_pressure: f64,
     /// Of the half-width.
     pub half_width: f64,
-    /// Of the approach.
+    /// Of the approach; 0 where it is prescribed.
     pub approach: f64,
+    /// Of the contact force; 0 where it is prescribed.
+    #[serde(default)]
+    pub force: f64,
 }
 
 /// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
 pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     let coarse = step.coarse?;
     let half_width = step.patch?.half_width();
-    if half_width <= 0.0 {
+    if half_width <= 0.0 || step.has_collapsed {
         return None;
     }
     let size = step.spacing / half_width;
@@ -68,11 +73,23 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     };
     // Half as many increments differ by more than what these are wrong by.
     let increments = step.increment_error.unwrap_or_default();
+    let approach = increments.approach + relative(step.approach, coarse.approach).max(approach_floor);
+    let (approach, force) = match step.load {
+        ContactLoad::Force(_) => (approach, 0.0),
+        ContactLoad::Approach(_) => {
+            // What an error of the approach is on the curve of force over approach.
+            let force = super::contact::force(step);
+            let slope = if force > 0.0 { step.contact_stiffness * step.approach / force } else { 0.0 };
+            let floor = (increments.approach + approach_floor) * slope.max(1.0);
+            (0.0, relative(force, coarse.force).max(floor))
+        }
+    };
     Some(ErrorEstimate {
         peak_pressure: increments.peak_pressure
             + relative(step.peak_pressure, coarse.peak_pressure).max(peak_floor),
         half_width: increments.half_width
             + relative(half_width, coarse.half_width).max(HALF_WIDTH_FLOOR * size),
-        approach: increments.approach + relative(step.approach, coarse.approach).max(approach_floor),
+        approach,
+        force,
     })
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::contact::ContactLoad;
-use crate::job::{HistoryLoad, Job, Load, PositiveF64};
+use crate::job::{Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings};
 use crate::solver::{SolveStatus, StepSolution};
 
 /// One remark on the validity of the answer.
@@ -19,26 +19,24 @@ pub struct ValidityNote {
 const WIDE_CONTACT: f64 = 0.1;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
+/// Plastic strain beyond which that is said more strongly.
+const VERY_LARGE_STRAIN: f64 = 0.2;
 /// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
 /// half-width, so one of 10 elements may turn out to have 9.5.
 const COARSE_MESH: f64 = 9.0;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
-/// The remarks that apply to a step. `effective_radius` is infinite or negative where Hertz's theory has none;
+/// The remarks that apply to a step that was solved with these settings. `radius` is the smaller of the effective one and
+/// those of the arcs, infinite or negative where there is none;
 /// `depths` are those of the deformable bodies \[mm\].
-pub(super) fn notes(
-    job: &Job,
-    step: &StepSolution,
-    effective_radius: f64,
-    depths: &[f64],
-) -> Vec<ValidityNote> {
+pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
     let mut say = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
     match step.status {
         SolveStatus::Converged => {}
         SolveStatus::NotConverged => {
-            say("not_converged", not_converged(step));
+            say("not_converged", not_converged(step, job.solver));
         }
         SolveStatus::Cancelled => {
             say("cancelled", "Stopped on request; the figures are those of the last iteration.".into());
@@ -48,18 +46,36 @@ pub(super) fn notes(
         }
     }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    if effective_radius > 0.0 && half_width > WIDE_CONTACT * effective_radius {
+    if radius > 0.0 && half_width > WIDE_CONTACT * radius {
         say(
             "wide_contact",
             format!(
-                "The half-width is {:.0} % of the effective radius; contact theory with small displacements and \
+                "The half-width is {:.0} % of the radius; contact theory with small displacements and \
                  vertical gaps is meant for up to 10 %.",
-                100.0 * half_width / effective_radius
+                100.0 * half_width / radius
             ),
         );
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
-    if strain > LARGE_STRAIN {
+    if step.has_collapsed {
+        say(
+            "collapse",
+            format!(
+                "Plastic strain reaches {:.0} %: the bodies do not bear this load with small strains. It is at or \
+                 beyond their limit load, and approach and strains are no answer. Reduce the load.",
+                100.0 * strain
+            ),
+        );
+    } else if strain > VERY_LARGE_STRAIN {
+        say(
+            "large_strain",
+            format!(
+                "Plastic strain reaches {:.0} %, far beyond the 5 % that small-strain theory is meant for: the change \
+                 of shape that is left out is no longer small. Use the figures for orientation only.",
+                100.0 * strain
+            ),
+        );
+    } else if strain > LARGE_STRAIN {
         say(
             "large_strain",
             format!(
@@ -137,19 +153,33 @@ fn falls(job: &Job) -> bool {
     }
 }
 
-fn not_converged(step: &StepSolution) -> String {
+fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
     let residual = step.equilibrium_residual;
-    if step.contact_is_sound {
-        format!(
-            "Not converged after {iterations} iterations: forces are off balance by {residual:.1e} of the contact \
-             force. Raise `solver.max_iterations` or use the accelerated coupling."
-        )
-    } else {
+    let is_balanced =
+        step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
+    if !step.contact_is_sound {
         format!(
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
              or load); do not use it."
+        )
+    } else if step.has_collapsed {
+        "There is no answer with small strains; see `collapse`.".into()
+    } else if step.reaches_edge && is_balanced {
+        "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
+    } else {
+        let advice = if settings.coupling != Coupling::Accelerated {
+            "Use the accelerated coupling (`solver.coupling`)."
+        } else if iterations >= settings.max_iterations as usize {
+            "Raise `solver.max_iterations`."
+        } else {
+            "Newton's method, to which the accelerated coupling turns last, came to no end either: do not use the \
+             figures. A smaller load or a little hardening may have an answer."
+        };
+        format!(
+            "Not converged after {iterations} iterations: forces are off balance by {residual:.1e} of the contact \
+             force. {advice}"
         )
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
-use crate::fem::mesh::{ContactZone, Refinement};
+use crate::fem::mesh::{ContactZone, MeshError, Refinement};
 use crate::job::SolverSettings;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::contact_patch::ContactPatch;
@@ -164,6 +164,7 @@ impl MeshSolve {
             peak_pressure: self.system.peak_pressure(&contact.force),
             half_width: self.patch?.half_width(),
             approach: contact.approach,
+            force: self.system.symmetry_factor() as f64 * contact.total_force(),
         })
     }
 
@@ -174,6 +175,7 @@ impl MeshSolve {
             peak_pressure: self.system.peak_pressure(&contact.force),
             half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
             approach: contact.approach,
+            force: self.system.symmetry_factor() as f64 * contact.total_force(),
         }
     }
 
@@ -197,6 +199,9 @@ impl MeshSolve {
 
 /// How much wider the zone becomes when the contact reaches its edge.
 const ENLARGEMENT: f64 = 1.5;
+/// How much narrower it becomes when the rings around it cannot be meshed, and how often.
+const NARROWING: f64 = 0.9;
+const MAX_NARROWINGS: usize = 12;
 /// Enlargements after which the contact is taken to be wider than the body.
 pub(crate) const MAX_ENLARGEMENTS: usize = 12;
 
@@ -215,7 +220,7 @@ pub(crate) fn run(
     let mut request = *request;
     let previous = request.previous;
     let mut available = reusable;
-    let (mut enlargements, mut meshes, mut widenings) = (0, 0, 0);
+    let (mut enlargements, mut meshes, mut widenings, mut narrowings) = (0, 0, 0, 0);
     // Iterations made while a smaller region was searched.
     let mut history = Vec::new();
     loop {
@@ -225,7 +230,15 @@ pub(crate) fn run(
             meshes += 1;
             let MeshSolveRequest { zone, refinement, search_region, cache, .. } = request;
             let design = Design { zone, refinement, search_region, cache };
-            let (system, start) = System::build(problem, design, previous, phases, observer)?;
+            let (system, start) = match System::build(problem, design, previous, phases, observer) {
+                // A contact that reaches the edge of the narrower zone is reported.
+                Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
+                    narrowings += 1;
+                    request.zone = resized(zone, NARROWING);
+                    continue;
+                }
+                built => built?,
+            };
             (system, Vec::new(), start)
         };
         let zone = system.zone;
@@ -268,7 +281,7 @@ pub(crate) fn run(
             available = Some(pass.into_reusable(request.load));
             continue;
         }
-        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS {
+        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS && narrowings == 0 {
             let wider = enlarge(zone);
             if fits(problem, &wider) {
                 enlargements += 1;
@@ -305,8 +318,13 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
 }
 
 pub(crate) fn enlarge(zone: ContactZone) -> ContactZone {
-    let (centre, half) = (zone.centre(), ENLARGEMENT * zone.half_width());
-    let columns = (zone.columns as f64 * ENLARGEMENT).round() as usize;
+    resized(zone, ENLARGEMENT)
+}
+
+/// A zone so many times as wide, with the same elements.
+fn resized(zone: ContactZone, factor: f64) -> ContactZone {
+    let (centre, half) = (zone.centre(), factor * zone.half_width());
+    let columns = (zone.columns as f64 * factor).round() as usize;
     let x_min = if zone.symmetric { 0.0 } else { centre - half };
     ContactZone { x_min, x_max: centre + half, columns, symmetric: zone.symmetric }
 }

@@ -66,6 +66,8 @@ pub struct StepSolution {
     pub contact_is_sound: bool,
     /// Whether the contact still reaches the edge of the candidate zone.
     pub reaches_edge: bool,
+    /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
+    pub has_collapsed: bool,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.
@@ -194,4 +196,6 @@ pub struct CoarseFigures {
     pub half_width: f64,
     /// Approach \[mm\].
     pub approach: f64,
+    /// Contact force of both sides of the axis \[N/mm\].
+    pub force: f64,
 }

@@ -23,6 +23,7 @@ mod point_contact;
 mod problems;
 mod profiles;
 mod punch_ceiling;
+mod random_jobs;
 mod soundness;
 mod stops;
 mod subsurface;

@@ -71,6 +71,9 @@ const RATE_SPAN: usize = 7;
 /// Iterations to go that cost about as much as another linearization.
 const MAX_REMAINING: f64 = 12.0;
 
+/// Out-of-balance force over the contact force from which no iteration comes back.
+const DIVERGED: f64 = 1e8;
+
 /// Work done since the last record.
 #[derive(Debug, Clone, Copy, Default)]
 struct Counts {
@@ -180,6 +183,11 @@ impl<'a> Iteration<'a> {
         self.counts.updates += 1;
     }
 
+    /// Initial-stress updates of all iterations so far.
+    pub fn updates(&self) -> usize {
+        self.history.iter().map(|record| record.initial_stress_updates).sum()
+    }
+
     /// Counts one factorization of every model.
     pub fn count_factorizations(&mut self) {
         self.counts.factorizations += self.system.bodies.len();
@@ -234,7 +242,7 @@ impl<'a> Iteration<'a> {
         // A residual of zero (elastic bodies) cannot change any more.
         if residual <= tolerance && (record.displacement_change <= tolerance || residual == 0.0) {
             Some(SolveStatus::Converged)
-        } else if record.iteration >= self.controls.max_iterations {
+        } else if record.iteration >= self.controls.max_iterations || residual > DIVERGED {
             Some(SolveStatus::NotConverged)
         } else {
             None

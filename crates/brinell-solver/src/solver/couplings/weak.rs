@@ -10,15 +10,17 @@
 //! Engng 1 (1969) 275–277.
 
 use super::Coupling;
-use crate::solver::SolveError;
 use crate::solver::body_system::system::{BlockVector, Response};
 use crate::solver::couplings::anderson::Anderson;
 use crate::solver::couplings::iteration::{Iteration, Outcome, State, norm};
 use crate::solver::phases::Phase;
+use crate::solver::{SolveError, SolveStatus};
 
 const FIRST_FACTOR: f64 = 0.3;
 const SMALLEST_FACTOR: f64 = 0.02;
 const LARGEST_FACTOR: f64 = 1.0;
+/// Initial-stress updates of all alternations at most. Five yield stresses take about 400.
+const MAX_UPDATES: usize = 1500;
 /// Initial-stress updates within one alternation at most.
 const MAX_INNER: usize = 200;
 /// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the alternation.
@@ -57,6 +59,10 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         }
         if let Some(status) = iteration.record(&start, &response, plastic_points, residual_norm) {
             return Ok(iteration.finish(State { response, loads, factors: None }, Some(status)));
+        }
+        if iteration.updates() > MAX_UPDATES {
+            let state = State { response, loads, factors: None };
+            return Ok(iteration.finish(state, Some(SolveStatus::NotConverged)));
         }
         start = response.displacement;
         relaxation.advance(&system.plastic_gap(&loads));

@@ -24,6 +24,9 @@ const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
+/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
+const COLLAPSE_STRAIN: f64 = 1.0;
+
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
 /// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
@@ -41,7 +44,14 @@ pub(crate) fn finish(
         match phases.time_observed(Phase::Solves, observer, |observer| {
             contact_stiffness(system, &outcome.state, *patch, observer)
         }) {
-            Ok(stiffness) => stiffness,
+            // No answer is lost because its slope is not known.
+            Ok(stiffness) => {
+                if stiffness.is_finite() {
+                    stiffness
+                } else {
+                    0.0
+                }
+            }
             Err(interrupt) => {
                 pass.outcome.status = interrupt.into();
                 pass.fields.clear();
@@ -152,8 +162,10 @@ fn final_check(
         check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
     let sound = contact_check.passes(CONTACT_TOLERANCE)
         && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let strain = bodies.iter().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    let has_collapsed = strain > COLLAPSE_STRAIN;
     let status = match outcome.status {
-        SolveStatus::Converged if !sound => SolveStatus::NotConverged,
+        SolveStatus::Converged if !sound || has_collapsed || pass.reaches_edge => SolveStatus::NotConverged,
         status => status,
     };
     let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach);
@@ -177,6 +189,7 @@ fn final_check(
         equilibrium_residual,
         contact_is_sound: contact_check.passes(CONTACT_TOLERANCE),
         reaches_edge: pass.reaches_edge,
+        has_collapsed,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),

@@ -172,6 +172,7 @@ fn differences(
             peak_pressure: relative(before.peak_pressure, now.peak_pressure, peak),
             half_width: relative(before.half_width, now.half_width, width),
             approach: relative(before.approach, now.approach, approach),
+            force: relative(before.force, now.force, largest(|f| f.force)),
         };
         worst = worst.max(errors.peak_pressure).max(errors.approach);
         Some(errors)

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use crate::fem::element::StressState;
+use crate::fem::mesh::ContactZone;
 use crate::job::{ContactMethod, Coupling, Job, PositiveF64, SolverSettings};
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
@@ -32,6 +33,10 @@ const PLASTIC_MARGIN: f64 = 1.1;
 const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for.
 const RESOLUTION_SLACK: f64 = 1.05;
+
+/// By how much a zone that does not fit on the surfaces is narrowed, again and again.
+const NARROWING: f64 = 0.95;
+const MAX_NARROWINGS: usize = 60;
 
 /// Solves load after load.
 pub(crate) struct LoadStepper<'a> {
@@ -176,6 +181,18 @@ impl<'a> LoadStepper<'a> {
         Ok(pass)
     }
 
+    /// A zone for a contact of this size, or as much of it as the surfaces have room for.
+    fn zone(&self, mut extent: ContactSizeEstimate, spacing: f64) -> ContactZone {
+        for _ in 0..MAX_NARROWINGS {
+            let zone = extent.zone(self.problem.is_symmetric(), spacing);
+            if mesh_solve::fits(self.problem, &zone) {
+                return zone;
+            }
+            extent.half_width *= NARROWING;
+        }
+        extent.zone(self.problem.is_symmetric(), spacing)
+    }
+
     pub(super) fn request(
         &self,
         load: ContactLoad,
@@ -190,7 +207,7 @@ impl<'a> LoadStepper<'a> {
         } else {
             PlasticSearchRegion::Within(extent.plastic.scaled(PLASTIC_MARGIN))
         };
-        let zone = extent.zone(self.problem.is_symmetric(), spacing);
+        let zone = self.zone(extent, spacing);
         MeshSolveRequest {
             contact: &ActiveSetSolver,
             zone,
