@@ -56,14 +56,19 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             ),
         );
     }
-    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
     if step.has_collapsed {
         say(
             "collapse",
             format!(
                 "Plastic strain reaches {:.0} %: the bodies do not bear this load with small strains. It is at or \
-                 beyond their limit load, and approach and strains are no answer. Reduce the load.",
-                100.0 * strain
+                 beyond their limit load, and approach and strains are no answer. {}",
+                100.0 * strain,
+                if step.energy.is_some() {
+                    "The history ends here, with the increment that brought it about."
+                } else {
+                    "Reduce the load."
+                }
             ),
         );
     } else if strain > VERY_LARGE_STRAIN {
@@ -168,6 +173,8 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
         "There is no answer with small strains; see `collapse`.".into()
     } else if step.reaches_edge && is_balanced {
         "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
+    } else if step.energy.is_some() && is_balanced {
+        "An increment before it in this history has not converged, and this step inherits its error.".into()
     } else {
         let advice = if settings.coupling != Coupling::Accelerated {
             "Use the accelerated coupling (`solver.coupling`)."

@@ -201,7 +201,7 @@ impl MeshSolve {
 const ENLARGEMENT: f64 = 1.5;
 /// How much narrower it becomes when the rings around it cannot be meshed, and how often.
 const NARROWING: f64 = 0.9;
-const MAX_NARROWINGS: usize = 12;
+pub(crate) const MAX_NARROWINGS: usize = 12;
 /// Enlargements after which the contact is taken to be wider than the body.
 pub(crate) const MAX_ENLARGEMENTS: usize = 12;
 
@@ -234,7 +234,7 @@ pub(crate) fn run(
                 // A contact that reaches the edge of the narrower zone is reported.
                 Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
                     narrowings += 1;
-                    request.zone = resized(zone, NARROWING);
+                    request.zone = narrow(zone);
                     continue;
                 }
                 built => built?,
@@ -319,6 +319,10 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
 
 pub(crate) fn enlarge(zone: ContactZone) -> ContactZone {
     resized(zone, ENLARGEMENT)
+}
+
+pub(crate) fn narrow(zone: ContactZone) -> ContactZone {
+    resized(zone, NARROWING)
 }
 
 /// A zone so many times as wide, with the same elements.

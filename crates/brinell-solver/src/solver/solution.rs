@@ -181,6 +181,13 @@ impl BodySolution {
         strains.fold(0.0, f64::max)
     }
 
+    /// Largest strain at a Gauss point to which small-strain theory is held: the equivalent plastic one or, where that adds up
+    /// over a history of loads, the equivalent strain if it is less.
+    pub fn max_strain(&self) -> f64 {
+        let accumulates = self.model.has_memory();
+        self.stress.points.iter().flatten().map(|point| point.strain(accumulates)).fold(0.0, f64::max)
+    }
+
     /// Depth of the lowest node below the contact \[mm\].
     pub fn depth(&self) -> f64 {
         -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)

@@ -264,3 +264,23 @@ fn a_dent_unloads_by_the_slope_of_a_flat_punch() {
         assert_within(step.flow.as_ref().unwrap().unloading_stiffness, slope, 5e-3);
     }
 }
+
+/// A punch at half of what the body bears, without load, and beyond it: the answers of the first two loads are kept, and the
+/// history ends with the collapse.
+#[test]
+fn a_history_ends_where_a_body_collapses() {
+    let text = include_str!("../cases/flat_punch_beyond_its_limit.json");
+    let mut job: serde_json::Value = serde_json::from_str(text).unwrap();
+    let limit = job["load"]["force"].as_f64().unwrap();
+    let loads = [0.5 * limit, 0.0, limit, 0.0].map(|force| serde_json::json!({"force": force}));
+    job["load"] = serde_json::json!({"history": loads});
+    job["solver"] = serde_json::json!({"theory": "flow"});
+    job["mesh"] = serde_json::json!({"elements_per_half_width": 8});
+    let report = report(&Job::from_json(job.to_string().as_bytes()).unwrap());
+    let status: Vec<_> = report.steps.iter().map(|step| step.status).collect();
+    assert_eq!(status, [SolveStatus::Converged, SolveStatus::Converged, SolveStatus::NotConverged]);
+    let says = |code: &str| report.steps[2].validity.iter().any(|note| note.code == code);
+    assert!(says("collapse") && says("not_converged"));
+    let iterations: usize = report.steps.iter().map(|step| step.history.len()).sum();
+    assert!(iterations <= 300, "{iterations} iterations");
+}

@@ -18,6 +18,8 @@ pub struct GaussPoint {
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
     pub equivalent_plastic_strain: f64,
+    /// Equivalent strain `√(2/3 e:e)` of the total strain, in plane stress as if its volume were kept.
+    pub equivalent_strain: f64,
     /// Secant shear modulus G_s \[MPa\].
     pub secant_shear: f64,
     /// Whether the point is beyond yield.
@@ -33,6 +35,16 @@ pub struct GaussPoint {
 }
 
 impl GaussPoint {
+    /// The strain that decides whether strains are small: the equivalent plastic one or, where that accumulates over a history
+    /// of loads, the equivalent strain if it is less.
+    pub fn strain(&self, accumulates: bool) -> f64 {
+        if accumulates {
+            self.equivalent_plastic_strain.min(self.equivalent_strain)
+        } else {
+            self.equivalent_plastic_strain
+        }
+    }
+
     /// The mean over an element, weighted by volume, at the centroid of the points; it stands for the whole element and
     /// has yielded if one of its points has.
     pub fn mean(points: &[Self; QUADRATURE_POINTS]) -> Self {
@@ -46,6 +58,7 @@ impl GaussPoint {
             area: points.iter().map(|point| point.area).sum(),
             stress: std::array::from_fn(|k| mean(&|point| point.stress[k])),
             equivalent_plastic_strain: mean(&|point| point.equivalent_plastic_strain),
+            equivalent_strain: mean(&|point| point.equivalent_strain),
             secant_shear: mean(&|point| point.secant_shear),
             yielded: points.iter().any(|point| point.yielded),
             reverse_plastic_strain: mean(&|point| point.reverse_plastic_strain),
@@ -89,7 +102,8 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
             let mut points = [GaussPoint::default(); QUADRATURE_POINTS];
             let mut stress = [[0.0; QUADRATURE_POINTS]; 4];
             for (g, point) in points.iter_mut().enumerate() {
-                let (response, _) = model.update(strain.map(|component| component[g]), &states[g]);
+                let at_point = strain.map(|component| component[g]);
+                let (response, _) = model.update(at_point, &states[g]);
                 for (component, value) in stress.iter_mut().zip(response.stress) {
                     component[g] = value;
                 }
@@ -99,6 +113,7 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
                     area: quad.area(&corners, g),
                     stress: response.stress,
                     equivalent_plastic_strain: response.equivalent_plastic_strain,
+                    equivalent_strain: equivalent(at_point, model.out_of_plane()),
                     secant_shear: response.secant_shear,
                     yielded: response.yielded,
                     reverse_plastic_strain: 0.0,
@@ -115,6 +130,14 @@ pub(super) fn evaluate<M: ConstitutiveModel>(
         }
     });
     field
+}
+
+/// `√(2/3 e:e)` of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`.
+fn equivalent([xx, yy, zz, shear]: [f64; 4], out_of_plane: OutOfPlane) -> f64 {
+    let zz = if out_of_plane == OutOfPlane::Strained { zz } else { -(xx + yy) };
+    let mean = (xx + yy + zz) / 3.0;
+    let squares = (xx - mean).powi(2) + (yy - mean).powi(2) + (zz - mean).powi(2) + 0.5 * shear * shear;
+    (squares / 1.5).sqrt()
 }
 
 impl StressField {

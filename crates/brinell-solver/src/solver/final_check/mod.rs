@@ -27,6 +27,15 @@ const RESIDUAL_FLOOR: f64 = 1e-9;
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
 const COLLAPSE_STRAIN: f64 = 1.0;
 
+/// Whether strains have outgrown the theory of small strains.
+pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
+    let mut bodies = pass.system.bodies.iter().zip(&pass.fields);
+    bodies.any(|(body, field)| {
+        let accumulates = body.model.has_memory();
+        field.stress.points.iter().flatten().any(|point| point.strain(accumulates) > COLLAPSE_STRAIN)
+    })
+}
+
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
 /// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
@@ -162,8 +171,7 @@ fn final_check(
         check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
     let sound = contact_check.passes(CONTACT_TOLERANCE)
         && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
-    let strain = bodies.iter().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
-    let has_collapsed = strain > COLLAPSE_STRAIN;
+    let has_collapsed = bodies.iter().any(|body| body.max_strain() > COLLAPSE_STRAIN);
     let status = match outcome.status {
         SolveStatus::Converged if !sound || has_collapsed || pass.reaches_edge => SolveStatus::NotConverged,
         status => status,

@@ -10,6 +10,8 @@
 //! ```
 //!
 //! One mesh serves for all of a history, because states are never carried from one mesh to another.
+//!
+//! A history ends with the increment under which a body collapses: what is reported of its load is that increment.
 
 use std::sync::Arc;
 
@@ -17,7 +19,7 @@ use super::increments::{Division, Leg, exponent};
 use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
-use crate::fem::mesh::{ContactZone, Mesh};
+use crate::fem::mesh::{ContactZone, Mesh, MeshError};
 use crate::job::Job;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
@@ -25,7 +27,9 @@ use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::couplings::iteration::{InitialState, Scales, norm};
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
-use crate::solver::mesh_solve::{self, MAX_ENLARGEMENTS, MeshSolve, MeshSolveRequest, WIDENING};
+use crate::solver::mesh_solve::{
+    self, MAX_ENLARGEMENTS, MAX_NARROWINGS, MeshSolve, MeshSolveRequest, WIDENING,
+};
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
@@ -118,6 +122,8 @@ struct Found {
     path: Path,
     /// At the end of each load.
     figures: Vec<Option<CoarseFigures>>,
+    /// Whether a body collapsed, so that the loads after `figures` were not applied.
+    has_collapsed: bool,
 }
 
 /// Halves the increments on the coarse mesh until that no longer changes the figures at the ends of the loads.
@@ -137,6 +143,12 @@ fn choose_increments(
         let run = MeshHistory { request, mesh, size, division, guide };
         let now = run.solve(None, solution, observer)?;
         mesh.zone = now.mesh;
+        // Finer increments do not help a body that does not bear the load.
+        if now.has_collapsed {
+            let errors = last.map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
+            let division = request.increments.map_or(division, Division::Fixed);
+            return Ok((now, division, errors));
+        }
         if let Some(before) = last {
             let (errors, worst) = differences(&before.figures, &now.figures);
             match division {
@@ -278,19 +290,33 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> Result<Found, SolveError> {
         let mut mesh = self.mesh;
-        let mut enlargements = 0;
+        let (mut enlargements, mut narrowings) = (0, 0);
         loop {
-            solution.passes += 1;
             let steps = solution.steps.len();
             let run = MeshHistory { mesh, ..*self };
-            if let Some(mut found) = run.solve_on_zone(estimates, enlargements, solution, observer)? {
-                found.mesh = mesh.zone;
-                return Ok(found);
-            }
             let wider = mesh_solve::enlarge(mesh.zone);
-            solution.steps.truncate(steps);
-            mesh.zone = wider;
-            enlargements += 1;
+            let can_enlarge = narrowings == 0
+                && enlargements < MAX_ENLARGEMENTS
+                && mesh_solve::fits(self.request.problem, &wider);
+            match run.solve_on_zone(estimates, enlargements, can_enlarge, solution, observer) {
+                Ok(Some(mut found)) => {
+                    solution.passes += 1;
+                    found.mesh = mesh.zone;
+                    return Ok(found);
+                }
+                Ok(None) => {
+                    solution.passes += 1;
+                    solution.steps.truncate(steps);
+                    mesh.zone = wider;
+                    enlargements += 1;
+                }
+                // A contact that reaches the edge of the narrower zone is reported.
+                Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
+                    mesh.zone = mesh_solve::narrow(mesh.zone);
+                    narrowings += 1;
+                }
+                Err(error) => return Err(error),
+            }
         }
     }
 
@@ -299,6 +325,7 @@ impl MeshHistory<'_> {
         &self,
         estimates: Option<&Estimates<'_>>,
         enlargements: usize,
+        can_enlarge: bool,
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<Option<Found>, SolveError> {
@@ -320,6 +347,7 @@ impl MeshHistory<'_> {
                 points: Vec::new(),
             },
             figures: Vec::new(),
+            has_collapsed: false,
         };
         let mut progress = Progress {
             accepted: system.zeros(),
@@ -335,15 +363,14 @@ impl MeshHistory<'_> {
             peak: [0.0; 2],
             points: Vec::new(),
         };
-        let can_enlarge =
-            enlargements < MAX_ENLARGEMENTS && mesh_solve::fits(problem, &mesh_solve::enlarge(zone));
         let mut widest = 0.0;
+        // Of all loads so far: what follows an increment that has not converged inherits its error.
+        let mut status = SolveStatus::Converged;
         for (number, &load) in self.request.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
             progress.begin(&leg);
             let ends = leg.ends(self.division);
             let (count, mut history, mut increments) = (ends.len(), Vec::new(), Vec::new());
-            let mut status = SolveStatus::Converged;
             for (k, &end) in ends.iter().enumerate() {
                 let range = leg.to - leg.from;
                 let part = if range.abs() > 0.0 { (end - leg.from) / range } else { 1.0 };
@@ -367,7 +394,8 @@ impl MeshHistory<'_> {
                     found.size = self.size.found_by(&solve);
                 }
                 found.size.plastic = progress.plastic;
-                let is_end = k + 1 == count || solve.outcome.status.is_stopped();
+                found.has_collapsed = final_check::has_collapsed(&solve);
+                let is_end = k + 1 == count || solve.outcome.status.is_stopped() || found.has_collapsed;
                 let displacement = std::mem::take(&mut solve.outcome.state.response.displacement);
                 if estimates.is_none() {
                     let nodal = solve.fields.iter().map(|field| field.nodal.clone()).collect();
@@ -380,7 +408,8 @@ impl MeshHistory<'_> {
                 if let (true, Some(estimates)) = (is_end, estimates) {
                     solve.outcome.history = std::mem::take(&mut history);
                     solve.outcome.status = status;
-                    let mut step = self.step(&mut solve, load, &leg, &mut progress, solution, observer);
+                    let mut step = self.step(&mut solve, target, &mut progress, solution, observer);
+                    step.load = load;
                     step.coarse = estimates.coarse.get(number).copied().flatten();
                     step.increment_error = estimates.increments.get(number).copied().flatten();
                     step.increments = std::mem::take(&mut increments);
@@ -389,6 +418,9 @@ impl MeshHistory<'_> {
                     if is_stopped {
                         return Ok(Some(found));
                     }
+                }
+                if found.has_collapsed {
+                    return Ok(Some(found));
                 }
                 solve.system.commit(&solve.outcome.state.response.displacement);
                 progress.accepted = solve.outcome.state.response.displacement;
@@ -497,21 +529,16 @@ impl MeshHistory<'_> {
         }
     }
 
-    /// The end of a load as a step of the solution.
+    /// The end of a load, or of what the bodies bear of it, as a step of the solution.
     fn step(
         &self,
         solve: &mut MeshSolve,
         load: ContactLoad,
-        leg: &Leg,
         progress: &mut Progress,
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
-        let load = match load {
-            ContactLoad::Force(_) => ContactLoad::Force(leg.to),
-            ContactLoad::Approach(_) => ContactLoad::Approach(leg.to),
-        };
         let mut step = final_check::finish(
             solve,
             load,
@@ -548,13 +575,12 @@ impl Progress {
 
     /// Displacements at a load on the straight line through the last two increments of a leg.
     fn extrapolated(&self, load: f64, leg: &Leg) -> BlockVector {
-        let now = if leg.to.to_bits() == load.to_bits() { leg.to } else { load };
         let Some((before, at)) = &self.before else { return self.accepted.clone() };
         let last = self.reached_measure(leg);
         if last - at <= f64::EPSILON * last.abs() || before.len() != self.accepted.len() {
             return self.accepted.clone();
         }
-        let part = ((now - last) / (last - at)).clamp(0.0, 1.5);
+        let part = ((load - last) / (last - at)).clamp(0.0, 1.5);
         let lines = before.iter().zip(&self.accepted);
         lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
     }
