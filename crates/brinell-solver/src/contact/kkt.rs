@@ -5,6 +5,10 @@
 
 use super::{ContactLoad, ContactProblem};
 
+/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
+/// a converged state may have. Rounding leaves about 1e-12.
+const SOUND: f64 = 1e-8;
+
 /// How far forces and approach are from satisfying the contact conditions; every figure is dimensionless.
 ///
 /// Scales: `R° = max |R_k|` for forces and `u° = max |(F R)_k|`, the elastic displacement they cause, for gaps.
@@ -25,6 +29,11 @@ impl KktReport {
     /// The largest of the four; NaN if any of them is NaN.
     pub fn worst(&self) -> f64 {
         [self.penetration, self.tension, self.complementarity, self.equilibrium].into_iter().fold(0.0, worse)
+    }
+
+    /// Whether they are as small as in a state that counts as converged.
+    pub fn is_sound(&self) -> bool {
+        self.passes(SOUND)
     }
 
     /// Whether all four stay within `tolerance`. NaN never passes.

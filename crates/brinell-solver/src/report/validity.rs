@@ -57,37 +57,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
-    if step.has_collapsed {
-        say(
-            "collapse",
-            format!(
-                "Plastic strain reaches {:.0} %: the bodies do not bear this load with small strains. It is at or \
-                 beyond their limit load, and approach and strains are no answer. {}",
-                100.0 * strain,
-                if step.energy.is_some() {
-                    "The history ends here, with the increment that brought it about."
-                } else {
-                    "Reduce the load."
-                }
-            ),
-        );
-    } else if strain > VERY_LARGE_STRAIN {
-        say(
-            "large_strain",
-            format!(
-                "Plastic strain reaches {:.0} %, far beyond the 5 % that small-strain theory is meant for: the change \
-                 of shape that is left out is no longer small. Use the figures for orientation only.",
-                100.0 * strain
-            ),
-        );
-    } else if strain > LARGE_STRAIN {
-        say(
-            "large_strain",
-            format!(
-                "Plastic strain reaches {:.1} %; small-strain theory is meant for up to 5 %.",
-                100.0 * strain
-            ),
-        );
+    if let Some((code, message)) = strain_remark(step, strain) {
+        say(code, message);
     }
     if strain > 0.0 && step.energy.is_none() {
         say(
@@ -144,6 +115,34 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     notes
 }
 
+/// What is said of strains that are not small.
+fn strain_remark(step: &StepSolution, strain: f64) -> Option<(&'static str, String)> {
+    let percent = 100.0 * strain;
+    if step.has_collapsed {
+        let advice = if step.energy.is_some() {
+            "The history ends here, with the increment that brought it about."
+        } else {
+            "Reduce the load."
+        };
+        let message = format!(
+            "Plastic strain reaches {percent:.0} %: the bodies do not bear this load with small strains. It is at or \
+             beyond their limit load, and approach and strains are no answer. {advice}"
+        );
+        return Some(("collapse", message));
+    }
+    let message = if strain > VERY_LARGE_STRAIN {
+        format!(
+            "Plastic strain reaches {percent:.0} %, far beyond the 5 % that small-strain theory is meant for: the \
+             change of shape that is left out is no longer small. Use the figures for orientation only."
+        )
+    } else if strain > LARGE_STRAIN {
+        format!("Plastic strain reaches {percent:.1} %; small-strain theory is meant for up to 5 %.")
+    } else {
+        return None;
+    };
+    Some(("large_strain", message))
+}
+
 /// Whether the loads of a job ever fall.
 fn falls(job: &Job) -> bool {
     let falls = |loads: &[PositiveF64]| loads.windows(2).any(|pair| pair[1] < pair[0]);
@@ -164,7 +163,7 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
     let residual = step.equilibrium_residual;
     let is_balanced =
         step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
-    if !step.contact_is_sound {
+    if !step.contact_check.is_sound() {
         format!(
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
              or load); do not use it."

@@ -62,8 +62,6 @@ pub struct StepSolution {
     pub contact_check: KktReport,
     /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
     pub equilibrium_residual: f64,
-    /// Whether those conditions hold.
-    pub contact_is_sound: bool,
     /// Whether the contact still reaches the edge of the candidate zone.
     pub reaches_edge: bool,
     /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.

@@ -13,12 +13,16 @@ use serde_json::{Value, json};
 struct Random(u64);
 
 impl Random {
-    fn unit(&mut self) -> f64 {
+    fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+        z ^ (z >> 31)
+    }
+
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -30,8 +34,8 @@ impl Random {
     }
 
     fn one_of<T: Clone>(&mut self, choices: &[T]) -> T {
-        let k = (self.unit() * choices.len() as f64) as usize;
-        choices[k.min(choices.len() - 1)].clone()
+        let count = choices.len() as u64;
+        choices[usize::try_from(self.bits() % count).unwrap_or_default()].clone()
     }
 }
 

@@ -57,7 +57,7 @@ fn status_with(contact: &dyn ContactSolver, elastic: bool) -> (SolveStatus, bool
     };
     let options = Options { contact_solver: Some(contact), ..Options::default() };
     let step = &solve_with(&job, options).steps[0];
-    (step.status, step.contact_is_sound)
+    (step.status, step.contact_check.is_sound())
 }
 
 #[test]
@@ -97,5 +97,5 @@ fn too_few_iterations_are_not_convergence() {
     let solution = solve_with(&job, Options::default());
     assert_eq!(solution.steps[0].status, SolveStatus::NotConverged);
     assert_eq!(solution.steps[0].history.len(), 5);
-    assert!(solution.steps[0].contact_is_sound, "the contact of an unfinished state is still exact");
+    assert!(solution.steps[0].contact_check.is_sound(), "the contact of an unfinished state is still exact");
 }

@@ -16,9 +16,6 @@ use crate::solver::observer::{Observer, SolveStatus};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
 
-/// Largest violation of the contact conditions, relative to the forces and displacements of the contact, that
-/// a converged state may have. Rounding leaves about 1e-12.
-const CONTACT_TOLERANCE: f64 = 1e-8;
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
 const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
@@ -169,8 +166,8 @@ fn final_check(
     let contact = &outcome.state.response.contact;
     let contact_check =
         check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
-    let sound = contact_check.passes(CONTACT_TOLERANCE)
-        && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let sound =
+        contact_check.is_sound() && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
     let has_collapsed = bodies.iter().any(|body| body.max_strain() > COLLAPSE_STRAIN);
     let status = match outcome.status {
         SolveStatus::Converged if !sound || has_collapsed || pass.reaches_edge => SolveStatus::NotConverged,
@@ -195,7 +192,6 @@ fn final_check(
         history: outcome.history.clone(),
         contact_check,
         equilibrium_residual,
-        contact_is_sound: contact_check.passes(CONTACT_TOLERANCE),
         reaches_edge: pass.reaches_edge,
         has_collapsed,
         enlargements: pass.enlargements,
