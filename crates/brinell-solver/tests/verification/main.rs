@@ -29,4 +29,5 @@ mod stops;
 mod subsurface;
 mod sweeps;
 mod thick_cylinder;
+mod trial_model;
 mod yield_onset;
