@@ -5,6 +5,7 @@
 //! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
 
 mod attempt;
+mod message;
 mod observer;
 mod pool;
 mod running;

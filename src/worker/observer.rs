@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use tokio::sync::mpsc::UnboundedSender;
 
-use super::supervise::Message;
+use super::message::Message;
 use crate::jobs::{IterationRecord, encode};
 use brinell_solver::solver::{Interrupt, Observer};
 

@@ -8,6 +8,7 @@ use tokio::time::{Instant, sleep, sleep_until};
 
 use super::WorkerState;
 use super::attempt::attempt;
+use super::message::Message;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
 use crate::jobs::{
@@ -39,15 +40,6 @@ const RETRIES: [Duration; 8] = [
     Duration::from_secs(5),
     Duration::from_secs(5),
 ];
-
-/// What a solver thread tells its supervisor; `Done` is the last word. Iterations are bounded by the job's own
-/// limit, so the channel need not be.
-pub(super) enum Message {
-    /// Iterations were made.
-    Iterations(Vec<IterationRecord>),
-    /// The solve has ended, after these last iterations.
-    Done(Vec<IterationRecord>, Outcome),
-}
 
 /// What comes from a solver thread.
 struct SolveChannels {

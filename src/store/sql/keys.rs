@@ -1,14 +1,10 @@
 //! Statements about API keys.
 
-use async_trait::async_trait;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::SqlStore;
-use super::backend::Backend;
-use super::backend::Durability::Synced;
 use super::codec::{damaged, time};
-use crate::jobs::{ApiKey, KeyId, KeyStore, Scope, StoreError};
+use crate::jobs::{ApiKey, KeyId, Scope, StoreError};
 
 const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at) VALUES ($1, $2, $3, $4, $5)";
 const ALL: &str = "SELECT id, name, scope, digest, created_at, revoked_at FROM api_keys ORDER BY id";
@@ -69,23 +65,3 @@ macro_rules! keys {
 
 keys!(Sqlite, SqliteConnection);
 keys!(Postgres, PgConnection);
-
-#[async_trait]
-impl<B: Backend> KeyStore for SqlStore<B> {
-    async fn add_key(&self, key: ApiKey) -> Result<(), StoreError> {
-        let (mut transaction, _) = self.backend.write().await?;
-        Keys::add_key(&mut *transaction, key).await?;
-        self.commit(transaction, Synced, &[]).await
-    }
-
-    async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
-        Keys::keys(&mut *self.backend.read().await?, id).await
-    }
-
-    async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError> {
-        let (mut transaction, now) = self.backend.write().await?;
-        let revoked = Keys::revoke_key(&mut *transaction, id, now).await?;
-        self.commit(transaction, Synced, &[]).await?;
-        Ok(revoked)
-    }
-}

@@ -7,6 +7,7 @@ mod backend;
 mod claiming;
 mod codec;
 mod intake;
+mod key_store;
 mod keys;
 mod leasing;
 mod reading;

@@ -1,6 +1,5 @@
 //! The report of a solution.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use super::units::UnitConverter;
@@ -100,8 +99,9 @@ fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
 fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepReport {
     // Who stops a job wants its core back, not its stresses.
     let is_stopped = step.status.is_stopped();
-    let subsurface = (job.output.subsurface && !is_stopped)
-        .then(|| per_body(step, |body| subsurface::profile(body, step.symmetric, step.peak_position, write)));
+    let subsurface = (job.output.subsurface && !is_stopped).then(|| {
+        PerBody::of(step, |body| subsurface::profile(body, step.symmetric, step.peak_position, write))
+    });
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
@@ -110,7 +110,7 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
     let plasticity = if is_stopped {
         PerBody { upper: None, lower: None }
     } else {
-        per_body(step, |solution| plasticity_report(solution, step.symmetric, write))
+        PerBody::of(step, |solution| plasticity_report(solution, step.symmetric, write))
     };
     StepReport {
         load: match step.load {
@@ -147,21 +147,6 @@ fn smallest_arc(job: &Job) -> f64 {
         _ => f64::INFINITY,
     };
     radius(&job.upper).min(radius(&job.lower))
-}
-
-/// What there is to say of each deformable body; once where one solution stands for both.
-pub(super) fn per_body<T: Clone>(
-    step: &StepSolution,
-    say: impl Fn(&BodySolution) -> T,
-) -> PerBody<Option<T>> {
-    let [upper, lower] = &step.bodies;
-    let of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body));
-    let of_upper = of(upper);
-    let of_lower = match (upper, lower) {
-        (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
-        _ => of(lower),
-    };
-    PerBody { upper: of_upper, lower: of_lower }
 }
 
 fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {

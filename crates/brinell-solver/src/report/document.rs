@@ -4,13 +4,14 @@
 //! `z` out of the plane; stresses are tensile positive, pressures compressive positive.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::{
     ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, ValidityNote, YieldOnsetReport,
 };
-use crate::solver::{IterationRecord, SolveStatus};
+use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
 /// The answer to a job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -94,6 +95,20 @@ pub struct PerBody<T> {
     pub upper: T,
     /// Of the lower body.
     pub lower: T,
+}
+
+impl<T: Clone> PerBody<Option<T>> {
+    /// What there is to say of each deformable body; said once where one solution stands for both.
+    pub(super) fn of(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> Self {
+        let [upper, lower] = &step.bodies;
+        let of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body));
+        let of_upper = of(upper);
+        let of_lower = match (upper, lower) {
+            (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
+            _ => of(lower),
+        };
+        Self { upper: of_upper, lower: of_lower }
+    }
 }
 
 /// Stresses along the normal under the peak pressure.

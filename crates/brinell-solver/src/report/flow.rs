@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::PerBody;
-use super::build::per_body;
 use super::units::UnitConverter;
 use crate::solver::{BodySolution, StepSolution};
 
@@ -99,7 +98,7 @@ pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowRepo
         surfaces: if step.status.is_stopped() {
             PerBody { upper: None, lower: None }
         } else {
-            per_body(step, |body| surface(body, step.symmetric, write))
+            PerBody::of(step, |body| surface(body, step.symmetric, write))
         },
     })
 }
