@@ -48,19 +48,21 @@ demo:
 serve:
     cargo run --release -- serve
 
-# api/openapi.json anew
-openapi:
-    cargo run -- openapi -o api/openapi.json
+# What is written from the program anew: api/openapi.json, web/setup/tables.js, web/types.js
+generate:
+    BRINELL_WRITE=1 cargo test --test openapi
 
 # Generated requests against the OpenAPI document
 schemathesis:
     cargo build
     scripts/schemathesis.sh
 
-# A Python client generated from the OpenAPI document solves a job
-python-client:
+# Clients generated from the OpenAPI document, type-checked and used
+clients:
     cargo build
-    scripts/python_client/run.sh
+    npm --prefix clients ci --no-audit --no-fund
+    npm --prefix clients run lint
+    clients/run.sh
 
 # The files in deploy/, against their schemas
 deploy-check:

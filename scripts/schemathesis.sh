@@ -10,6 +10,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 brinell=${1:-target/debug/brinell}
 examples=${2:-50}
+# A fresh seed each run; name one to repeat a run.
+seed=${SEED:-$RANDOM$RANDOM}
+echo "schemathesis seed $seed (SEED=$seed repeats this run)"
 
 venv=target/schemathesis
 [ -x "$venv/bin/schemathesis" ] || python3 -m venv "$venv"
@@ -25,7 +28,7 @@ url=${line##* }
 
 # Jobs can be at fault in ways that a schema cannot say (a groove wider than its circle), and are then refused with
 # 422: so "valid" data may be refused, and the check that it is not is left out.
-"$venv/bin/schemathesis" run "$url/openapi.json" --phases examples,coverage,fuzzing,stateful \
+"$venv/bin/schemathesis" --config-file scripts/schemathesis.toml run "$url/openapi.json" --phases examples,coverage,fuzzing,stateful \
     --checks not_a_server_error,status_code_conformance,content_type_conformance,response_headers_conformance,response_schema_conformance,negative_data_rejection,use_after_free \
-    --max-examples "$examples" --seed 1 --continue-on-failure --request-timeout 30 --warnings off
+    --max-examples "$examples" --seed "$seed" --continue-on-failure --request-timeout 30 --warnings off
 curl --fail --silent --show-error "$url/readyz"

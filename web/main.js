@@ -1,6 +1,6 @@
 /** Puts the page together. */
 
-import { Problem, ask, post } from './api/client.js';
+import { Problem, ask, faultsOf, post } from './api/client.js';
 import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
@@ -69,7 +69,7 @@ const watch = new Watch({
   },
   ended: (document) => {
     list.refresh();
-    const errors = document.error?.errors ?? [];
+    const errors = faultsOf(document.error ?? {});
     if (errors.length) form.showError(errors);
     if (!first) nothing(document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '');
   },

@@ -39,7 +39,7 @@ pub(super) struct DemoArgs {
 }
 
 #[derive(Debug, Deserialize)]
-struct Receipt {
+struct Submitted {
     id: JobId,
     links: Links,
 }
@@ -48,7 +48,6 @@ struct Receipt {
 struct Links {
     #[serde(rename = "self")]
     job: String,
-    result: String,
 }
 
 #[derive(Debug, Deserialize)]
@@ -91,11 +90,11 @@ async fn show_a_job(client: Client) -> Result<(JobId, Report), Fault> {
     let style = Style::of_stdout();
     let job = Job::from_json(EXAMPLE).map_err(|error| Fault::of_job("the example", error))?;
     say(&format!("POST http://{}/v1/jobs (api/examples/two_cylinders.json)\n", client.address))?;
-    let receipt: Receipt = client.post("/v1/jobs", Bytes::from_static(EXAMPLE)).await?;
-    say(&format!("202 {}\n", receipt.links.job))?;
+    let submitted: Submitted = client.post("/v1/jobs", Bytes::from_static(EXAMPLE)).await?;
+    say(&format!("202 {}\n", submitted.links.job))?;
     let mut progress = ProgressLine::impatient();
     let state = loop {
-        let job: Status = client.get(&format!("{}?wait=0.05", receipt.links.job)).await?;
+        let job: Status = client.get(&format!("{}?wait=0.05", submitted.links.job)).await?;
         if let Some(record) = &job.progress.latest {
             progress.show(record);
         }
@@ -104,10 +103,11 @@ async fn show_a_job(client: Client) -> Result<(JobId, Report), Fault> {
         }
     };
     drop(progress);
-    say(&format!("GET {}\n200 {state}\n\n", receipt.links.result))?;
-    let report: Report = client.get(&receipt.links.result).await?;
+    let address = format!("{}/result", submitted.links.job);
+    say(&format!("GET {address}\n200 {state}\n\n"))?;
+    let report: Report = client.get(&address).await?;
     say(&table(&job, &report, style))?;
-    Ok((receipt.id, report))
+    Ok((submitted.id, report))
 }
 
 fn farewell(client: Client, job: JobId, serves_on: bool) -> String {

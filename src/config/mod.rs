@@ -8,11 +8,13 @@ mod work;
 use std::net::SocketAddr;
 use std::time::Duration;
 
+use axum::http::HeaderValue;
+
 use clap::Args;
 
 use crate::http::{Capacity, ConnectionTimeouts, HttpSettings};
 use crate::jobs::SubmissionLimits;
-use parse::{rate, seconds};
+use parse::{origin, rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
 
@@ -75,6 +77,10 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
     pub allow_anonymous: bool,
 
+    /// Origin whose pages may ask this service, e.g. https://design.example; `*` is every origin. May be repeated
+    #[arg(long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',', value_parser = origin)]
+    pub cors_origin: Vec<HeaderValue>,
+
     #[command(flatten)]
     /// Where metrics are shown.
     pub metrics: MetricsConfig,
@@ -105,6 +111,7 @@ impl Default for ServeConfig {
             rate_limit: None,
             require_api_key: false,
             allow_anonymous: false,
+            cors_origin: Vec::new(),
             metrics: MetricsConfig::default(),
             storage: StorageConfig::default(),
             work: WorkConfig::default(),
@@ -137,6 +144,8 @@ impl ServeConfig {
             event_streams: self.max_event_streams,
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,
+            cors_origins: self.cors_origin.clone(),
+            retention: self.storage.retention(),
             capacity: Capacity {
                 solvers: if self.no_workers { 0 } else { self.work.slots() },
                 memory_bytes: if self.no_workers { 0 } else { self.work.memory() },

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use axum::http::{HeaderValue, Uri};
+
 /// Reads a positive number of seconds, fractions allowed, up to about three years.
 pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     time(text, 1.0, "seconds")
@@ -17,6 +19,20 @@ pub(super) fn rate(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();
     let message = "must be a number greater than 0 and at most 1000000";
     value.filter(|value| *value > 0.0 && *value <= 1e6).ok_or_else(|| message.to_owned())
+}
+
+/// Reads an origin, `https://design.example` or `https://design.example:8443`, or `*`.
+pub(super) fn origin(text: &str) -> Result<HeaderValue, String> {
+    let is_origin = text == "*"
+        || text.parse::<Uri>().is_ok_and(|uri| {
+            let scheme = uri.scheme_str();
+            matches!(scheme, Some("http" | "https"))
+                && uri.path() == "/"
+                && uri.query().is_none()
+                && !text.ends_with('/')
+        });
+    let message = || "must be scheme://host or scheme://host:port, without a path, or *".to_owned();
+    if is_origin { HeaderValue::try_from(text).map_err(|_| message()) } else { Err(message()) }
 }
 
 fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
@@ -39,6 +55,18 @@ mod tests {
         for text in ["0", "-1", "NaN", "inf", "soon", "1e9"] {
             assert!(seconds(text).is_err(), "{text}");
             assert!(hours(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn an_origin_has_no_path() {
+        for text in ["*", "https://design.example", "http://localhost:3000"] {
+            assert!(origin(text).is_ok(), "{text}");
+        }
+        for text in
+            ["", "design.example", "https://design.example/", "https://design.example/app", "ftp://a.example"]
+        {
+            assert!(origin(text).is_err(), "{text}");
         }
     }
 }

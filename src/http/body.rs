@@ -105,7 +105,7 @@ async fn discard(mut body: Body) {
 
 fn too_large(limit: usize) -> Problem {
     Problem::new(ProblemType::BodyTooLarge, format!("the body may have {limit} bytes at most"))
-        .with("limit_bytes", limit)
+        .with_limit(limit as u64)
 }
 
 #[cfg(test)]

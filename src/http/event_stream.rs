@@ -2,16 +2,15 @@
 //! does not read costs nothing and holds nobody up.
 
 use std::collections::VecDeque;
-use std::sync::Arc;
 use std::time::Duration;
 
 use axum::response::sse::Event;
 use serde::Serialize;
 use tokio::time::sleep;
-use tokio_util::sync::CancellationToken;
 
-use super::wire::JobDocument;
-use crate::jobs::{JobId, JobRecord, JobService, JobState, StoreError, Subscription};
+use super::HttpState;
+use super::wire::{JobDocument, Prefix};
+use crate::jobs::{JobId, JobRecord, JobState, StoreError, Subscription};
 
 /// Longest time between two looks at the store, should an announcement be lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
@@ -43,10 +42,10 @@ impl EventPosition {
 
 /// One client's view of a job.
 pub(super) struct EventStream {
-    jobs: Arc<JobService>,
+    state: HttpState,
     job: JobId,
     subscription: Subscription,
-    closing: CancellationToken,
+    prefix: Prefix,
     position: EventPosition,
     sent_state: Option<(JobState, u32, bool)>,
     events: VecDeque<Event>,
@@ -55,18 +54,13 @@ pub(super) struct EventStream {
 
 impl EventStream {
     /// From `place` on, or from the beginning.
-    pub(super) fn new(
-        jobs: Arc<JobService>,
-        job: JobId,
-        position: Option<EventPosition>,
-        closing: CancellationToken,
-    ) -> Self {
-        let (subscription, position) = (jobs.subscribe(job), position.unwrap_or_default());
+    pub(super) fn new(state: HttpState, job: JobId, position: Option<EventPosition>, prefix: Prefix) -> Self {
+        let (subscription, position) = (state.jobs.subscribe(job), position.unwrap_or_default());
         Self {
-            jobs,
+            state,
             job,
             subscription,
-            closing,
+            prefix,
             position,
             sent_state: None,
             events: VecDeque::new(),
@@ -92,7 +86,7 @@ impl EventStream {
                 tokio::select! {
                     _ = self.subscription.changed() => {}
                     () = sleep(POLL_INTERVAL) => {}
-                    () = self.closing.cancelled() => return None,
+                    () = self.state.closing.cancelled() => return None,
                 }
             }
         }
@@ -100,14 +94,14 @@ impl EventStream {
 
     /// Asks the store what is new.
     async fn poll(&mut self) -> Result<(), StoreError> {
-        let mut record = self.jobs.get(self.job).await?;
+        let mut record = self.state.jobs.get(self.job).await?;
         if record.attempts != self.position.attempt || record.iterations < self.position.seen {
             self.position = EventPosition { attempt: record.attempts, seen: 0 };
         }
         let mut iterations = Vec::new();
         if record.iterations > self.position.seen {
-            iterations = self.jobs.history(self.job, self.position.seen).await?;
-            record = self.jobs.get(self.job).await?;
+            iterations = self.state.jobs.history(self.job, self.position.seen).await?;
+            record = self.state.jobs.get(self.job).await?;
             if record.attempts != self.position.attempt {
                 return Ok(());
             }
@@ -115,7 +109,7 @@ impl EventStream {
         }
         let finished = record.state.is_finished();
         if !finished {
-            self.send_state(&record, None);
+            self.send_state(&record, None).await?;
         }
         for iteration in &iterations {
             self.position.seen += 1;
@@ -123,21 +117,22 @@ impl EventStream {
         }
         // Written in one step with the last iterations; whatever came between is fetched by the next look.
         if finished && (iterations.is_empty() || self.position.seen >= record.iterations) {
-            self.send_state(&record, Some(EventPosition::end_of(&record)));
+            self.send_state(&record, Some(EventPosition::end_of(&record))).await?;
             self.ended = true;
         }
         Ok(())
     }
 
-    fn send_state(&mut self, record: &JobRecord, id: Option<String>) {
+    async fn send_state(&mut self, record: &JobRecord, id: Option<String>) -> Result<(), StoreError> {
         let now = (record.state, record.attempts, record.cancel_requested);
         if self.sent_state.replace(now) != Some(now) {
-            let state = event("state", &JobDocument::from(record.clone()));
-            self.events.extend(state.map(|event| match id {
+            let job = JobDocument::of(&self.state, record.clone(), &self.prefix).await?;
+            self.events.extend(event("state", &job).map(|event| match id {
                 Some(id) => event.id(id),
                 None => event,
             }));
         }
+        Ok(())
     }
 }
 

@@ -21,6 +21,7 @@ mod rates;
 mod request_log;
 mod result_body;
 mod routes;
+mod selection;
 mod streams;
 pub mod wire;
 
@@ -30,7 +31,7 @@ use std::time::Duration;
 
 use axum::Router;
 use axum::extract::Request;
-use axum::http::Uri;
+use axum::http::{HeaderValue, Method, Uri};
 use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
@@ -39,12 +40,13 @@ use tower_http::CompressionLevel;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
+use tower_http::cors::{AllowHeaders, AllowOrigin, CorsLayer, ExposeHeaders};
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 use utoipa_swagger_ui::{Config, SwaggerUi};
 
-use crate::jobs::JobService;
+use crate::jobs::{JobService, Retention};
 use access::authenticate;
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use rates::Rates;
@@ -66,7 +68,7 @@ pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
 
 /// Bounds on a single request.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct HttpSettings {
     /// Largest body.
     pub max_body_bytes: usize,
@@ -84,6 +86,10 @@ pub struct HttpSettings {
     pub require_api_key: bool,
     /// Jobs an API key may hand in a second.
     pub jobs_per_second: Option<f64>,
+    /// Origins whose pages may ask; `*` is every one.
+    pub cors_origins: Vec<HeaderValue>,
+    /// How long finished jobs are kept.
+    pub retention: Retention,
     /// What this node tells of itself.
     pub capacity: Capacity,
 }
@@ -112,6 +118,8 @@ impl Default for HttpSettings {
             wait_limit: Duration::from_mins(1),
             require_api_key: false,
             jobs_per_second: None,
+            cors_origins: Vec::new(),
+            retention: Retention::default(),
             capacity: Capacity::default(),
         }
     }
@@ -156,6 +164,7 @@ pub fn router(state: HttpState) -> Router {
     let hosts = from_fn_with_state(state.clone(), check_host);
     // Noise does not compress.
     let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
+    let cors = cors(&state.settings.cors_origins);
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     documented
         .merge(docs_page())
@@ -166,13 +175,33 @@ pub fn router(state: HttpState) -> Router {
         .with_state(state)
         .layer(hosts)
         .layer(CatchPanicLayer::custom(panicked))
+        .layer(from_fn(problem::name_request))
         // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six times the time.
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible))
         .layer(from_fn(guard_response))
+        .layer(cors)
         .layer(PropagateRequestIdLayer::x_request_id())
         .layer(from_fn(log_request))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
         .layer(from_fn(drop_unusable_request_id))
+}
+
+/// What pages of other origins may do: with these origins, everything that a program may, without cookies.
+fn cors(origins: &[HeaderValue]) -> CorsLayer {
+    if origins.is_empty() {
+        return CorsLayer::new();
+    }
+    let allowed = if origins.iter().any(|origin| origin == "*") {
+        AllowOrigin::any()
+    } else {
+        AllowOrigin::list(origins.iter().cloned())
+    };
+    CorsLayer::new()
+        .allow_origin(allowed)
+        .allow_methods([Method::GET, Method::POST, Method::DELETE])
+        .allow_headers(AllowHeaders::any())
+        .expose_headers(ExposeHeaders::any())
+        .max_age(Duration::from_hours(1))
 }
 
 /// Everything that is documented.

@@ -1,7 +1,5 @@
 //! What a client may ask for in the headers of a submission.
 
-use std::time::Duration;
-
 use axum::extract::FromRequestParts;
 use axum::http::HeaderMap;
 use axum::http::request::Parts;
@@ -13,21 +11,9 @@ use super::problem_type::ProblemType;
 /// Longest idempotency key.
 const MAX_KEY: usize = 255;
 
-/// `Prefer: wait=N` (RFC 7240): how long the client would wait for the result, cut at the service's limit. What is
-/// not understood is ignored, as the RFC asks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct PreferWait(pub(super) Option<Duration>);
-
-impl FromRequestParts<HttpState> for PreferWait {
-    type Rejection = Problem;
-
-    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let wait = preferred_wait(&parts.headers).map(Duration::from_secs);
-        Ok(Self(wait.map(|wait| wait.min(state.settings.wait_limit))))
-    }
-}
-
-fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
+/// `Prefer: wait=N` (RFC 7240): how many seconds the client would wait for the result. What is not understood is
+/// ignored, as the RFC asks.
+pub(super) fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
     let lines = headers.get_all("prefer").iter().filter_map(|line| line.to_str().ok());
     let mut preferences = lines.flat_map(|line| line.split(','));
     preferences.find_map(|preference| {

@@ -1,82 +1,186 @@
 //! Errors as `application/problem+json` (RFC 9457).
 
-use axum::http::header::{CONTENT_TYPE, RETRY_AFTER, WWW_AUTHENTICATE};
+use std::fmt::Write as _;
+
+use axum::Extension;
+use axum::body::Body;
+use axum::extract::Request;
+use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, RETRY_AFTER, WWW_AUTHENTICATE};
 use axum::http::{HeaderValue, StatusCode};
+use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use brinell_solver::job::FaultCode;
 use serde::Serialize;
-use serde_json::{Map, Value};
+use utoipa::ToSchema;
 
 use super::problem_type::ProblemType;
-use crate::jobs::{FailureKind, FieldError, JobError, JobFailure, Rejection, StoreError, SubmitError};
+use crate::jobs::{
+    FailureKind, FieldError, JobError, JobEstimate, JobFailure, Rejection, StoreError, SubmitError,
+};
 
 /// Seconds after which a refused client may try again: about the time a few ordinary jobs take.
 const RETRY_AFTER_SECONDS: u16 = 2;
 
-/// An error as the client sees it.
+/// An error, ready to be sent.
 #[derive(Debug, Clone, Serialize)]
-pub struct Problem {
+#[serde(transparent)]
+pub struct Problem(Box<ProblemDocument>);
+
+/// An error (RFC 9457).
+#[derive(Debug, Clone, Serialize, ToSchema)]
+#[schema(as = Problem)]
+pub(super) struct ProblemDocument {
+    /// The kind of error: a relative address that this service answers with an explanation. There may be more kinds in
+    /// the future.
     #[serde(rename = "type")]
     uri: String,
+    /// The kind in words, the same for every occurrence.
+    #[schema(example = "The job is not valid")]
     title: &'static str,
+    /// The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered with.
+    #[schema(minimum = 400, maximum = 599, example = 422)]
     status: u16,
+    /// About this occurrence.
+    #[schema(example = "3 fields at fault")]
     detail: String,
+    /// This occurrence, by the id of its request as `X-Request-Id` has it: what to name to those who run the service.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(example = "/requests/7d5bf0b5-4d4e-4c3a-8f0e-0b8f7a1f4c55")]
+    instance: Option<String>,
+    /// Every fault, in the order of the document or of the query string.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    errors: Vec<FieldError>,
-    #[serde(flatten)]
-    extensions: Map<String, Value>,
+    #[schema(required = false)]
+    errors: Vec<Fault>,
+    /// Line of the body at which the JSON ends, from 1 (`invalid-json`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    /// Column in that line (`invalid-json`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<usize>,
+    /// What the job would cost (`job-too-large`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    estimate: Option<JobEstimate>,
+    /// The limit (`body-too-large`, `job-too-large`) \[bytes\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limit_bytes: Option<u64>,
     #[serde(skip)]
+    #[schema(ignore)]
     kind: ProblemType,
     #[serde(skip)]
+    #[schema(ignore)]
     retry_after: u16,
+}
+
+/// One fault in a job or in a query string.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub struct Fault {
+    /// JSON pointer of the field as a URI fragment (RFC 6901, section 6); `#` is the whole job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(pattern = "^#(/.*)?$", example = "#/upper/material/poisson_ratio")]
+    pointer: Option<String>,
+    /// Name of the query parameter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(example = "limit")]
+    parameter: Option<String>,
+    /// The kind of fault, for programs. There may be more in the future.
+    #[schema(value_type = String)]
+    code: FaultCode,
+    /// What is wrong and what would be right.
+    #[schema(example = "must be at least 0 and less than 0.5, got 0.5")]
+    detail: String,
+}
+
+impl Fault {
+    /// A fault of a query parameter.
+    pub fn parameter(name: &str, code: FaultCode, detail: impl Into<String>) -> Self {
+        Self { pointer: None, parameter: Some(name.to_owned()), code, detail: detail.into() }
+    }
+}
+
+impl From<FieldError> for Fault {
+    fn from(error: FieldError) -> Self {
+        let pointer = format!("#{}", fragment(&error.pointer));
+        Self { pointer: Some(pointer), parameter: None, code: error.code, detail: error.detail }
+    }
+}
+
+/// A text as it is written in the fragment or a segment of a URI (RFC 3986, section 3.5).
+fn fragment(text: &str) -> String {
+    let mut written = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~!$&'()*+,;=:@/".contains(&byte) {
+            written.push(char::from(byte));
+        } else {
+            let _ = write!(written, "%{byte:02X}");
+        }
+    }
+    written
 }
 
 impl Problem {
     /// An error of this kind; `detail` is about this occurrence.
     pub fn new(kind: ProblemType, detail: impl Into<String>) -> Self {
-        Self {
+        Self(Box::new(ProblemDocument {
             uri: kind.uri(),
             title: kind.title(),
             status: kind.status().as_u16(),
             detail: detail.into(),
+            instance: None,
             errors: Vec::new(),
-            extensions: Map::new(),
+            line: None,
+            column: None,
+            estimate: None,
+            limit_bytes: None,
             kind,
             retry_after: RETRY_AFTER_SECONDS,
-        }
+        }))
     }
 
     /// The same with faults at fields.
     #[must_use]
-    pub fn with_errors(mut self, errors: Vec<FieldError>) -> Self {
-        self.errors = errors;
+    pub fn with_errors(self, errors: Vec<FieldError>) -> Self {
+        self.with_faults(errors.into_iter().map(Fault::from).collect())
+    }
+
+    /// The same with faults.
+    #[must_use]
+    pub fn with_faults(mut self, faults: Vec<Fault>) -> Self {
+        self.0.errors = faults;
         self
     }
 
-    /// The same with a member of its kind's own.
+    /// The same with the limit that was passed.
     #[must_use]
-    pub fn with(mut self, member: &str, value: impl Into<Value>) -> Self {
-        self.extensions.insert(member.to_owned(), value.into());
+    pub fn with_limit(mut self, bytes: u64) -> Self {
+        self.0.limit_bytes = Some(bytes);
+        self
+    }
+
+    /// The same as the answer to a request.
+    #[must_use]
+    pub fn about_request(mut self, id: &str) -> Self {
+        self.0.instance = Some(format!("/requests/{}", fragment(id)));
         self
     }
 
     /// The same, to be tried again after so many seconds.
     #[must_use]
-    pub const fn retry_after(mut self, seconds: u16) -> Self {
-        self.retry_after = seconds;
+    pub fn retry_after(mut self, seconds: u16) -> Self {
+        self.0.retry_after = seconds;
         self
     }
 
     /// The kind of error.
-    pub const fn kind(&self) -> ProblemType {
-        self.kind
+    pub fn kind(&self) -> ProblemType {
+        self.0.kind
     }
 }
 
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
-        let status = self.kind.status();
+        let (status, retry_after) = (self.0.kind.status(), self.0.retry_after);
         let body = serde_json::to_vec(&self).unwrap_or_default();
-        let mut response = (status, body).into_response();
+        let mut response = (status, Extension(self), body).into_response();
         let headers = response.headers_mut();
         headers.insert(CONTENT_TYPE, HeaderValue::from_static("application/problem+json"));
         if status == StatusCode::UNAUTHORIZED {
@@ -88,10 +192,24 @@ impl IntoResponse for Problem {
                 | StatusCode::SERVICE_UNAVAILABLE
                 | StatusCode::INSUFFICIENT_STORAGE
         ) {
-            headers.insert(RETRY_AFTER, HeaderValue::from(self.retry_after));
+            headers.insert(RETRY_AFTER, HeaderValue::from(retry_after));
         }
         response
     }
+}
+
+/// The layer that names the request in every error that leaves.
+pub(super) async fn name_request(request: Request, next: Next) -> Response {
+    let id = request.headers().get("x-request-id").and_then(|id| id.to_str().ok()).map(str::to_owned);
+    let mut response = next.run(request).await;
+    let problem = response.extensions_mut().remove::<Problem>();
+    if let (Some(problem), Some(id)) = (problem, id)
+        && let Ok(body) = serde_json::to_vec(&problem.about_request(&id))
+    {
+        response.headers_mut().remove(CONTENT_LENGTH);
+        *response.body_mut() = Body::from(body);
+    }
+    response
 }
 
 impl From<Rejection> for Problem {
@@ -99,16 +217,17 @@ impl From<Rejection> for Problem {
         let detail = rejection.to_string();
         match rejection {
             Rejection::Invalid(JobError::Syntax { line, column, .. }) => {
-                Self::new(ProblemType::InvalidJson, detail).with("line", line).with("column", column)
+                let mut problem = Self::new(ProblemType::InvalidJson, detail);
+                (problem.0.line, problem.0.column) = (Some(line), Some(column));
+                problem
             }
             Rejection::Invalid(JobError::Fields(errors)) => {
                 Self::new(ProblemType::InvalidJob, detail).with_errors(errors)
             }
             Rejection::TooLarge { estimate, limit } | Rejection::ResultTooLarge { estimate, limit } => {
-                let estimate = serde_json::to_value(estimate).unwrap_or_default();
-                Self::new(ProblemType::JobTooLarge, detail)
-                    .with("estimate", estimate)
-                    .with("limit_bytes", limit)
+                let mut problem = Self::new(ProblemType::JobTooLarge, detail).with_limit(limit);
+                problem.0.estimate = Some(estimate);
+                problem
             }
         }
     }
@@ -163,7 +282,6 @@ impl From<&JobFailure> for Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::jobs::JobEstimate;
 
     #[test]
     fn a_job_too_large_comes_with_its_estimate() {
@@ -176,13 +294,20 @@ mod tests {
           "status": 422,
           "detail": "the job has 5000000 equations and needs about 8192 MiB; a job may need 4096 MiB at most",
           "estimate": {
-            "bytes": 8589934592,
             "equations": 5000000,
+            "bytes": 8589934592,
             "result_bytes": 100000
           },
           "limit_bytes": 4294967296
         }
         "#);
+    }
+
+    #[test]
+    fn pointers_are_fragments() {
+        let fault = Fault::from(FieldError::new("/tags/a b~1é", "wrong"));
+        assert_eq!(fault.pointer.as_deref(), Some("#/tags/a%20b~1%C3%A9"));
+        assert_eq!(Fault::from(FieldError::new("", "wrong")).pointer.as_deref(), Some("#"));
     }
 
     #[test]

@@ -42,14 +42,14 @@ problem_types! {
          comments and no trailing commas.";
     /// The query string is wrong.
     InvalidQuery, "invalid-query", BAD_REQUEST, "The query string is not valid",
-        "A query parameter is unknown or has a value it cannot have.";
+        "Query parameters are unknown or have values they cannot have. `errors` lists every one by its name.";
     /// A header is wrong.
     InvalidHeader, "invalid-header", BAD_REQUEST, "A header is not valid",
         "A request header has a value it cannot have. `detail` names it.";
     /// The body is JSON but not a job.
     InvalidJob, "invalid-job", UNPROCESSABLE_ENTITY, "The job is not valid",
         "The body is JSON but not a job that can be solved. `errors` lists every field at fault with its JSON \
-         pointer (RFC 6901).";
+         pointer (RFC 6901) as a URI fragment.";
     /// The job would need too much memory.
     JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
         "The job is valid, but its estimated memory, or its estimated result, is above the limit of this service. \
@@ -71,6 +71,9 @@ problem_types! {
     /// No such job.
     JobNotFound, "job-not-found", NOT_FOUND, "There is no such job",
         "No job has this id, or it finished long ago and has been removed.";
+    /// No such step.
+    StepNotFound, "step-not-found", NOT_FOUND, "The result has no such step",
+        "`?step=` counts the steps of a sweep from 1, and the result has fewer.";
     /// The address exists, the method does not.
     MethodNotAllowed, "method-not-allowed", METHOD_NOT_ALLOWED, "This address does not know this method",
         "The `Allow` header lists the methods this address knows.";

@@ -1,17 +1,21 @@
-//! Query strings, checked: an unknown parameter is a typing mistake, not an extension.
+//! Query strings, read whole: every parameter at fault is named at once. An unknown parameter is a typing mistake, not
+//! an extension.
 
+use std::fmt;
 use std::num::NonZeroUsize;
+use std::str::FromStr;
+use std::time::Duration;
 
 use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
+use brinell_solver::job::{FaultCode, Named};
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
-use utoipa::IntoParams;
+use utoipa::{IntoParams, ToSchema};
 
 use super::HttpState;
-use super::problem::Problem;
+use super::preference::preferred_wait;
+use super::problem::{Fault, Problem};
 use super::problem_type::ProblemType;
-use super::result_body::ResultParts;
 use crate::jobs::{JobFilter, JobId, JobState};
 
 /// Jobs on a page, unless asked otherwise, and at most.
@@ -21,105 +25,312 @@ const MAX_PAGE: usize = 100;
 /// Bounds of `?priority=`.
 const MAX_PRIORITY: i16 = 100;
 
-pub(super) fn wrong(detail: impl Into<String>) -> Problem {
-    Problem::new(ProblemType::InvalidQuery, detail)
+/// Fewest points that stresses over depth can be thinned to.
+const MIN_DEPTHS: usize = 2;
+
+/// The parameters of a query string and what is wrong with them.
+struct Reader {
+    pairs: Vec<(String, String)>,
+    faults: Vec<Fault>,
 }
 
-/// Reads the whole query string.
-pub(super) async fn read<T: DeserializeOwned + Send + 'static>(
-    parts: &mut Parts,
-    state: &HttpState,
-) -> Result<T, Problem> {
-    let query = Query::<T>::from_request_parts(parts, state).await;
-    query.map(|Query(query)| query).map_err(|rejection| wrong(rejection.body_text()))
+impl Reader {
+    /// Takes the query string apart and reports every parameter that is not among those known.
+    async fn new(parts: &mut Parts, state: &HttpState, known: &[&str]) -> Self {
+        let pairs = Query::<Vec<(String, String)>>::from_request_parts(parts, state).await;
+        let (pairs, mut faults) = if let Ok(Query(pairs)) = pairs {
+            (pairs, Vec::new())
+        } else {
+            let detail = "the query string is not URL-encoded text";
+            (Vec::new(), vec![Fault::parameter("", FaultCode::WrongType, detail)])
+        };
+        for (name, _) in &pairs {
+            if !known.contains(&name.as_str()) {
+                let shown: String = name.chars().take(40).collect();
+                let detail = format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
+                faults.push(Fault::parameter(&shown, FaultCode::UnknownKey, detail));
+            }
+        }
+        Self { pairs, faults }
+    }
+
+    /// The text of a parameter, which may be given once.
+    fn text(&mut self, name: &str) -> Option<String> {
+        let mut given = self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone());
+        let text = given.next();
+        if given.next().is_some() {
+            self.fault(name, FaultCode::DuplicateKey, "must be given once");
+        }
+        text
+    }
+
+    /// A parameter that `accept`s, or what is `expected`.
+    fn value<T: FromStr>(&mut self, name: &str, expected: &str, accept: impl Fn(&T) -> bool) -> Option<T> {
+        let text = self.text(name)?;
+        let value = text.parse().ok().filter(accept);
+        if value.is_none() {
+            let shown: String = text.chars().take(40).collect();
+            self.fault(name, FaultCode::OutOfRange, format!("must be {expected}, got {shown:?}"));
+        }
+        value
+    }
+
+    fn fault(&mut self, name: &str, code: FaultCode, detail: impl Into<String>) {
+        self.faults.push(Fault::parameter(name, code, detail));
+    }
+
+    /// What was read, unless something is at fault.
+    fn finish<T>(self, read: T) -> Result<T, Problem> {
+        if self.faults.is_empty() {
+            return Ok(read);
+        }
+        let count = self.faults.len();
+        let detail = format!("{count} parameter{} at fault", if count == 1 { "" } else { "s" });
+        Err(Problem::new(ProblemType::InvalidQuery, detail).with_faults(self.faults))
+    }
+
+    /// `?wait=`, or the `Prefer` header without one.
+    fn wait(&mut self, parts: &Parts, limit: Duration) -> Option<Granted> {
+        let seconds = self.value("wait", "a number of seconds, 0 or greater", |seconds: &f64| {
+            seconds.is_finite() && *seconds >= 0.0
+        });
+        let by_query = seconds.map(|seconds| Granted {
+            timeout: Duration::from_secs_f64(seconds.min(limit.as_secs_f64())),
+            preferred: false,
+        });
+        by_query.or_else(|| {
+            let timeout = Duration::from_secs(preferred_wait(&parts.headers)?).min(limit);
+            Some(Granted { timeout, preferred: true })
+        })
+    }
 }
 
+/// How long a client is made to wait.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Granted {
+    /// Cut at the service's limit.
+    pub(super) timeout: Duration,
+    /// It was asked for by `Prefer`, and `Preference-Applied` says what was granted.
+    pub(super) preferred: bool,
+}
+
+/// The parameters that submit and ask after a job alike.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-#[serde(deny_unknown_fields)]
-pub(super) struct PriorityQuery {
-    /// Larger goes first.
-    #[param(minimum = -100, maximum = 100, default = 0)]
-    priority: Option<i16>,
+#[expect(dead_code, reason = "declares what `Reader` reads")]
+pub(super) struct WaitQuery {
+    /// Wait so many seconds for the job to finish, fractions allowed, cut at the service's limit. Goes before
+    /// `Prefer: wait=N`.
+    #[param(minimum = 0, example = 30)]
+    wait: Option<f64>,
 }
 
-/// The `?priority=` of a submission: larger goes first, 0 is ordinary.
+/// `?wait=` or `Prefer: wait=`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Priority(pub(super) i16);
+pub(super) struct Wait(pub(super) Option<Granted>);
 
-impl FromRequestParts<HttpState> for Priority {
+impl FromRequestParts<HttpState> for Wait {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let priority = read::<PriorityQuery>(parts, state).await?.priority.unwrap_or(0);
-        if priority.unsigned_abs() > MAX_PRIORITY.unsigned_abs() {
-            return Err(wrong(format!("priority must be between -{MAX_PRIORITY} and {MAX_PRIORITY}")));
-        }
-        Ok(Self(priority))
+        let mut query = Reader::new(parts, state, &["wait"]).await;
+        let wait = query.wait(parts, state.settings.wait_limit);
+        query.finish(Self(wait))
     }
 }
 
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "declares what `Reader` reads")]
+pub(super) struct PriorityQuery {
+    /// Larger goes first; 0 is ordinary.
+    #[param(minimum = -100, maximum = 100)]
+    priority: Option<i16>,
+}
+
+/// How a job is handed in: `?priority=`, larger goes first, and how long to wait for it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SubmitQuery {
+    pub(super) priority: i16,
+    pub(super) wait: Option<Granted>,
+}
+
+impl FromRequestParts<HttpState> for SubmitQuery {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let mut query = Reader::new(parts, state, &["priority", "wait"]).await;
+        let range = -MAX_PRIORITY..=MAX_PRIORITY;
+        let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
+        let priority = query.value("priority", &expected, |priority| range.contains(priority)).unwrap_or(0);
+        let wait = query.wait(parts, state.settings.wait_limit);
+        query.finish(Self { priority, wait })
+    }
+}
+
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
+#[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct StepQuery {
-    /// Which step of a sweep, counted from 1 [default: the last].
-    #[param(value_type = Option<u32>, minimum = 1)]
-    step: Option<NonZeroUsize>,
+    /// Which step of a sweep, counted from 1; the last one unless it is given.
+    #[param(minimum = 1)]
+    step: Option<usize>,
 }
 
 /// The `?step=` of a result's form: on the wire counted from 1, in here from 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step(pub(super) Option<usize>);
 
+/// A step where none can be chosen.
+pub(super) fn takes_no_step(form: &str) -> Problem {
+    let detail = format!("{form} holds every step and takes no step");
+    let fault = Fault::parameter("step", FaultCode::UnknownKey, detail.clone());
+    Problem::new(ProblemType::InvalidQuery, detail).with_faults(vec![fault])
+}
+
+impl Reader {
+    fn step(&mut self) -> Option<usize> {
+        let step = self.value("step", "a whole number, 1 or greater", |_: &NonZeroUsize| true);
+        step.map(|step| step.get() - 1)
+    }
+}
+
 impl FromRequestParts<HttpState> for Step {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let step = read::<StepQuery>(parts, state).await?.step;
-        Ok(Self(step.map(|step| step.get() - 1)))
+        let mut query = Reader::new(parts, state, &["step"]).await;
+        let step = query.step();
+        query.finish(Self(step))
+    }
+}
+
+/// The large parts of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum StepPart {
+    /// Values at the pairs of nodes.
+    Contact,
+    /// Stresses over depth.
+    Subsurface,
+    /// Outlines of the plastic zones.
+    Plasticity,
+    /// Mesh and nodal fields.
+    Fields,
+    /// Every iteration.
+    History,
+}
+
+impl Named for StepPart {
+    const ALL: &'static [Self] =
+        &[Self::Contact, Self::Subsurface, Self::Plasticity, Self::Fields, Self::History];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::Subsurface => "subsurface",
+            Self::Plasticity => "plasticity",
+            Self::Fields => "fields",
+            Self::History => "history",
+        }
     }
 }
 
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-#[serde(deny_unknown_fields)]
-pub(super) struct ResultQuery {
-    /// One step of a sweep, counted from 1 [default: all].
-    #[param(value_type = Option<u32>, minimum = 1)]
-    step: Option<NonZeroUsize>,
-    /// Whether mesh and nodal fields are sent, if the job asked for them.
-    #[param(default = true)]
-    fields: Option<bool>,
+#[expect(dead_code, reason = "declares what `Reader` reads")]
+pub(super) struct SelectionQuery {
+    /// The large parts of a step that are wanted, separated by commas: `contact` (`contact.nodes`), `subsurface`,
+    /// `plasticity` (`outline`), `fields`, `history`. The others are left out, or empty where the schema requires
+    /// them; single figures always stay. Everything, unless it is given.
+    #[param(
+        example = "contact,subsurface",
+        pattern = "^(contact|subsurface|plasticity|fields|history)(,(contact|subsurface|plasticity|fields|history))*$"
+    )]
+    fields: Option<String>,
+    /// Only this step of a sweep, counted from 1.
+    #[param(minimum = 1)]
+    step: Option<usize>,
+    /// Stresses over depth at so many depths at most, from the surface to the support, among them those of the
+    /// largest shear and von Mises stress.
+    #[param(minimum = 2)]
+    subsurface_points: Option<usize>,
 }
 
-/// The `?step=` and `?fields=` of a result.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ResultSelection(pub(super) ResultParts);
+/// The part of a result that is wanted; everything, unless something else is said.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(super) struct Selection {
+    /// `None` is every part.
+    pub(super) parts: Option<Vec<StepPart>>,
+    /// Counted from 0.
+    pub(super) step: Option<usize>,
+    /// Most depths below the surface.
+    pub(super) depths: Option<usize>,
+}
 
-impl FromRequestParts<HttpState> for ResultSelection {
+impl Selection {
+    /// Whether mesh and nodal fields are wanted.
+    pub(super) fn has_fields(&self) -> bool {
+        self.wants(StepPart::Fields)
+    }
+
+    fn wants(&self, part: StepPart) -> bool {
+        self.parts.as_ref().is_none_or(|parts| parts.contains(&part))
+    }
+
+    /// Whether a step, which is kept without its fields, leaves in another form than it is kept in.
+    pub(super) fn edits_steps(&self) -> bool {
+        let kept = StepPart::ALL.iter().filter(|part| **part != StepPart::Fields);
+        self.depths.is_some() || kept.into_iter().any(|part| !self.wants(*part))
+    }
+
+    /// What it is called in the tag of an answer.
+    pub(super) fn name(&self) -> String {
+        let step = self.step.map_or_else(|| "all".to_owned(), |step| (step + 1).to_string());
+        let parts = StepPart::ALL.iter().filter(|part| self.wants(**part)).map(|part| part.name());
+        let depths = self.depths.map(|depths| format!("-{depths}")).unwrap_or_default();
+        format!("{step}-{}{depths}", parts.collect::<Vec<_>>().join("+"))
+    }
+}
+
+impl FromRequestParts<HttpState> for Selection {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let query = read::<ResultQuery>(parts, state).await?;
-        Ok(Self(ResultParts {
-            step: query.step.map(|step| step.get() - 1),
-            without_fields: query.fields == Some(false),
-        }))
+        let mut query = Reader::new(parts, state, &["fields", "step", "subsurface_points"]).await;
+        let mut wanted = None;
+        if let Some(text) = query.text("fields") {
+            let mut found = Vec::new();
+            for word in text.split(',') {
+                if let Some(part) = StepPart::ALL.iter().find(|part| part.name() == word) {
+                    found.push(*part);
+                } else {
+                    let known: Vec<_> = StepPart::ALL.iter().map(|part| part.name()).collect();
+                    let shown: String = word.chars().take(40).collect();
+                    let detail = format!("must be among: {}; got {shown:?}", known.join(", "));
+                    query.fault("fields", FaultCode::UnknownWord, detail);
+                }
+            }
+            wanted = Some(found);
+        }
+        let step = query.step();
+        let expected = format!("a whole number, {MIN_DEPTHS} or greater");
+        let depths = query.value("subsurface_points", &expected, |count| *count >= MIN_DEPTHS);
+        query.finish(Self { parts: wanted, step, depths })
     }
 }
 
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct ListQuery {
     /// Only jobs in this state.
     status: Option<JobState>,
     /// Only jobs with this label, `name:value`.
     #[param(pattern = "^[^:]*:", example = "bearing:NU-210")]
     tag: Option<String>,
-    /// Most jobs on the page.
-    #[param(minimum = 1, maximum = 100, default = 20)]
+    /// Most jobs on the page; 20 unless it is given.
+    #[param(minimum = 1, maximum = 100)]
     limit: Option<usize>,
     /// The `next_cursor` of the page before.
     #[param(format = Uuid)]
@@ -130,20 +341,34 @@ pub(super) struct ListQuery {
 #[derive(Debug, Clone)]
 pub(super) struct ListFilter(pub(super) JobFilter);
 
+/// A state by its name.
+struct NamedState(JobState);
+
+impl FromStr for NamedState {
+    type Err = fmt::Error;
+
+    fn from_str(text: &str) -> Result<Self, fmt::Error> {
+        JobState::by_name(text).map(Self).ok_or(fmt::Error)
+    }
+}
+
 impl FromRequestParts<HttpState> for ListFilter {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let query: ListQuery = read(parts, state).await?;
-        let no_tag = || wrong("tag must be name:value");
-        let tag = query.tag.as_deref().map(|tag| tag.split_once(':').ok_or_else(no_tag)).transpose()?;
-        let tag = tag.map(|(name, value)| (name.to_owned(), value.to_owned()));
-        let limit = query.limit.unwrap_or(PAGE);
-        if !(1..=MAX_PAGE).contains(&limit) {
-            return Err(wrong(format!("limit must be between 1 and {MAX_PAGE}, got {limit}")));
-        }
-        let no_cursor = |_| wrong("cursor must be the next_cursor of a page");
-        let before = query.cursor.map(|cursor| cursor.parse::<JobId>().map_err(no_cursor)).transpose()?;
-        Ok(Self(JobFilter { state: query.status, tag, submitter: None, before, limit }))
+        let mut query = Reader::new(parts, state, &["status", "tag", "limit", "cursor"]).await;
+        let state = query.value("status", "the state of a job", |_: &NamedState| true);
+        let tag = query.value("tag", "name:value", |tag: &String| tag.contains(':'));
+        let tag = tag.as_deref().and_then(|tag| tag.split_once(':'));
+        let expected = format!("a whole number between 1 and {MAX_PAGE}");
+        let limit = query.value("limit", &expected, |limit| (1..=MAX_PAGE).contains(limit));
+        let before = query.value("cursor", "the next_cursor of a page", |_: &JobId| true);
+        query.finish(Self(JobFilter {
+            state: state.map(|NamedState(state)| state),
+            tag: tag.map(|(name, value)| (name.to_owned(), value.to_owned())),
+            submitter: None,
+            before,
+            limit: limit.unwrap_or(PAGE),
+        }))
     }
 }

@@ -3,8 +3,8 @@
 
 use axum::body::Body;
 use axum::http::header::{
-    ACCEPT_ENCODING, ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_LOCATION, CONTENT_RANGE,
-    CONTENT_TYPE, ETAG, IF_NONE_MATCH, IF_RANGE, RANGE, VARY,
+    ACCEPT_ENCODING, ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_RANGE, CONTENT_TYPE, ETAG,
+    IF_NONE_MATCH, IF_RANGE, RANGE, VARY,
 };
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -15,25 +15,18 @@ use tokio::task::spawn_blocking;
 
 use super::HttpState;
 use super::problem::Problem;
-use super::problem_type::ProblemType;
+use super::query::Selection;
 use super::request_log::JobIdExtension;
+use super::selection::{edit, edit_report, no_step};
+use super::wire::JobDocument;
 use crate::jobs::{Deflated, GzipStream, JobId, ResultHead, StoreError};
-use brinell_solver::report::{FieldArrays, Report};
+use brinell_solver::report::FieldArrays;
 
 /// Pieces that wait for a client that reads slowly.
 const WAITING_PIECES: usize = 2;
 
 /// What stands between two steps.
 const COMMA: &[u8] = b",";
-
-/// Which part of a result is asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct ResultParts {
-    /// One step, counted from 0, instead of all.
-    pub step: Option<usize>,
-    /// Whether fields are left out.
-    pub without_fields: bool,
-}
 
 /// Whether a client takes gzip.
 pub(super) fn takes_gzip(headers: &HeaderMap) -> bool {
@@ -53,70 +46,102 @@ pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
     })
 }
 
+/// How a result leaves.
+#[derive(Debug, Clone, Copy)]
+struct Form {
+    has_fields: bool,
+    gzip: bool,
+}
+
+impl Form {
+    fn of(head: &ResultHead, selection: &Selection, headers: &HeaderMap) -> Self {
+        let has_fields = head.has_fields && selection.has_fields();
+        Self { has_fields, gzip: takes_gzip(headers) && !has_fields && head.around_steps().is_some() }
+    }
+}
+
 /// 200 with a report, or 304.
 pub(super) async fn result(
     state: &HttpState,
     id: JobId,
     head: ResultHead,
-    parts: ResultParts,
+    selection: Selection,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
-    if parts.step.is_some_and(|step| head.steps > 0 && step >= head.steps) {
-        let detail = format!("the result has {} steps", head.steps);
-        return Err(Problem::new(ProblemType::InvalidQuery, detail));
-    }
-    let has_fields = head.has_fields && !parts.without_fields;
-    let gzip = takes_gzip(headers) && !has_fields && head.around_steps().is_some();
-    let step = parts.step.map_or_else(|| "all".to_owned(), |step| (step + 1).to_string());
-    let (fields, coding) = (if has_fields { "-fields" } else { "" }, if gzip { "-gzip" } else { "" });
-    let tag = format!("\"{id}-{}-{step}{fields}{coding}\"", head.attempt);
-    let common: [(HeaderName, String); 5] = [
-        (CONTENT_TYPE, "application/json".to_owned()),
-        (CONTENT_LOCATION, format!("/v1/jobs/{id}/result")),
-        (ETAG, tag.clone()),
-        (CACHE_CONTROL, "private, no-cache".to_owned()),
-        (VARY, "accept-encoding".to_owned()),
+    let form = Form::of(&head, &selection, headers);
+    let coding = if form.gzip { "-gzip" } else { "" };
+    let tag = format!("\"{id}-{}-{}{coding}\"", head.attempt, selection.name());
+    let common: [(HeaderName, &str); 4] = [
+        (CONTENT_TYPE, "application/json"),
+        (ETAG, &tag),
+        (CACHE_CONTROL, "private, no-cache"),
+        (VARY, "accept, accept-encoding"),
     ];
+    let around = (Bytes::new(), Bytes::new());
+    if head.around_steps().is_some() && selection.step.is_some_and(|step| step >= head.steps) {
+        return Err(no_step(head.steps));
+    }
     if is_known(&tag, headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
+    let body = body(state, id, head, selection, form, around).await?;
+    Ok((common, body).into_response())
+}
+
+/// 200 with a job and its whole result inside. What the client has of the result does not matter: it asked for the job.
+pub(super) async fn inside(
+    state: &HttpState,
+    job: &JobDocument,
+    head: ResultHead,
+    headers: &HeaderMap,
+) -> Result<Response, Problem> {
+    let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
+    before.pop();
+    before.extend_from_slice(b",\"result\":");
+    let around = (Bytes::from(before), Bytes::from_static(b"}"));
+    let form = Form::of(&head, &Selection::default(), headers);
+    let body = body(state, job.id, head, Selection::default(), form, around).await?;
+    let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
+    Ok((common, body).into_response())
+}
+
+/// A report between two other texts.
+async fn body(
+    state: &HttpState,
+    id: JobId,
+    head: ResultHead,
+    selection: Selection,
+    form: Form,
+    (before, behind): (Bytes, Bytes),
+) -> Result<Response, Problem> {
+    let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let about = Extension(JobIdExtension(id));
-    let Some((before, behind)) = head.around_steps() else {
-        let body = whole(state, head.report, parts).await?;
-        return Ok((common, about, body).into_response());
+    let Some((begin, end)) = head.around_steps() else {
+        let report = whole(state, head.report, selection).await?;
+        return Ok((about, join([&join([&before, &report]), &behind])).into_response());
     };
     let (sender, receiver) = mpsc::channel(WAITING_PIECES);
-    let steps = parts.step.map_or(0..head.steps, |step| step..step + 1);
-    let writer = ResultWriter { state: state.clone(), id, steps, has_fields, sender };
-    tokio::spawn(writer.run(before, behind, gzip));
+    let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
+    let writer =
+        ResultWriter { state: state.clone(), id, steps, selection, has_fields: form.has_fields, sender };
+    tokio::spawn(writer.run(join([&before, &begin]), join([&end, &behind]), form.gzip));
     let pieces = stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver)));
-    let mut response = (common, about, Body::from_stream(pieces)).into_response();
-    if gzip {
-        response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
-    } else if has_fields {
-        // Hundreds of megabytes are not compressed for each reader; there is a binary form.
-        response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("identity"));
-    }
+    let mut response = (about, Body::from_stream(pieces)).into_response();
+    // Hundreds of megabytes are not compressed for each reader; there is a binary form.
+    let coding = if form.gzip { Some("gzip") } else { form.has_fields.then_some("identity") };
+    let coding = coding.map(HeaderValue::from_static);
+    response.headers_mut().extend(coding.map(|coding| (CONTENT_ENCODING, coding)));
     Ok(response)
 }
 
 /// A report of the first version, which was kept as a whole.
-async fn whole(state: &HttpState, report: Bytes, parts: ResultParts) -> Result<Bytes, Problem> {
-    if parts == ResultParts::default() {
+async fn whole(state: &HttpState, report: Bytes, selection: Selection) -> Result<Bytes, Problem> {
+    if selection == Selection::default() {
         return Ok(report);
     }
     let _decoder = state.jobs.decoder().await;
-    let cut = move || {
-        let mut report: Report = serde_json::from_slice(&report).map_err(StoreError::unavailable)?;
-        if let Some(wanted) = parts.step {
-            report.steps = report.steps.into_iter().skip(wanted).take(1).collect();
-        }
-        if parts.without_fields {
-            report.steps.iter_mut().for_each(|step| step.fields = None);
-        }
-        serde_json::to_vec(&report).map(Bytes::from).map_err(StoreError::unavailable)
-    };
-    Ok(spawn_blocking(cut).await.map_err(StoreError::unavailable)??)
+    let edited = spawn_blocking(move || edit_report(&report, &selection)).await;
+    edited.map_err(StoreError::unavailable)?
 }
 
 /// Reads a result and sends it on.
@@ -124,6 +149,7 @@ struct ResultWriter {
     state: HttpState,
     id: JobId,
     steps: std::ops::Range<usize>,
+    selection: Selection,
     has_fields: bool,
     sender: Sender<Result<Bytes, StoreError>>,
 }
@@ -157,7 +183,10 @@ impl ResultWriter {
             if !go_on {
                 return Ok(());
             }
-            let step = self.state.jobs.step(self.id, number).await?;
+            let mut step = self.state.jobs.step(self.id, number).await?;
+            if self.selection.edits_steps() {
+                step = compress(&self.edited(step).await?)?;
+            }
             go_on = self.send(gzip.append(&step)).await;
         }
         let _ = go_on && self.send(gzip.append(&behind)).await && self.send(gzip.end()).await;
@@ -174,13 +203,26 @@ impl ResultWriter {
                 return Ok(());
             }
             let step = self.state.jobs.step(self.id, number).await?;
-            let text = spawn_blocking(move || step.text()).await;
-            let text = text.map_err(StoreError::unavailable)?.map_err(StoreError::unavailable)?;
+            let text = self.edited(step).await?;
             go_on =
                 if self.has_fields { self.with_fields(number, text).await? } else { self.send(text).await };
         }
         let _ = go_on && self.send(behind).await;
         Ok(())
+    }
+
+    /// The text of a step with the parts that are wanted.
+    async fn edited(&self, step: Deflated) -> Result<Bytes, StoreError> {
+        let selection = self.selection.clone();
+        let text = spawn_blocking(move || {
+            let text = step.text().map_err(StoreError::unavailable)?;
+            if selection.edits_steps() {
+                edit(&text, &selection).map_err(StoreError::unavailable)
+            } else {
+                Ok(text)
+            }
+        });
+        text.await.map_err(StoreError::unavailable)?
     }
 
     /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.

@@ -1,22 +1,55 @@
 //! What goes over the wire beside results and problems.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 
-use axum::http::StatusCode;
-use axum::http::header::LOCATION;
+use axum::extract::FromRequestParts;
+use axum::http::HeaderMap;
+use axum::http::header::RETRY_AFTER;
+use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
+use brinell_solver::job::{Job, OutputSettings};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use super::HttpState;
 use super::openapi;
-use super::problem::Problem;
+use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
-use crate::jobs::{IterationRecord, JobEstimate, JobId, JobRecord, JobState};
+use crate::jobs::{IterationRecord, JobEstimate, JobId, JobRecord, JobState, Retention, StoreError};
 
-/// Addresses that belong to a job.
+/// Seconds after which to ask again for a job that is not done.
+const POLL_SECONDS: u16 = 1;
+
+/// The path under which a proxy shows this service: what it sends as `X-Forwarded-Prefix`.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Prefix(String);
+
+impl Prefix {
+    /// Takes the prefix of a header, `/press` for `/press/`; what is no plain path is ignored.
+    fn of(headers: &HeaderMap) -> Self {
+        let text =
+            headers.get("x-forwarded-prefix").and_then(|prefix| prefix.to_str().ok()).unwrap_or_default();
+        let path = text.trim_end_matches('/');
+        let is_plain = path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
+        let is_path = path.starts_with('/') && !path.starts_with("//") && path.len() <= 200;
+        Self(if is_plain && is_path { path.to_owned() } else { String::new() })
+    }
+}
+
+impl<S: Sync> FromRequestParts<S> for Prefix {
+    type Rejection = Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Infallible> {
+        Ok(Self::of(&parts.headers))
+    }
+}
+
+/// Addresses that belong to a job: those that answer in its present state.
 #[derive(Debug, Clone, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
 pub struct Links {
     /// The job itself.
     #[serde(rename = "self")]
@@ -24,48 +57,73 @@ pub struct Links {
     pub job: String,
     /// What was submitted.
     pub request: String,
-    /// Its result.
-    pub result: String,
     /// Its events as they happen.
     pub events: String,
-    /// Where to POST to stop it.
-    pub cancel: String,
+    /// Where to POST to stop it; until it is done.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cancel: Option<String>,
+    /// Its result; as soon as it has one. So are the following.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub result: Option<String>,
+    /// One row of figures for each step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub summary_csv: Option<String>,
+    /// Contact pressure of all steps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_csv: Option<String>,
+    /// Contact pressure, drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_svg: Option<String>,
+    /// Stresses over depth; where the job asks for them. In a list of jobs this and the following are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub subsurface_csv: Option<String>,
+    /// Stresses over depth, drawn; where the job asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub depth_svg: Option<String>,
+    /// Mesh and fields for ParaView; where the job asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_vtu: Option<String>,
 }
 
 impl Links {
-    fn of(id: JobId) -> Self {
-        let job = format!("/v1/jobs/{id}");
+    fn of(record: &JobRecord, output: Option<OutputSettings>, prefix: &Prefix) -> Self {
+        let job = format!("{}/v1/jobs/{}", prefix.0, record.id);
+        let below = |name: &str| format!("{job}/{name}");
+        let with_result = |name| record.has_report.then(|| below(name));
+        // A job that was stopped has neither stresses nor fields.
+        let is_whole = matches!(record.state, JobState::Succeeded | JobState::NotConverged);
+        let has = |wanted: fn(OutputSettings) -> bool| is_whole && output.is_some_and(wanted);
+        let over_depth = |name| with_result(name).filter(|_| has(|output| output.subsurface));
         Self {
-            request: format!("{job}/request"),
-            result: format!("{job}/result"),
-            events: format!("{job}/events"),
-            cancel: format!("{job}/cancel"),
+            request: below("request"),
+            events: below("events"),
+            cancel: (!record.state.is_finished()).then(|| below("cancel")),
+            result: with_result("result"),
+            summary_csv: with_result("summary.csv"),
+            pressure_csv: with_result("pressure.csv"),
+            pressure_svg: with_result("pressure.svg"),
+            subsurface_csv: over_depth("subsurface.csv"),
+            depth_svg: over_depth("depth.svg"),
+            field_vtu: with_result("field.vtu").filter(|_| has(|output| output.fields)),
             job,
         }
     }
 }
 
-/// Receipt for a job that has been queued.
+/// A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
 #[derive(Debug, Clone, Serialize, ToSchema)]
-pub struct Receipt {
-    /// Its name.
-    pub id: JobId,
-    /// Where it stands.
-    pub status: JobState,
-    /// Where to go from here.
-    pub links: Links,
-}
-
-/// A job as its watchers see it.
-#[derive(Debug, Clone, Serialize, ToSchema)]
+#[schema(as = Job)]
 pub struct JobDocument {
     /// Its name.
     pub id: JobId,
     /// Where it stands.
     pub status: JobState,
+    /// Whether nothing can happen to it any more.
+    pub done: bool,
+    /// Whether there is a result to fetch, of a stopped job as far as it came.
+    pub has_result: bool,
     /// Jobs before it in the queue, while it is queued.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(nullable = false)]
     pub queue_position: Option<usize>,
     /// Whether somebody asked it to stop.
     pub cancel_requested: bool,
@@ -77,6 +135,9 @@ pub struct JobDocument {
     /// When it reached its final state.
     #[schema(required)]
     pub finished_at: Option<Timestamp>,
+    /// When it is removed with its result; `null` until it is done.
+    #[schema(required)]
+    pub expires_at: Option<Timestamp>,
     /// How often it was taken up.
     pub attempts: u32,
     /// Larger goes first.
@@ -90,10 +151,65 @@ pub struct JobDocument {
     pub progress: Progress,
     /// Why it failed.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(schema_with = openapi::problem, required = false)]
+    #[schema(value_type = Option<ProblemDocument>)]
     pub error: Option<Problem>,
     /// Where to go from here.
     pub links: Links,
+}
+
+impl JobDocument {
+    /// A job without what its request and its result say.
+    pub fn brief(record: JobRecord, retention: &Retention, prefix: &Prefix) -> Self {
+        Self::new(record, None, retention, prefix)
+    }
+
+    /// A job of this store. Its result is not inside.
+    ///
+    /// # Errors
+    /// The store's.
+    pub async fn of(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Result<Self, StoreError> {
+        let output = if record.has_report {
+            let request = state.jobs.request(record.id).await?;
+            Job::from_json(&request).ok().map(|job| job.output)
+        } else {
+            None
+        };
+        Ok(Self::new(record, output, &state.settings.retention, prefix))
+    }
+
+    fn new(
+        record: JobRecord,
+        output: Option<OutputSettings>,
+        retention: &Retention,
+        prefix: &Prefix,
+    ) -> Self {
+        Self {
+            id: record.id,
+            status: record.state,
+            done: record.state.is_finished(),
+            has_result: record.has_report,
+            queue_position: record.queue_position,
+            cancel_requested: record.cancel_requested,
+            created_at: record.created_at,
+            started_at: record.started_at,
+            finished_at: record.finished_at,
+            expires_at: retention.expires_at(&record),
+            attempts: record.attempts,
+            priority: record.priority,
+            links: Links::of(&record, output, prefix),
+            tags: record.tags,
+            progress: Progress { iterations: record.iterations, latest: record.latest },
+            error: record.failure.as_ref().map(Problem::from),
+        }
+    }
+}
+
+impl IntoResponse for JobDocument {
+    /// 200; of a job that is not done with `Retry-After`.
+    fn into_response(self) -> Response {
+        let retry = (!self.done).then_some([(RETRY_AFTER, POLL_SECONDS)]);
+        (retry, Extension(JobIdExtension(self.id)), Json(self)).into_response()
+    }
 }
 
 /// A page of jobs.
@@ -112,7 +228,7 @@ pub struct Progress {
     /// Iterations made.
     pub iterations: usize,
     /// The latest of them.
-    #[schema(schema_with = openapi::latest_iteration, required)]
+    #[schema(required)]
     pub latest: Option<IterationRecord>,
 }
 
@@ -123,7 +239,6 @@ pub struct Validation {
     #[schema(example = true)]
     pub valid: bool,
     /// What it would cost.
-    #[schema(schema_with = openapi::estimate)]
     pub estimate: JobEstimate,
 }
 
@@ -181,30 +296,25 @@ pub struct Health {
     pub status: &'static str,
 }
 
-impl From<JobRecord> for JobDocument {
-    fn from(record: JobRecord) -> Self {
-        Self {
-            id: record.id,
-            status: record.state,
-            queue_position: record.queue_position,
-            cancel_requested: record.cancel_requested,
-            created_at: record.created_at,
-            started_at: record.started_at,
-            finished_at: record.finished_at,
-            attempts: record.attempts,
-            priority: record.priority,
-            tags: record.tags,
-            progress: Progress { iterations: record.iterations, latest: record.latest },
-            error: record.failure.as_ref().map(Problem::from),
-            links: Links::of(record.id),
+#[cfg(test)]
+mod tests {
+    use axum::http::{HeaderName, HeaderValue};
+
+    use super::*;
+
+    #[test]
+    fn a_prefix_is_a_plain_path() {
+        let prefix = |text: &'static str| {
+            Prefix::of(&HeaderMap::from_iter([(
+                HeaderName::from_static("x-forwarded-prefix"),
+                HeaderValue::from_static(text),
+            )]))
+            .0
+        };
+        assert_eq!(prefix("/press"), "/press");
+        assert_eq!(prefix("/a/b/"), "/a/b");
+        for bad in ["", "/", "press", "//elsewhere.example", "/a b", "/a\"b", "/a?b"] {
+            assert_eq!(prefix(bad), "", "{bad}");
         }
     }
-}
-
-/// 202 with a receipt: the job is on its way.
-pub fn accepted(record: &JobRecord) -> Response {
-    let links = Links::of(record.id);
-    let location = [(LOCATION, links.job.clone())];
-    let receipt = Receipt { id: record.id, status: record.state, links };
-    (StatusCode::ACCEPTED, location, Extension(JobIdExtension(record.id)), Json(receipt)).into_response()
 }

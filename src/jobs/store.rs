@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use async_trait::async_trait;
 use bytes::Bytes;
+use jiff::Timestamp;
 use thiserror::Error;
 
 use super::{
@@ -169,6 +170,23 @@ pub struct Retention {
     pub succeeded: Duration,
     /// Those without: failed, cancelled, timed out.
     pub failed: Duration,
+}
+
+impl Retention {
+    /// When a job is removed; `None` until it has finished.
+    pub fn expires_at(&self, job: &JobRecord) -> Option<Timestamp> {
+        let kept = match job.state {
+            JobState::Succeeded | JobState::NotConverged => self.succeeded,
+            _ => self.failed,
+        };
+        job.finished_at?.checked_add(kept).ok()
+    }
+}
+
+impl Default for Retention {
+    fn default() -> Self {
+        Self { succeeded: Duration::from_hours(168), failed: Duration::from_hours(72) }
+    }
 }
 
 /// What became of a job that was handed in.

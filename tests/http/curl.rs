@@ -38,6 +38,11 @@ impl Answer {
         assert_eq!(problem["status"], status);
         assert!(problem["title"].as_str().is_some_and(|title| !title.is_empty()));
         assert!(problem["detail"].as_str().is_some_and(|detail| !detail.is_empty()));
+        let instance = format!("/requests/{}", self.header("x-request-id").unwrap_or_default());
+        assert_eq!(problem["instance"], instance);
+        for error in problem["errors"].as_array().into_iter().flatten() {
+            assert!(error["code"].as_str().is_some_and(|code| !code.is_empty()), "{error}");
+        }
         problem
     }
 }
@@ -45,7 +50,8 @@ impl Answer {
 /// JSON pointers of the fields a problem names.
 pub fn pointers(problem: &Value) -> Vec<&str> {
     let errors = problem["errors"].as_array().map(Vec::as_slice).unwrap_or_default();
-    errors.iter().map(|error| error["pointer"].as_str().expect("a pointer")).collect()
+    let pointers = errors.iter().map(|error| error["pointer"].as_str().expect("a pointer"));
+    pointers.map(|pointer| pointer.strip_prefix('#').expect("a fragment")).collect()
 }
 
 /// Runs `curl` with these arguments.

@@ -12,13 +12,13 @@ use crate::server::{DEADLINE, Server, example};
 
 /// One event.
 #[derive(Debug, Clone, PartialEq)]
-struct Event {
-    name: String,
-    id: Option<String>,
-    data: Value,
+pub struct Event {
+    pub name: String,
+    pub id: Option<String>,
+    pub data: Value,
 }
 
-fn events(text: &[u8]) -> Vec<Event> {
+pub fn events(text: &[u8]) -> Vec<Event> {
     let text = std::str::from_utf8(text).unwrap();
     let field = |block: &str, name: &str| {
         let prefix = format!("{name}: ");
@@ -38,7 +38,8 @@ fn events(text: &[u8]) -> Vec<Event> {
 fn a_finished_job_replays_its_history_and_ends() {
     let server = Server::start();
     let id = server.target.submit(&example());
-    let finished = server.target.wait_for(&id, &["succeeded"]);
+    server.target.wait_for(&id, &["succeeded"]);
+    let finished = server.target.get(&id).json();
     let url = format!("{}{id}/events", server.target.url);
     let answer = curl(&[&url]);
     assert_eq!((answer.status, answer.header("content-type")), (200, Some("text/event-stream")));

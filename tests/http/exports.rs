@@ -20,6 +20,7 @@ fn every_form_of_a_result_is_served_under_its_name() {
     let server = Server::start();
     let job = solved(&server.target, &json!({"force": 600.0}), &json!({"fields": true}));
     for (file, media_type, disposition, beginning) in [
+        ("summary.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,status,force [N/mm],"),
         ("pressure.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,x [mm],"),
         ("subsurface.csv", "text/csv; charset=utf-8; header=present", "attachment", "step,body,depth [mm],"),
         ("field.vtu", "application/xml", "attachment", "<?xml version"),
@@ -45,7 +46,8 @@ fn a_step_of_a_sweep_is_chosen() {
     assert_eq!((first.status, second.status), (200, 200));
     assert_eq!(last.body, second.body);
     assert_ne!(first.body, second.body);
-    for query in ["?step=3", "?step=0", "?step=x", "?steps=1"] {
+    figure("?step=3").problem(404, "step-not-found");
+    for query in ["?step=0", "?step=x", "?steps=1"] {
         figure(query).problem(400, "invalid-query");
     }
     let table = server.target.get(&format!("{job}/pressure.csv?step=1"));
@@ -55,6 +57,29 @@ fn a_step_of_a_sweep_is_chosen() {
     assert!(
         text.lines().any(|line| line.starts_with("1,")) && text.lines().any(|line| line.starts_with("2,"))
     );
+}
+
+#[test]
+fn parts_of_a_result_are_selected() {
+    let server = Server::start();
+    let job = solved(&server.target, &json!({"forces": [200.0, 400.0, 600.0]}), &json!({}));
+    let result = |query: &str| server.target.get(&format!("{job}/result{query}")).json();
+    let (whole, part) = (result(""), result("?fields=subsurface&step=3"));
+    assert_eq!(part["steps"].as_array().unwrap().len(), 1);
+    let (whole, part) = (&whole["steps"][2], &part["steps"][0]);
+    assert_eq!(part["subsurface"], whole["subsurface"]);
+    assert_eq!(part["contact"]["peak_pressure"], whole["contact"]["peak_pressure"]);
+    assert_eq!((&part["contact"]["nodes"]["x"], &part["history"]), (&json!([]), &json!([])));
+    assert!(part.get("fields").is_none());
+    let thinned = result("?subsurface_points=7");
+    let depth = thinned["steps"][2]["subsurface"]["upper"]["depth"].as_array().unwrap();
+    let all = whole["subsurface"]["upper"]["depth"].as_array().unwrap();
+    assert!(depth.len() <= 7 && depth.first() == all.first() && depth.last() == all.last());
+
+    let csv = ["-H", "Accept: text/csv", &format!("{}{job}/result", server.target.url)];
+    let table = crate::curl::curl(&csv);
+    assert!(table.header("content-type").is_some_and(|kind| kind.starts_with("text/csv")));
+    assert_eq!(String::from_utf8(table.body).unwrap().lines().count(), 4);
 }
 
 #[test]

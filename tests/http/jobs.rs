@@ -27,7 +27,7 @@ fn a_job_is_queued_followed_and_fetched() {
         assert!(finished[time].as_str().is_some_and(|time| time.ends_with('Z')), "{time}");
     }
 
-    let result = service.get(receipt["links"]["result"].as_str().unwrap());
+    let result = service.get(finished["links"]["result"].as_str().unwrap());
     assert_eq!((result.status, result.header("content-type")), (200, Some("application/json")));
     let report = result.json();
     assert_eq!(report["status"], "converged");
@@ -40,10 +40,17 @@ fn solve_answers_with_the_result() {
     let server = Server::start();
     let answer = server.target.post("/v1/solve", example().to_string());
     assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/json")));
-    let address = answer.header("content-location").expect("where the result stays").to_owned();
-    let again = server.target.get(&address);
-    assert_eq!(again.body, answer.body);
-    assert_eq!(answer.json()["status"], "converged");
+    let address = answer.header("content-location").expect("where the job stays").to_owned();
+    let job = answer.json();
+    assert_eq!(server.target.get(&format!("{address}?wait=0")).json(), job);
+    assert_eq!(server.target.get(job["links"]["result"].as_str().unwrap()).json(), job["result"]);
+    assert_eq!((&job["status"], &job["result"]["status"]), (&"succeeded".into(), &"converged".into()));
+    assert_eq!((&job["done"], &job["has_result"]), (&true.into(), &true.into()));
+    assert!(job["expires_at"].as_str() > job["finished_at"].as_str());
+    for (name, link) in job["links"].as_object().unwrap() {
+        let answer = server.target.get(link.as_str().unwrap());
+        assert_eq!(answer.status, 200, "{name}");
+    }
 }
 
 #[test]

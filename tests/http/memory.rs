@@ -20,7 +20,7 @@ fn a_job_above_the_budget_is_refused_with_its_estimate() {
     }
     let mut small = example();
     small["mesh"] = json!({"elements_per_half_width": 4});
-    assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["status"], "converged");
+    assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["result"]["status"], "converged");
 }
 
 /// A service with three solvers, and room for so many tenths of a job of ordinary size.

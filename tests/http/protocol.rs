@@ -66,7 +66,7 @@ fn results_are_compressed_for_those_who_ask() {
     assert!(zipped.body.len() < plain.body.len() / 2);
     let unzipped = [json.as_slice(), &["--compressed"]].concat();
     let unzipped = server.target.post_with("/v1/solve", example().to_string(), &unzipped);
-    assert_eq!(unzipped.json()["status"], "converged");
+    assert_eq!(unzipped.json()["result"]["status"], "converged");
 }
 
 #[test]

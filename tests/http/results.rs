@@ -41,16 +41,82 @@ fn a_result_is_had_in_parts() {
     assert_eq!(steps.len(), 3);
     assert!(steps.iter().all(|step| step["fields"]["upper"]["nodes"].is_array()));
 
-    let light = solved.get("/result?fields=false", &[]).json();
+    let light = solved.get("/result?fields=contact,subsurface,plasticity,history", &[]).json();
     assert!(light["steps"].as_array().unwrap().iter().all(|step| step.get("fields").is_none()));
     assert_eq!(light["steps"][1]["contact"], steps[1]["contact"]);
     assert_eq!(light["load_approach"], whole["load_approach"]);
 
     let second = solved.get("/result?step=2", &[]).json();
     assert_eq!(second["steps"], json!([steps[1]]));
-    for query in ["?step=4", "?step=0", "?fields=maybe", "?part=1"] {
+    for query in ["?step=0", "?fields=maybe", "?part=1"] {
         solved.get(&format!("/result{query}"), &[]).problem(400, "invalid-query");
     }
+    for args in [&[][..], &["-H", "Accept: text/csv"]] {
+        solved.get("/result?step=4", args).problem(404, "step-not-found");
+    }
+}
+
+#[test]
+fn the_parts_that_are_not_wanted_stay_behind() {
+    let solved = Solved::new(true);
+    let whole = solved.get("/result", &[]).json();
+    let query = "/result?step=3&fields=fields,contact&subsurface_points=5";
+    let part = solved.get(query, &[]);
+    let (step, expected) = (&part.json()["steps"][0], &whole["steps"][2]);
+    for kept in ["contact", "fields", "load", "approach", "hertz"] {
+        assert_eq!(step[kept], expected[kept], "{kept}");
+    }
+    assert!(step.get("subsurface").is_none() && step["history"] == json!([]));
+    assert_eq!(step["plasticity"]["upper"]["outline"], json!([]));
+    assert_eq!(step["plasticity"]["upper"]["depth"], expected["plasticity"]["upper"]["depth"]);
+
+    let thin = solved.get("/result?fields=subsurface&subsurface_points=5", &[]);
+    let compressed = solved.get("/result?fields=subsurface&subsurface_points=5", &["--compressed"]);
+    assert_eq!((compressed.header("content-encoding"), &compressed.body), (Some("gzip"), &thin.body));
+    for (step, whole) in
+        thin.json()["steps"].as_array().unwrap().iter().zip(whole["steps"].as_array().unwrap())
+    {
+        let (depth, all) = (&step["subsurface"]["upper"]["depth"], &whole["subsurface"]["upper"]["depth"]);
+        assert!(
+            depth.as_array().unwrap().len() <= 5 && all.as_array().unwrap().len() > 5,
+            "{depth} of {all}"
+        );
+        assert_eq!(depth[0], all[0]);
+        assert_eq!(step["contact"]["nodes"]["pressure"], json!([]));
+    }
+    let tags = ["", "?step=3", "?fields=subsurface", "?fields=subsurface&subsurface_points=5"];
+    let mut tags =
+        tags.map(|query| solved.get(&format!("/result{query}"), &[]).header("etag").unwrap().to_owned());
+    tags.sort_unstable();
+    assert!(tags.windows(2).all(|pair| pair[0] != pair[1]), "{tags:?}");
+}
+
+#[test]
+fn a_spreadsheet_has_a_row_for_each_step() {
+    let solved = Solved::new(false);
+    let csv = ["-H", "Accept: text/csv"];
+    let table = solved.get("/result", &csv);
+    assert_eq!(table.body, solved.get("/summary.csv", &[]).body);
+    let text = String::from_utf8(table.body.clone()).unwrap();
+    let rows: Vec<_> = text.lines().collect();
+    assert_eq!((rows.len(), table.header("vary")), (4, Some("accept, accept-encoding")));
+    let second = String::from_utf8(solved.get("/result?step=2", &csv).body).unwrap();
+    assert_eq!(second.lines().collect::<Vec<_>>(), [rows[0], rows[2]]);
+}
+
+#[test]
+fn the_job_and_its_result_come_as_one_text() {
+    let solved = Solved::new(true);
+    let whole = solved.get("/result", &[]).json();
+    for args in [&[][..], &["--compressed"], &["-H", "If-None-Match: *"]] {
+        let job = solved.get("?wait=0", args);
+        assert_eq!((job.status, &job.json()["result"]), (200, &whole), "{args:?}");
+    }
+    let light = Solved::new(false);
+    let job = light.get("?wait=0", &["--compressed"]);
+    assert_eq!(job.header("content-encoding"), Some("gzip"));
+    assert_eq!(job.json()["result"], light.get("/result", &[]).json());
+    assert!(light.get("", &[]).json().get("result").is_none());
 }
 
 #[test]
@@ -62,7 +128,7 @@ fn a_compressed_result_is_the_same_result() {
     assert_eq!(compressed.body, plain.body);
     assert_ne!(compressed.header("etag"), plain.header("etag"), "a strong tag names bytes");
     for answer in [&plain, &compressed] {
-        assert_eq!(answer.header("vary"), Some("accept-encoding"));
+        assert_eq!(answer.header("vary"), Some("accept, accept-encoding"));
     }
     let known = format!("If-None-Match: {}", plain.header("etag").unwrap());
     let again = solved.get("/result", &["-H", &known]);
@@ -95,7 +161,7 @@ fn fields_are_had_as_arrays_of_numbers() {
     assert_eq!((compressed.header("content-encoding"), compressed.body == answer.body), (None, true));
 
     for path in ["/fields/4", "/fields/0", "/fields/x"] {
-        solved.get(path, &[]).problem(404, "not-found");
+        solved.get(path, &[]).problem(404, "step-not-found");
     }
     Solved::new(false).get("/fields/1", &[]).problem(409, "not-in-result");
 }

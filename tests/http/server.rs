@@ -69,7 +69,7 @@ impl Target {
         assert_eq!(self.get("/readyz").status, 200);
         let answer = self.post("/v1/solve", example().to_string());
         assert_eq!(answer.status, 200, "{}", String::from_utf8_lossy(&answer.body));
-        assert_eq!(answer.json()["status"], "converged");
+        assert_eq!(answer.json()["result"]["status"], "converged");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::curl::Answer;
+use crate::curl::{Answer, curl};
 use crate::in_process::{InProcess, job};
 use crate::server::{Server, Target, example};
 
@@ -19,16 +19,83 @@ fn a_client_may_prefer_to_wait() {
     let service = InProcess::start(|_| ());
     let answer = submit(&service.target, "/v1/jobs", &job("quick").to_string(), &["Prefer: wait=30"]);
     assert_eq!((answer.status, answer.header("preference-applied")), (200, Some("wait=30")));
-    assert_eq!(answer.json()["status"], "converged");
-    assert!(answer.header("content-location").is_some_and(|address| address.ends_with("/result")));
+    assert_eq!(answer.json()["result"]["status"], "converged");
+    assert_eq!(answer.header("content-location"), answer.json()["links"]["self"].as_str());
 
     let answer = submit(&service.target, "/v1/jobs", &job("slow").to_string(), &["Prefer: wait=0"]);
     assert_eq!((answer.status, answer.header("preference-applied")), (202, Some("wait=0")));
     let answer = submit(&service.target, "/v1/jobs", &job("quick").to_string(), &[]);
     assert_eq!((answer.status, answer.header("preference-applied")), (202, None));
+    assert_eq!(answer.header("retry-after"), Some("1"));
+    let queued = answer.header("location").unwrap().to_owned();
     service.solver.open_gate();
+    for (query, header) in [("?wait=30", "Prefer: wait=1"), ("", "Prefer: wait=30")] {
+        let waited = curl(&["-H", header, &format!("{}{queued}{query}", service.target.url)]);
+        assert_eq!((waited.status, waited.header("retry-after")), (200, None));
+        assert_eq!(waited.json()["result"]["status"], "converged");
+        let applied = query.is_empty().then_some("wait=30");
+        assert_eq!(waited.header("preference-applied"), applied);
+    }
+    let waited = submit(&service.target, "/v1/jobs?wait=30", &job_of("quick"), &[]);
+    assert_eq!((waited.status, waited.json()["done"].as_bool()), (200, Some(true)));
     let failed = submit(&service.target, "/v1/jobs", &job("impossible").to_string(), &["Prefer: wait=30"]);
     failed.problem(422, "invalid-job");
+}
+
+fn job_of(behaviour: &str) -> String {
+    job(behaviour).to_string()
+}
+
+#[test]
+fn solve_waits_as_long_as_its_client_prefers() {
+    let service = InProcess::start(|_| ());
+    for (path, header) in [("/v1/solve?wait=0", "Accept: */*"), ("/v1/solve", "Prefer: wait=0")] {
+        let answer = submit(&service.target, path, &job_of("slow"), &[header]);
+        assert_eq!((answer.status, answer.header("retry-after")), (202, Some("1")));
+        let job = answer.json();
+        assert_eq!((&job["done"], &job["has_result"]), (&false.into(), &false.into()));
+        assert!(job["links"].get("result").is_none() && job["links"]["cancel"].is_string());
+    }
+    service.solver.open_gate();
+}
+
+#[test]
+fn every_parameter_at_fault_is_named() {
+    let service = InProcess::start(|_| ());
+    let path = "/v1/jobs?priority=high&wait=soon&prio=1&priority=2";
+    let problem = submit(&service.target, path, &job_of("quick"), &[]).problem(400, "invalid-query");
+    let faults: Vec<_> = problem["errors"].as_array().unwrap().iter().collect();
+    let names: Vec<_> = faults.iter().map(|fault| fault["parameter"].as_str().unwrap()).collect();
+    assert_eq!(names, ["prio", "priority", "priority", "wait"]);
+    let codes: Vec<_> = faults.iter().map(|fault| fault["code"].as_str().unwrap()).collect();
+    assert_eq!(codes, ["unknown_key", "duplicate_key", "out_of_range", "out_of_range"]);
+}
+
+#[test]
+fn links_are_below_the_path_that_a_proxy_names() {
+    let service = InProcess::start(|_| ());
+    let answer = submit(&service.target, "/v1/jobs", &job_of("quick"), &["X-Forwarded-Prefix: /press"]);
+    let location = answer.header("location").unwrap();
+    assert!(location.starts_with("/press/v1/jobs/"), "{location}");
+    assert_eq!(answer.json()["links"]["self"], location);
+}
+
+#[test]
+fn pages_of_a_named_origin_may_ask() {
+    let origin = "Origin: https://design.example";
+    let service =
+        InProcess::start(|config| config.cors_origin = vec!["https://design.example".parse().unwrap()]);
+    let url = format!("{}/v1/capacity", service.target.url);
+    let allowed = curl(&["-H", origin, &url]);
+    assert_eq!(allowed.header("access-control-allow-origin"), Some("https://design.example"));
+    let other = curl(&["-H", "Origin: https://elsewhere.example", &url]);
+    assert_eq!(other.header("access-control-allow-origin"), None);
+    let preflight = ["-X", "OPTIONS", "-H", origin, "-H", "Access-Control-Request-Method: POST"];
+    let preflight = curl(&[preflight.as_slice(), &[url.as_str()]].concat());
+    assert_eq!((preflight.status, preflight.header("access-control-max-age")), (200, Some("3600")));
+    let closed = InProcess::start(|_| ());
+    let answer = curl(&["-H", origin, &format!("{}/v1/capacity", closed.target.url)]);
+    assert_eq!(answer.header("access-control-allow-origin"), None);
 }
 
 #[test]

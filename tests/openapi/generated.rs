@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use brinell::http::openapi;
 
-use crate::form;
+use crate::{form, types};
 
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -34,4 +34,9 @@ fn the_document_is_in_the_repository() {
 #[test]
 fn the_tables_of_the_form_are_those_of_the_core() {
     assert_written("web/setup/tables.js", &form::tables());
+}
+
+#[test]
+fn the_types_of_the_page_are_those_of_the_document() {
+    assert_written("web/wire.js", &types::types(&openapi::document()));
 }

@@ -4,6 +4,17 @@ import { reportLost } from './connection.js';
 
 /** @typedef {{pointer: string, detail: string}} FieldError */
 
+/**
+ * The faults that a problem names; a pointer comes as the fragment of a URI.
+ * @param {{errors?: {pointer?: string, parameter?: string, detail: string}[]}} problem
+ * @returns {FieldError[]}
+ */
+export const faultsOf = ({ errors = [] }) =>
+  errors.map(({ pointer, parameter = '', detail }) => ({
+    pointer: pointer === undefined ? parameter : decodeURIComponent(pointer.replace(/^#/, '')),
+    detail,
+  }));
+
 /** An RFC 9457 problem, or a connection that failed (status 0). */
 export class Problem extends Error {
   /** @param {number} status @param {string} detail @param {any} [body] */
@@ -12,7 +23,7 @@ export class Problem extends Error {
     this.status = status;
     this.title = String(body.title ?? 'No answer');
     /** @type {FieldError[]} */
-    this.errors = body.errors ?? [];
+    this.errors = faultsOf(body);
     /** @type {{line?: number, column?: number, estimate?: {equations: number, bytes: number}}} */
     this.body = body;
   }

@@ -68,7 +68,9 @@ function problemOf(bytes) {
 
 /** @param {Uint8Array} bytes @param {ArrayBuffer[]} buffers */
 function report(bytes, buffers) {
-  const parsed = JSON.parse(new TextDecoder().decode(bytes));
+  const answer = JSON.parse(new TextDecoder().decode(bytes));
+  // A solve answers with its job, which has the result inside.
+  const parsed = answer.result ?? answer;
   for (const step of parsed.steps ?? []) {
     for (const side of ['upper', 'lower']) {
       if (step.fields?.[side]) step.fields[side] = pack(step.fields[side], buffers);

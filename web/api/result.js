@@ -20,7 +20,8 @@ const waiting =
  * @returns {Promise<Report>}
  * @throws {Problem}
  */
-export const fetchResult = (id, progress) => ask(`v1/jobs/${id}/result?fields=false`, {}, { progress });
+export const fetchResult = (id, progress) =>
+  ask(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`, {}, { progress });
 
 /**
  * @param {string} id of a job

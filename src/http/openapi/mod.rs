@@ -1,21 +1,27 @@
 //! This interface as an OpenAPI 3.1 document.
 //!
 //! Paths, parameters and answers are declared beside each handler and collected by the router that serves them, so
-//! none can be forgotten. Jobs and results are described here, field by field: the core knows nothing of OpenAPI.
-//! Errors follow from what a handler takes in. Tests hold all of it to the real thing (`tests/openapi.rs`), and
+//! none can be forgotten. The schemas of a job come from the core's tables of fields, those of a result from its types.
+//! Errors follow from what a handler takes in. Tests hold all of it to the real thing (`tests/openapi`), and
 //! `api/openapi.json` to this.
 
+mod derived;
 mod problems;
-mod report;
-mod schema;
 
 use std::sync::LazyLock;
 
 use serde_json::{Map, Value, json};
-use utoipa::openapi::schema::{ObjectBuilder, OneOfBuilder, Schema, Type};
+use utoipa::openapi::schema::Schema;
 use utoipa::openapi::{Ref, RefOr};
 
+use super::problem_type::ProblemType;
 use super::routes;
+use crate::jobs::JobState;
+use brinell_solver::job::FaultCode;
+use brinell_solver::job::fields::words;
+use brinell_solver::job::schema::schemas as schema_of_jobs;
+use brinell_solver::report;
+use brinell_solver::solver::SolveStatus;
 
 /// Where the schemas of the document are.
 const BASE: &str = "#/components/schemas/";
@@ -47,18 +53,36 @@ pub fn document() -> Value {
         "scheme": "bearer",
         "description": "The token that `brinell key create` prints. Only where the service asks for API keys.",
     }});
-    document["components"]["schemas"]["JobEvent"] = event();
-    for (name, schema) in brinell_solver::job::schema::schemas(BASE)
-        .into_iter()
-        .chain(report::schemas())
-        .chain(problems::schemas())
-    {
-        document["components"]["schemas"][name] = schema;
+    if let Some(schemas) = document["components"]["schemas"].as_object_mut() {
+        derived::complete(schemas);
+    }
+    let schemas = &mut document["components"]["schemas"];
+    schemas["Job"]["properties"]["result"] = json!({
+        "$ref": format!("{BASE}Report"),
+        "description": "The result; only in the answer to a client that waits, and only if the job is done by then.",
+    });
+    for (key, schema) in [("units", "Units"), ("analysis", "Analysis"), ("tags", "Tags")] {
+        schemas["Report"]["properties"][key] = json!({"$ref": format!("{BASE}{schema}")});
+    }
+    for (name, words, description) in [
+        ("JobState", JobState::ALL.map(JobState::name).to_vec(), JOB_STATES),
+        ("SolveStatus", words::<SolveStatus>(), SOLVE_STATUS),
+    ] {
+        schemas[name] = open_set(description, &words);
+    }
+    let kinds: Vec<_> = ProblemType::ALL.iter().map(|kind| kind.uri()).collect();
+    let kinds: Vec<_> = kinds.iter().map(String::as_str).collect();
+    schemas["Problem"]["properties"]["type"] = open_set(PROBLEM_TYPES, &kinds);
+    schemas["Fault"]["properties"]["code"] = open_set(FAULT_CODES, &words::<FaultCode>());
+    schemas["ValidityNote"]["properties"]["code"] = open_set(VALIDITY_CODES, report::VALIDITY_CODES);
+    for (name, schema) in schema_of_jobs(BASE) {
+        schemas[name] = schema;
     }
     problems::declare(&mut document, &super::guarded_routes().into_openapi().paths);
     link_jobs(&mut document);
     show_examples(&mut document);
     document["components"]["headers"] = problems::headers();
+    keep_used_examples(&mut document);
     document
 }
 
@@ -69,7 +93,9 @@ fn info() -> Value {
         "summary": env!("CARGO_PKG_DESCRIPTION"),
         "description": "Two bodies are pressed together so hard that they yield: POST a job, get the contact \
             pressure, the approach, the stresses below the surface and the plastic zone.\n\nFigures are in the \
-            units the job names. Errors are `application/problem+json` (RFC 9457) and name every field at fault.",
+            units the job names. Errors are `application/problem+json` (RFC 9457) and name every field at fault.\n\n\
+            Answers may get further members, and sets marked `x-extensible-enum` further words, without a `/v2`: a \
+            client ignores what it does not know. A job is kept with its result until its `expires_at`.",
         "license": {"name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0"},
     })
 }
@@ -81,22 +107,6 @@ fn tags_of_operations() -> Value {
         {"name": "theory", "description": "Answers without a mesh."},
         {"name": "service", "description": "The service itself."},
     ])
-}
-
-/// One server-sent event.
-fn event() -> Value {
-    let mut data = schema::text("A job for `state`, an iteration for `iteration`.", "{\"iteration\":1}");
-    data["contentMediaType"] = json!("application/json");
-    let mut id = schema::text("For `Last-Event-ID`; `state` events have none, save the last.", "1-12");
-    id["pattern"] = json!("^[0-9]+-[0-9]+(-end)?$");
-    schema::object(
-        "One event of a job.",
-        [
-            schema::field("event", schema::words("Its kind.", &["state", "iteration"])),
-            schema::optional("id", id),
-            schema::field("data", data),
-        ],
-    )
 }
 
 /// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every error.
@@ -113,6 +123,14 @@ fn show_examples(document: &mut Value) {
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate", "/v1/hertz"] {
         document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["examples"] =
             jobs.clone();
+    }
+}
+
+/// Takes out the examples that nothing refers to: of errors that belong to no operation.
+fn keep_used_examples(document: &mut Value) {
+    let text = document["paths"].to_string();
+    if let Some(examples) = document["components"]["examples"].as_object_mut() {
+        examples.retain(|name, _| text.contains(&format!("\"#/components/examples/{name}\"")));
     }
 }
 
@@ -147,18 +165,21 @@ pub(super) fn tags() -> RefOr<Schema> {
     named("Tags")
 }
 
-/// An error.
-pub(super) fn problem() -> RefOr<Schema> {
-    named("Problem")
+/// Words of a set that may grow: plain text, so that a client made from this document takes a word that is newer.
+fn open_set(description: &str, words: &[&str]) -> Value {
+    json!({
+        "type": "string",
+        "description": format!("{description} There may be more in the future."),
+        "examples": words,
+        "x-extensible-enum": words,
+    })
 }
 
-/// The cost of a job.
-pub(super) fn estimate() -> RefOr<Schema> {
-    named("Estimate")
-}
-
-/// An iteration, or `null` before the first.
-pub(super) fn latest_iteration() -> RefOr<Schema> {
-    let nothing = ObjectBuilder::new().schema_type(Type::Null);
-    Schema::from(OneOfBuilder::new().item(nothing).item(named("Iteration"))).into()
-}
+const JOB_STATES: &str = "Where a job stands. `queued` and `running` are passed through, the others are final; `done` \
+    says so of states that are newer than the client.";
+const SOLVE_STATUS: &str = "How a solve ended. Converged means that displacements and out-of-balance force are below \
+    the tolerance and the final state has passed a check of its own.";
+const VALIDITY_CODES: &str = "Stable identifier.";
+const PROBLEM_TYPES: &str =
+    "The kind of error: a relative address that this service answers with an explanation.";
+const FAULT_CODES: &str = "The kind of fault, for programs.";

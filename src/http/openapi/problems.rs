@@ -4,71 +4,10 @@
 use serde_json::{Map, Value, json};
 use utoipa::openapi::Paths;
 
-use super::schema::{count, field, list_of, named, object, optional, text, words};
 use crate::http::access::HARMLESS;
 use crate::http::problem_type::ProblemType;
 
 const METHODS: [&str; 3] = ["get", "post", "delete"];
-
-/// The schemas by name.
-pub(super) fn schemas() -> Vec<(&'static str, Value)> {
-    let kinds: Vec<_> = ProblemType::ALL.iter().map(|kind| kind.uri()).collect();
-    let kinds: Vec<_> = kinds.iter().map(String::as_str).collect();
-    let problem = object(
-        "An error (RFC 9457).",
-        [
-            field(
-                "type",
-                words(
-                    "The kind of error: a relative address that this service answers with an explanation.",
-                    &kinds,
-                ),
-            ),
-            field("title", text("The kind in words, the same for every occurrence.", "The job is not valid")),
-            field(
-                "status",
-                json!({"type": "integer", "minimum": 400, "maximum": 599, "description": "The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered with.", "examples": [422]}),
-            ),
-            field("detail", text("About this occurrence.", "3 fields at fault")),
-            optional(
-                "errors",
-                list_of("Fields at fault, in the order of the document.", named("FieldError")),
-            ),
-            optional("line", count("Line of the body at which the JSON ends, from 1 (`invalid-json`).", 3)),
-            optional("column", count("Column in that line (`invalid-json`).", 17)),
-            optional("estimate", named("Estimate")),
-            optional(
-                "limit_bytes",
-                count("The limit (`body-too-large`, `job-too-large`). Unit: byte.", 1 << 20),
-            ),
-        ],
-    );
-    let field_error = object(
-        "A fault in a job.",
-        [
-            field(
-                "pointer",
-                json!({"type": "string", "description": "JSON pointer (RFC 6901) of the field; empty for the whole job.", "pattern": "^(/.*)?$", "examples": ["/upper/material/poisson_ratio"]}),
-            ),
-            field(
-                "detail",
-                text(
-                    "What is wrong and what would be right.",
-                    "must be at least 0 and less than 0.5, got 0.5",
-                ),
-            ),
-        ],
-    );
-    let estimate = object(
-        "What a job costs.",
-        [
-            field("equations", count("Equations of both bodies.", 17_226)),
-            field("bytes", count("Peak memory. Unit: byte.", 43_459_337)),
-            field("result_bytes", count("The result of all steps as it is kept. Unit: byte.", 18_432)),
-        ],
-    );
-    vec![("Problem", problem), ("FieldError", field_error), ("Estimate", estimate)]
-}
 
 /// Adds to every operation the errors it can answer with, its security, and the id that every answer carries.
 pub(super) fn declare(document: &mut Value, guarded: &Paths) {
@@ -81,6 +20,8 @@ pub(super) fn declare(document: &mut Value, guarded: &Paths) {
             if is_guarded {
                 kinds.extend([ProblemType::Unauthorized, ProblemType::StoreUnavailable]);
                 operation.insert("security".to_owned(), json!([{}, {"api_key": []}]));
+            } else {
+                operation.insert("security".to_owned(), json!([]));
             }
             kinds.extend(own(operation));
             for parameter in
@@ -146,7 +87,7 @@ fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<Prob
 fn add(responses: &mut Map<String, Value>, kind: ProblemType) {
     let response = responses
         .entry(kind.status().as_str())
-        .or_insert_with(|| json!({"content": {"application/problem+json": {"schema": named("Problem")}}}));
+        .or_insert_with(|| json!({"content": {"application/problem+json": {"schema": {"$ref": "#/components/schemas/Problem"}}}}));
     let titles = match response["description"].as_str() {
         Some(titles) => format!("{titles}; {}", kind.title()),
         None => kind.title().to_owned(),

@@ -9,7 +9,7 @@ use crate::jobs::JobId;
 
 /// Remove a finished job and its result
 #[utoipa::path(
-    delete, path = "/v1/jobs/{id}", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it.")),
+    delete, path = "/v1/jobs/{id}", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its `Location` has it.")),
     responses((status = NO_CONTENT, description = "The job is gone.")),
     extensions(("x-problems" = json!(["job-unfinished"]))),
 )]

@@ -20,6 +20,7 @@ use futures_util::stream;
 
 use crate::http::event_stream::{EventPosition, EventStream};
 use crate::http::job_path::JobPath;
+use crate::http::wire::Prefix;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 
@@ -34,12 +35,13 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs",
     params(
-        ("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it."),
+        ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         ("Last-Event-ID" = Option<String>, Header, description = "Id of the last event seen: what followed is \
             sent. What is no such id is ignored.", example = "1-12"),
     ),
     responses(
-        (status = OK, description = "The stream, which ends with the job; the schema is that of one event.", body = ref("#/components/schemas/JobEvent"),
+        (status = OK, description = "The stream, which ends with the job. It is read event by event, not as a whole: \
+            the `data` of a `state` event is a `Job`, that of an `iteration` event an `Iteration`.", body = String,
             content_type = "text/event-stream"),
         (status = NO_CONTENT, description = "The client has seen the end; it need not come again."),
     ),
@@ -48,6 +50,7 @@ const KEEP_ALIVE: Duration = Duration::from_secs(15);
 pub(in crate::http) async fn get_events(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
+    prefix: Prefix,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
@@ -56,7 +59,7 @@ pub(in crate::http) async fn get_events(
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
     let permit = state.streams.open()?;
-    let events = EventStream::new(state.jobs, id, last.and_then(EventPosition::parse), state.closing);
+    let events = EventStream::new(state, id, last.and_then(EventPosition::parse), prefix);
     let stream = stream::unfold((events, permit), |(mut events, permit)| async {
         let event = events.next().await?;
         Some((Ok::<Event, Infallible>(event), (events, permit)))

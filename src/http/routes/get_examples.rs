@@ -18,7 +18,7 @@ pub(in crate::http) const EXAMPLES: [(&str, &str); 3] = [
 
 /// Jobs to begin with, each with its keys in the order of its file.
 #[derive(Debug, Serialize, ToSchema)]
-pub(in crate::http) struct Examples {
+pub(in crate::http) struct ExampleList {
     /// Each under its name.
     examples: Vec<Example>,
 }
@@ -37,13 +37,13 @@ pub(in crate::http) struct Example {
 /// Jobs to begin with, ready to be posted
 #[utoipa::path(
     get, path = "/v1/examples", tag = "service",
-    responses((status = OK, description = "The examples.", body = Examples)),
+    responses((status = OK, description = "The examples.", body = ExampleList)),
 )]
-pub(in crate::http) async fn get_examples() -> Result<Json<Examples>, Problem> {
+pub(in crate::http) async fn get_examples() -> Result<Json<ExampleList>, Problem> {
     let example = |(name, text)| Ok(Example { name, job: serde_json::from_str(text)? });
     let examples = EXAMPLES.into_iter().map(example).collect::<Result<_, serde_json::Error>>();
     let fault = |error: serde_json::Error| Problem::new(ProblemType::Internal, error.to_string());
-    Ok(Json(Examples { examples: examples.map_err(fault)? }))
+    Ok(Json(ExampleList { examples: examples.map_err(fault)? }))
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! `GET /v1/jobs/{id}/pressure.csv`, `subsurface.csv`, `field.vtu`, `pressure.svg`, `depth.svg`: the result in the
+//! `GET /v1/jobs/{id}/summary.csv`, `pressure.csv`, `subsurface.csv`, `field.vtu`, `pressure.svg`, `depth.svg`: the result in the
 //! forms that other programs read.
 //!
-//! The tables hold every step of a sweep and name it in a column. The others show one step, the last one unless
-//! `?step=` names another, counted from 1 as in the tables.
+//! The tables hold every step of a sweep and name it in a column. The others show one step, the last one
+//! unless `?step=` names another, counted from 1 as in the tables.
 
 use axum::extract::State;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
@@ -18,7 +18,7 @@ use utoipa_axum::router::UtoipaMethodRouter;
 
 use super::get_result::no_result;
 use crate::http::job_path::JobPath;
-use crate::http::query::{Step, StepQuery, wrong};
+use crate::http::query::{Step, StepQuery, takes_no_step};
 use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::{Export, ExportError, ExportFailure, JobId};
 
@@ -34,18 +34,22 @@ pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<Http
 
 fn operation(form: Export) -> Operation {
     let (summary, lacking) = match form {
+        Export::SummaryCsv => ("One row of figures for each step, as a table", None),
         Export::PressureCsv => ("Contact pressure of all steps, as a table", None),
         Export::SubsurfaceCsv => ("Stresses over depth of all steps, as a table", Some("not-in-result")),
         Export::FieldVtu => ("Mesh and fields of both bodies, for ParaView", Some("not-in-result")),
         Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),
         Export::DepthSvg => ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result")),
     };
-    let problems = ["invalid-query", "job-unfinished", "no-result"].into_iter().chain(lacking);
+    let problems = ["invalid-query", "job-unfinished", "no-result"]
+        .into_iter()
+        .chain(lacking)
+        .chain(form.shows_one_step().then_some("step-not-found"));
     let id = ParameterBuilder::new()
         .name("id")
         .parameter_in(ParameterIn::Path)
         .required(Required::True)
-        .description(Some("The job's id, as its receipt and its `Location` have it."))
+        .description(Some("The job's id, as its `Location` has it."))
         .schema(Some(Ref::from_schema_name("JobId")));
     let step = StepQuery::into_params(|| Some(ParameterIn::Query));
     let step = step.into_iter().filter(|_| form.shows_one_step());
@@ -73,10 +77,20 @@ async fn get_export(
     form: Export,
 ) -> Result<Response, Problem> {
     if step.is_some() && !form.shows_one_step() {
-        return Err(wrong(format!("{} holds every step and takes no step", form.file_name())));
+        return Err(takes_no_step(form.file_name()));
     }
+    Ok(file(id, form, export(&state, id, form, step).await?).into_response())
+}
+
+/// The result of a job in another form.
+pub(super) async fn export(
+    state: &HttpState,
+    id: JobId,
+    form: Export,
+    step: Option<usize>,
+) -> Result<String, Problem> {
     match state.jobs.export(id, form, step).await {
-        Ok(text) => Ok(file(id, form, text)),
+        Ok(text) => Ok(text),
         Err(ExportFailure::NoResult) => Err(no_result(&state.jobs.get(id).await?)),
         Err(ExportFailure::Store(error)) => Err(error.into()),
         Err(ExportFailure::Export(error)) => Err(unavailable(&error)),
@@ -87,18 +101,18 @@ async fn get_export(
     }
 }
 
-fn file(id: JobId, form: Export, text: String) -> Response {
+pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
     // Figures are looked at, the rest is for other programs.
     let is_figure = matches!(form, Export::PressureSvg | Export::DepthSvg);
     let disposition = if is_figure { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
     let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
-    (headers, text).into_response()
+    (headers, text)
 }
 
 fn unavailable(error: &ExportError) -> Problem {
     let kind = match error {
-        ExportError::NoStep(_) => ProblemType::InvalidQuery,
+        ExportError::NoStep(_) => ProblemType::StepNotFound,
         ExportError::NoSubsurface | ExportError::NoFields => ProblemType::NotInResult,
         ExportError::Drawing(_) => ProblemType::Internal,
     };

@@ -19,7 +19,7 @@ use brinell_solver::report::FieldArrays;
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/fields/{step}", tag = "results",
     params(
-        ("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it."),
+        ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         ("step" = usize, Path, description = "The step, counted from 1.", minimum = 1, example = 1),
         ("Range" = Option<String>, Header, description = "One range of bytes (RFC 9110).", example = "bytes=0-1023"),
     ),
@@ -31,7 +31,7 @@ use brinell_solver::report::FieldArrays;
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
         (status = RANGE_NOT_SATISFIABLE, description = "The range begins behind the end."),
     ),
-    extensions(("x-problems" = json!(["not-found", "job-unfinished", "no-result", "not-in-result"]))),
+    extensions(("x-problems" = json!(["step-not-found", "job-unfinished", "no-result", "not-in-result"]))),
 )]
 pub(in crate::http) async fn get_fields(
     State(state): State<HttpState>,
@@ -39,7 +39,7 @@ pub(in crate::http) async fn get_fields(
     Path((_, step)): Path<(String, String)>,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let no_step = || Problem::new(ProblemType::NotFound, format!("the result has no step {step}"));
+    let no_step = || Problem::new(ProblemType::StepNotFound, format!("the result has no step {step}"));
     let number = step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)).ok_or_else(no_step)?;
     let Some(head) = state.jobs.result(id).await? else { return Err(no_result(&state.jobs.get(id).await?)) };
     if number >= head.steps {

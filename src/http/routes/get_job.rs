@@ -1,24 +1,45 @@
-//! `GET /v1/jobs/{id}[?wait=s]`: where a job stands, at once or when it has finished.
+//! `GET /v1/jobs/{id}[?wait=s]`: where a job stands, at once or when it is done.
 
-use axum::Json;
 use axum::extract::State;
+use axum::http::HeaderMap;
+use axum::response::{IntoResponse, Response};
 
-use crate::http::job_path::{JobPath, Wait, WaitQuery};
-use crate::http::wire::JobDocument;
+use super::answer::{apply_preference, with_result};
+use crate::http::job_path::JobPath;
+use crate::http::query::{Wait, WaitQuery};
+use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 
 /// Where a job stands
 ///
-/// At once, or with `wait` when the job has finished.
+/// At once, or with `wait` when the job is done; then its result is inside, if it has one.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}", tag = "jobs", params(("id" = JobId, Path, description = "The job's id, as its receipt and its `Location` have it."), WaitQuery),
-    responses((status = OK, description = "The job.", body = JobDocument)),
+    get, path = "/v1/jobs/{id}", tag = "jobs", params(
+        ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
+        WaitQuery,
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
+            What is not understood is ignored.", example = "wait=10"),
+    ),
+    responses((status = OK, description = "The job.", body = JobDocument, content_type = "application/json", headers(
+        ("Retry-After" = u32, description = "Seconds after which to ask again; until the job is done."),
+        ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
+    ))),
 )]
 pub(in crate::http) async fn get_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
-    Wait(timeout): Wait,
-) -> Result<Json<JobDocument>, Problem> {
-    Ok(Json(state.jobs.wait(id, timeout).await?.into()))
+    prefix: Prefix,
+    Wait(wait): Wait,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let record = match wait {
+        Some(wait) => state.jobs.wait(id, wait.timeout).await?,
+        None => state.jobs.get(id).await?,
+    };
+    let job = JobDocument::of(&state, record, &prefix).await?;
+    let mut response =
+        if wait.is_some() { with_result(&state, job, &headers).await? } else { job.into_response() };
+    apply_preference(&mut response, wait);
+    Ok(response)
 }

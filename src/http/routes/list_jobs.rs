@@ -5,7 +5,7 @@ use axum::extract::State;
 
 use crate::http::access::Caller;
 use crate::http::query::{ListFilter, ListQuery};
-use crate::http::wire::{JobDocument, JobList};
+use crate::http::wire::{JobDocument, JobList, Prefix};
 use crate::http::{HttpState, Problem};
 
 /// Jobs, newest first, page by page
@@ -19,10 +19,15 @@ use crate::http::{HttpState, Problem};
 pub(in crate::http) async fn list_jobs(
     State(state): State<HttpState>,
     caller: Caller,
+    prefix: Prefix,
     ListFilter(mut filter): ListFilter,
 ) -> Result<Json<JobList>, Problem> {
     filter.submitter = caller.confined_to();
     let page = state.jobs.list(&filter).await?;
-    let jobs = page.jobs.into_iter().map(JobDocument::from).collect();
+    let jobs = page
+        .jobs
+        .into_iter()
+        .map(|job| JobDocument::brief(job, &state.settings.retention, &prefix))
+        .collect();
     Ok(Json(JobList { jobs, next_cursor: page.next }))
 }

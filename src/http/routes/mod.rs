@@ -1,5 +1,6 @@
 //! One endpoint a file.
 
+mod answer;
 pub(super) mod cancel_job;
 pub(super) mod delete_job;
 pub(super) mod get_capacity;

@@ -1,36 +1,32 @@
 //! `POST /v1/jobs`: queue a job.
 //!
-//! `Prefer: wait=N` answers 200 with the result if there is one within N seconds, `Preference-Applied` says so.
+//! With `?wait=N` or `Prefer: wait=N` the answer is 200 with the result inside if the job is done within N seconds.
 //! `Idempotency-Key` makes the submission repeatable: the same body under the same key is the same job.
 
 use axum::extract::State;
-use axum::http::{HeaderMap, HeaderName, HeaderValue};
+use axum::http::HeaderMap;
 use axum::response::{IntoResponse, Response};
 
+use super::answer::{apply_preference, finished, mark_replayed, submitted};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
-use crate::http::preference::{IdempotencyKey, PreferWait};
-use crate::http::query::{Priority, PriorityQuery};
-use crate::http::wire::Receipt;
-use crate::http::{HttpState, Problem, wire};
+use crate::http::preference::IdempotencyKey;
+use crate::http::query::{PriorityQuery, SubmitQuery, WaitQuery};
+use crate::http::wire::{JobDocument, Prefix};
+use crate::http::{HttpState, Problem};
 use crate::jobs::Submission;
-
-use super::get_result::finished;
-
-const REPLAYED: HeaderName = HeaderName::from_static("idempotency-replayed");
-const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 
 /// Queue a job
 ///
-/// The job is checked, its cost estimated, and what is accepted survives a crash. With `Prefer: wait=N` the result
-/// comes at once if there is one within N seconds. With `Idempotency-Key` the submission may be repeated.
+/// The job is checked, its cost estimated, and what is accepted survives a crash. With `wait` the
+/// answer comes when the job is done, with its result inside. With `Idempotency-Key` the submission may be repeated.
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs",
     params(
         PriorityQuery,
-        ("Prefer" = Option<String>, Header, description = "`wait=N`: the client would wait N seconds for the \
-            result (RFC 7240). Cut at the service's limit; what is not understood is ignored.",
-            example = "wait=10"),
+        WaitQuery,
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
+            What is not understood is ignored.", example = "wait=10"),
         ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this submission, in \
             visible ASCII characters without spaces, bare or in quotes. The same body under the same key is the \
             same job; another body is refused.", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#,
@@ -38,13 +34,14 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
     ),
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
-        (status = OK, description = "The result, within the time the client would wait.", body = ref("#/components/schemas/Report"), content_type = "application/json", headers(
-            ("Content-Location" = String, description = "Address of the result."),
+        (status = OK, description = "The job is done: within the time the client would wait, and then its result is inside; or it was submitted before.", body = JobDocument, content_type = "application/json", headers(
+            ("Content-Location" = String, description = "Address of the job."),
             ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
             ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
         )),
-        (status = ACCEPTED, description = "The job is queued, or was before.", body = Receipt, headers(
+        (status = ACCEPTED, description = "The job is queued, or was before.", body = JobDocument, content_type = "application/json", headers(
             ("Location" = String, description = "Address of the job."),
+            ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
             ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
             ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
         )),
@@ -56,9 +53,9 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 )]
 pub(in crate::http) async fn post_job(
     State(state): State<HttpState>,
-    PreferWait(timeout): PreferWait,
     IdempotencyKey(idempotency_key): IdempotencyKey,
-    Priority(priority): Priority,
+    SubmitQuery { priority, wait }: SubmitQuery,
+    prefix: Prefix,
     caller: Caller,
     headers: HeaderMap,
     JobBody(request): JobBody,
@@ -67,22 +64,16 @@ pub(in crate::http) async fn post_job(
     let submission =
         Submission { request, priority, submitter: caller.key(), idempotency_key, interactive: false };
     let enqueued = state.jobs.submit(submission).await?;
-    let mut record = enqueued.job;
-    if let Some(timeout) = timeout {
-        record = state.jobs.wait(record.id, timeout).await?;
-    }
-    let mut response = if timeout.is_some() && record.state.is_finished() {
-        finished(&state, &record, &headers).await.unwrap_or_else(IntoResponse::into_response)
+    let answer = if let Some(wait) = wait {
+        let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;
+        finished(&state, record, &prefix, &headers).await
     } else {
-        wire::accepted(&record)
+        let job = JobDocument::of(&state, enqueued.job, &prefix).await?;
+        let (done, address) = (job.done, job.links.job.clone());
+        Ok(submitted(job.into_response(), done, &address))
     };
-    let sent = response.headers_mut();
-    if enqueued.replayed {
-        sent.insert(REPLAYED, HeaderValue::from_static("true"));
-    }
-    if let Some(timeout) = timeout {
-        let applied = HeaderValue::try_from(format!("wait={}", timeout.as_secs()));
-        sent.extend(applied.ok().map(|applied| (APPLIED, applied)));
-    }
+    let mut response = answer.unwrap_or_else(IntoResponse::into_response);
+    mark_replayed(&mut response, enqueued.replayed);
+    apply_preference(&mut response, wait);
     Ok(response)
 }

@@ -2,7 +2,7 @@
 //!
 //! | ending | answer |
 //! |---|---|
-//! | there is a report, converged or not | 200, its `status` says which |
+//! | there is a report, converged or not | 200 with the job and its result, its `status` says which |
 //! | past the time limit | 202, as `POST /v1/jobs`; the job goes on |
 //! | the input turned out impossible | 422 |
 //! | the solver or the program failed | 500 |
@@ -13,15 +13,16 @@ use std::sync::Arc;
 
 use axum::extract::State;
 use axum::http::HeaderMap;
-use axum::response::Response;
+use axum::response::{IntoResponse, Response};
 use tokio::runtime::Handle;
 
-use super::get_result::finished;
+use super::answer::{apply_preference, finished, mark_replayed};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
-use crate::http::wire::Receipt;
-use crate::http::{HttpState, Problem, wire};
+use crate::http::query::{Wait, WaitQuery};
+use crate::http::wire::{JobDocument, Prefix};
+use crate::http::{HttpState, Problem};
 use crate::jobs::{JobId, JobService, Submission};
 
 /// Somebody waits: these jobs go before queued ones of ordinary priority.
@@ -29,22 +30,32 @@ const URGENT: i16 = 1;
 
 /// Solve a job and wait for the result
 ///
-/// Past the service's limit the answer is 202, as that of `POST /v1/jobs`, and the job goes on. A client that hangs
-/// up cancels its job.
+/// Waits as long as the service allows, or as `wait` says if that is less. Past it the answer is 202, as that of
+/// `POST /v1/jobs`, and the job goes on. A client that hangs up cancels its job.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
+    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     params(
+        WaitQuery,
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
+            What is not understood is ignored.", example = "wait=10"),
         ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this submission, in \
             visible ASCII characters without spaces, bare or in quotes. The same body under the same key is the \
             same job; another body is refused.", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#,
             example = "press-7"),
     ),
-    request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(
-        (status = OK, description = "The result, converged or not; its `status` says which.", body = ref("#/components/schemas/Report"), content_type = "application/json",
-            headers(("Content-Location" = String, description = "Address of the result."))),
-        (status = ACCEPTED, description = "The time is over; the job goes on.", body = Receipt, headers(
+        (status = OK, description = "The job with its result, converged or not; its `status` says which.", body = JobDocument, content_type = "application/json",
+            headers(
+                ("Content-Location" = String, description = "Address of the job. A service that keeps its jobs in memory forgets it at a restart."),
+                ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
+                ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
+            )),
+        (status = ACCEPTED, description = "The time is over; the job goes on.", body = JobDocument, content_type = "application/json", headers(
             ("Location" = String, description = "Address of the job."),
+            ("Retry-After" = u32, description = "Seconds after which to ask for the job."),
+            ("Preference-Applied" = String, description = "The wait that was granted, `wait=N`."),
+            ("Idempotency-Replayed" = String, description = "`true` if the job was submitted before."),
         )),
     ),
     extensions(("x-problems" = json!([
@@ -54,11 +65,15 @@ const URGENT: i16 = 1;
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
+    Wait(wait): Wait,
+    prefix: Prefix,
     caller: Caller,
     headers: HeaderMap,
     JobBody(text): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
+    let limit = state.settings.solve_limit;
+    let timeout = wait.map_or(limit, |wait| wait.timeout.min(limit));
     let submission = Submission {
         request: text,
         priority: URGENT,
@@ -70,14 +85,16 @@ pub(in crate::http) async fn post_solve(
     let id = enqueued.job.id;
     let mut cancel_on_drop =
         CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id).filter(|_| !enqueued.replayed) };
-    let record = state.jobs.wait(id, state.settings.solve_limit).await?;
+    let record = state.jobs.wait(id, timeout).await?;
     if !record.state.is_finished() {
         state.jobs.sync().await?;
-        cancel_on_drop.job = None;
-        return Ok(wire::accepted(&record));
     }
     cancel_on_drop.job = None;
-    finished(&state, &record, &headers).await
+    let answer = finished(&state, record, &prefix, &headers).await;
+    let mut response = answer.unwrap_or_else(IntoResponse::into_response);
+    mark_replayed(&mut response, enqueued.replayed);
+    apply_preference(&mut response, wait);
+    Ok(response)
 }
 
 /// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.

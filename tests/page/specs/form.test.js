@@ -325,10 +325,10 @@ test('every example converges', async () => {
       const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: 6 }, output: {} });
       const headers = { 'Content-Type': 'application/json' };
       const answer = await (await fetch('v1/solve', { method: 'POST', headers, body })).json();
-      const codes = (answer.steps ?? []).flatMap((/** @type {any} */ step) =>
+      const codes = (answer.result?.steps ?? []).flatMap((/** @type {any} */ step) =>
         step.validity.map((/** @type {any} */ one) => one.code),
       );
-      states.push(`${title}: ${answer.status ?? JSON.stringify(answer)} ${[...new Set(codes)].join(' ')}`);
+      states.push(`${title}: ${answer.result?.status ?? JSON.stringify(answer)} ${[...new Set(codes)].join(' ')}`);
     }
     return states;
   });

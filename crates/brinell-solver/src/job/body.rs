@@ -19,6 +19,14 @@ pub struct Body {
 }
 
 impl Body {
+    /// Young's modulus \[MPa\]; `None` if it is rigid.
+    pub fn young_modulus(&self) -> Option<f64> {
+        match &self.material {
+            Material::Rigid => None,
+            Material::Deformable(material) => Some(material.elastic().young_modulus.get()),
+        }
+    }
+
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
         object.only(&["shape", "support", "material"]);

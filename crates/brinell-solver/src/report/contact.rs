@@ -10,16 +10,17 @@ use crate::solver::{ContactPatch, StepSolution};
 
 /// Contact pressure and its resultants, both sides of the axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Contact))]
 pub struct ContactReport {
-    /// Sum of the nodal forces.
+    /// Sum of the nodal forces \[force >= 0\].
     pub force: f64,
-    /// Half of the distance between the ends of the pressure.
+    /// Half of the distance between the ends of the pressure \[length >= 0\].
     pub half_width: f64,
-    /// Largest pressure.
+    /// Largest pressure \[stress >= 0\].
     pub peak_pressure: f64,
-    /// x of the largest pressure; where nothing touches, of the largest that the history had.
+    /// x of the largest pressure; where nothing touches, of the largest that the history had \[length\].
     pub peak_position: f64,
-    /// Force over width, or over the area of the contact circle.
+    /// Force over width, or over the area of the contact circle \[stress >= 0\].
     pub mean_pressure: f64,
     /// The connected parts of the contact, from left to right.
     pub patches: Vec<Patch>,
@@ -30,23 +31,25 @@ pub struct ContactReport {
 /// One connected part of the contact. The outer ends of all are interpolated to where the pressure vanishes, those
 /// between two parts are loaded nodes. Of a body of revolution they are radii.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Patch {
-    /// Left end.
+    /// Left end \[length\].
     pub left: f64,
-    /// Right end.
+    /// Right end \[length\].
     pub right: f64,
 }
 
 /// Values at the candidate pairs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ContactNodes {
-    /// Tangential position.
+    /// Tangential position \[length\].
     pub x: Vec<f64>,
-    /// Contact pressure.
+    /// Contact pressure \[stress\].
     pub pressure: Vec<f64>,
-    /// Nodal force.
+    /// Nodal force \[force\].
     pub force: Vec<f64>,
-    /// Gap after loading.
+    /// Gap after loading \[length\].
     pub gap: Vec<f64>,
 }
 

@@ -15,6 +15,7 @@ use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
 /// The answer to a job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Report {
     /// `mm_N_MPa` or `SI`.
     pub units: String,
@@ -40,19 +41,20 @@ pub struct Report {
 
 /// One load step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Step))]
 pub struct StepReport {
     /// What was prescribed.
     pub load: LoadReport,
     /// How this step ended.
     pub status: SolveStatus,
-    /// Approach α of the supports.
+    /// Approach α of the supports \[length\].
     pub approach: f64,
     /// Between which two boundaries α is counted.
     pub approach_datum: String,
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
     /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
-    /// 0 where nothing touches and where the step was stopped.
+    /// 0 where nothing touches and where the step was stopped \[stiffness\].
     pub contact_stiffness: f64,
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -63,6 +65,7 @@ pub struct StepReport {
     /// Plastic zone of each body; `null` for a rigid one.
     pub plasticity: PerBody<Option<PlasticityReport>>,
     /// The closed-form elastic contact of the same bodies, where there is one.
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub hertz: Option<HertzReport>,
     /// The onset of yield; only of a job with `"load": {"onset": true}`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -70,6 +73,7 @@ pub struct StepReport {
     /// What to keep in mind about this answer.
     pub validity: Vec<ValidityNote>,
     /// Estimated relative discretization errors, where two meshes allow them.
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub estimated_error: Option<ErrorEstimate>,
     /// Mesh and nodal fields; absent unless asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -80,16 +84,18 @@ pub struct StepReport {
 
 /// What a step prescribed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum LoadReport {
-    /// Total force.
+    /// Total force \[force >= 0\].
     Force(f64),
-    /// Approach.
+    /// Approach \[length\].
     Approach(f64),
 }
 
 /// One value for each body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct PerBody<T> {
     /// Of the upper body.
     pub upper: T,
@@ -113,63 +119,69 @@ impl<T: Clone> PerBody<Option<T>> {
 
 /// Stresses along the normal under the peak pressure.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Subsurface))]
 pub struct SubsurfaceReport {
-    /// Depth below the surface, from 0.
+    /// Depth below the surface, from 0 \[length\].
     pub depth: Vec<f64>,
-    /// Tangential stress.
+    /// Tangential stress \[stress\].
     pub sigma_x: Vec<f64>,
-    /// Normal stress.
+    /// Normal stress \[stress\].
     pub sigma_y: Vec<f64>,
-    /// Out-of-plane stress.
+    /// Out-of-plane stress \[stress\].
     pub sigma_z: Vec<f64>,
-    /// Largest shear stress, half the difference of the extreme principal stresses.
+    /// Largest shear stress, half the difference of the extreme principal stresses \[stress\].
     pub tau_max: Vec<f64>,
-    /// Von Mises stress.
+    /// Von Mises stress \[stress\].
     pub von_mises: Vec<f64>,
-    /// Equivalent plastic strain.
+    /// Equivalent plastic strain \[1\].
     pub equivalent_plastic_strain: Vec<f64>,
 }
 
 /// Extent of plastic flow in one body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = PlasticZone))]
 pub struct PlasticityReport {
     /// Whether any Gauss point is beyond yield.
     pub yielded: bool,
-    /// Largest equivalent plastic strain at a Gauss point.
+    /// Largest equivalent plastic strain at a Gauss point \[1 >= 0\].
     pub max_equivalent_plastic_strain: f64,
-    /// x of that point.
+    /// x of that point \[length\].
     pub position: f64,
-    /// Depth of that point.
+    /// Depth of that point \[length\].
     pub depth: f64,
-    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points.
+    /// Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points \[area >= 0\].
     pub area: f64,
     /// Whether the plastic zone includes a part of the free surface.
     pub reached_surface: bool,
     /// Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not repeated, both sides of
     /// the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either
-    /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise.
+    /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise \[length\].
     pub outline: Vec<Vec<[f64; 2]>>,
 }
 
 /// Hertz's elastic contact under the same force.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Hertz))]
 pub struct HertzReport {
-    /// Half-width a.
+    /// Half-width a \[length >= 0\].
     pub half_width: f64,
-    /// Peak pressure.
+    /// Peak pressure \[stress >= 0\].
     pub peak_pressure: f64,
-    /// Force at which the first body begins to yield; `null` if none can.
+    /// Force at which the first body begins to yield; `null` if none can \[force >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_force: Option<f64>,
-    /// Depth at which it does.
+    /// Depth at which it does \[length >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_depth: Option<f64>,
 }
 
 /// The mesh that was solved on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Mesh))]
 pub struct MeshReport {
     /// Whether one half stands for both by symmetry.
     pub symmetric: bool,
-    /// Tangential spacing in the contact.
+    /// Tangential spacing in the contact \[length >= 0\].
     pub spacing: f64,
     /// Candidate node pairs of the meshed part.
     pub contact_pairs: usize,
@@ -183,9 +195,9 @@ pub struct MeshReport {
     pub passes: usize,
     /// Times the mesh was enlarged because the contact reached its edge.
     pub enlargements: usize,
-    /// Smallest ratio of Jacobian determinants within one element; 1 is a parallelogram.
+    /// Smallest ratio of Jacobian determinants within one element; 1 is a parallelogram \[1\].
     pub min_jacobian_ratio: f64,
-    /// Largest ratio of element side lengths.
+    /// Largest ratio of element side lengths \[1 >= 0\].
     pub max_aspect_ratio: f64,
 }
 
@@ -207,27 +219,28 @@ impl MeshReport {
 
 /// Wall time \[ms\] by phase, all passes and steps together.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Timings {
-    /// Everything.
+    /// Everything \[ms >= 0\].
     pub total: f64,
-    /// Mesh generation.
+    /// Mesh generation \[ms >= 0\].
     pub mesh: f64,
-    /// Stiffness assembly.
+    /// Stiffness assembly \[ms >= 0\].
     pub assembly: f64,
-    /// Fill-reducing ordering.
+    /// Fill-reducing ordering \[ms >= 0\].
     pub ordering: f64,
-    /// Symbolic factorization.
+    /// Symbolic factorization \[ms >= 0\].
     pub symbolic: f64,
-    /// Numeric factorization.
+    /// Numeric factorization \[ms >= 0\].
     pub numeric: f64,
-    /// Contact flexibility matrix.
+    /// Contact flexibility matrix \[ms >= 0\].
     pub flexibility: f64,
-    /// Contact solves.
+    /// Contact solves \[ms >= 0\].
     pub contact: f64,
-    /// Plastic law and initial-stress loads.
+    /// Plastic law and initial-stress loads \[ms >= 0\].
     pub plasticity: f64,
-    /// Forward and back substitutions, the contact stiffness among them.
+    /// Forward and back substitutions, the contact stiffness among them \[ms >= 0\].
     pub solves: f64,
-    /// Final fields and this report.
+    /// Final fields and this report \[ms >= 0\].
     pub output: f64,
 }

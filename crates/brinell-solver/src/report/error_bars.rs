@@ -42,14 +42,15 @@ const PLASTIC_REVOLUTION_FLOOR: f64 = 0.06;
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about
 /// the theory: for that see `validity`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ErrorEstimate {
-    /// Of the peak pressure.
+    /// Of the peak pressure \[1 >= 0\].
     pub peak_pressure: f64,
-    /// Of the half-width.
+    /// Of the half-width \[1 >= 0\].
     pub half_width: f64,
-    /// Of the approach; 0 where it is prescribed.
+    /// Of the approach; 0 where it is prescribed \[1 >= 0\].
     pub approach: f64,
-    /// Of the contact force; 0 where it is prescribed.
+    /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
     #[serde(default)]
     pub force: f64,
 }

@@ -20,24 +20,25 @@ use crate::solver::{BodySolution, StepSolution};
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
 /// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Fields))]
 pub struct FieldsReport {
-    /// Nodes `[x, y]`.
+    /// Nodes `[x, y]` \[length\].
     pub nodes: Vec<[f64; 2]>,
     /// Corners of each element, counter-clockwise, counted from 0.
     pub elements: Vec<[u32; 4]>,
-    /// Displacements `[u_x, u_y]`, each body relative to its own support.
+    /// Displacements `[u_x, u_y]`, each body relative to its own support \[length\].
     pub displacement: Vec<[f64; 2]>,
-    /// Stress along x, or along the radius.
+    /// Stress along x, or along the radius \[stress\].
     pub sigma_x: Vec<f64>,
-    /// Stress along y.
+    /// Stress along y \[stress\].
     pub sigma_y: Vec<f64>,
-    /// Out-of-plane stress, or hoop stress.
+    /// Out-of-plane stress, or hoop stress \[stress\].
     pub sigma_z: Vec<f64>,
-    /// Shear stress.
+    /// Shear stress \[stress\].
     pub tau_xy: Vec<f64>,
-    /// Von Mises stress.
+    /// Von Mises stress \[stress\].
     pub von_mises: Vec<f64>,
-    /// Equivalent plastic strain.
+    /// Equivalent plastic strain \[1\].
     pub equivalent_plastic_strain: Vec<f64>,
 }
 

@@ -8,8 +8,9 @@ use crate::solver::{BodySolution, StepSolution};
 
 /// What only flow theory knows of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Flow))]
 pub struct FlowReport {
-    /// dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches.
+    /// dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches \[stiffness >= 0\].
     pub unloading_stiffness: f64,
     /// Where the work of the force has gone since the bodies were at rest.
     pub energy: EnergyReport,
@@ -21,29 +22,31 @@ pub struct FlowReport {
 
 /// Energies of both bodies: force times length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Energy))]
 pub struct EnergyReport {
-    /// Work of the contact force, the sum of the next two.
+    /// Work of the contact force, the sum of the next two \[energy >= 0\].
     pub work: f64,
-    /// Elastic energy.
+    /// Elastic energy \[energy >= 0\].
     pub elastic: f64,
-    /// Work of the stresses on plastic strain.
+    /// Work of the stresses on plastic strain \[energy >= 0\].
     pub plastic: f64,
-    /// The part of that which the backstress stores.
+    /// The part of that which the backstress stores \[energy >= 0\].
     pub stored: f64,
-    /// The rest of it.
+    /// The rest of it \[energy >= 0\].
     pub dissipated: f64,
 }
 
 /// The ends of the increments, in order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Increments))]
 pub struct IncrementsReport {
-    /// Contact force.
+    /// Contact force \[force\].
     pub force: Vec<f64>,
-    /// Approach.
+    /// Approach \[length\].
     pub approach: Vec<f64>,
-    /// Largest pressure.
+    /// Largest pressure \[stress\].
     pub peak_pressure: Vec<f64>,
-    /// Half-width.
+    /// Half-width \[length\].
     pub half_width: Vec<f64>,
     /// Iterations made.
     pub iterations: Vec<usize>,
@@ -51,22 +54,23 @@ pub struct IncrementsReport {
 
 /// The surface of one body near the contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Surface))]
 pub struct SurfaceReport {
-    /// x of the nodes, both sides of the axis.
+    /// x of the nodes, both sides of the axis \[length\].
     pub x: Vec<f64>,
-    /// How far each has moved outward from the undeformed surface; a dent is negative.
+    /// How far each has moved outward from the undeformed surface; a dent is negative \[length\].
     pub height: Vec<f64>,
-    /// Depth of the deepest point below the undeformed surface.
+    /// Depth of the deepest point below the undeformed surface \[length >= 0\].
     pub depth: f64,
-    /// Height of the highest point above the undeformed surface.
+    /// Height of the highest point above the undeformed surface \[length >= 0\].
     pub pile_up: f64,
-    /// |x| of that point.
+    /// |x| of that point \[length >= 0\].
     pub pile_up_position: f64,
     /// Whether any point yielded since the load last began to fall.
     pub yielded_in_reverse: bool,
-    /// Area of these points in the section x–y, both sides of the axis.
+    /// Area of these points in the section x–y, both sides of the axis \[area >= 0\].
     pub reverse_area: f64,
-    /// Largest equivalent plastic strain gained since then.
+    /// Largest equivalent plastic strain gained since then \[1 >= 0\].
     pub max_reverse_strain: f64,
 }
 

@@ -10,13 +10,14 @@ const SAME: f64 = 1e-9;
 /// Force over approach, only of converged steps: in order of the approach or, of a history, in the order of the increments
 /// with the bodies at rest before them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LoadApproach {
-    /// Contact force P.
+    /// Contact force P \[force\].
     pub force: Vec<f64>,
-    /// Approach α.
+    /// Approach α \[length\].
     pub approach: Vec<f64>,
     /// dP/dα along this curve: of the loading, with the plastic flow that it brings. Second order: the slope of the
-    /// parabola through a point and its neighbours, at the ends through the three outermost points.
+    /// parabola through a point and its neighbours, at the ends through the three outermost points \[stiffness\].
     pub stiffness: Vec<f64>,
 }
 

@@ -26,4 +26,4 @@ pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
-pub use validity::ValidityNote;
+pub use validity::{VALIDITY_CODES, ValidityNote};

@@ -10,23 +10,25 @@ use crate::solver::{StepSolution, highest_utilisation};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = YieldOnset))]
 pub struct YieldOnsetReport {
-    /// Force P_Y.
+    /// Force P_Y \[force >= 0\].
     pub force: f64,
-    /// Approach under it.
+    /// Approach under it \[length\].
     pub approach: f64,
-    /// Peak pressure under it.
+    /// Peak pressure under it \[stress >= 0\].
     pub peak_pressure: f64,
     /// Which body yields first; of two alike, the lower one.
     pub body: Side,
-    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as well.
+    /// x of the middle of the first element to yield; a symmetric contact has its mirror image as well \[length\].
     pub position: f64,
-    /// Depth of that middle.
+    /// Depth of that middle \[length\].
     pub depth: f64,
 }
 
 /// One of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
     /// The upper body.

@@ -51,6 +51,7 @@ impl From<SolveError> for RunError {
 
 /// What a job will cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Estimate))]
 pub struct JobEstimate {
     /// Equations of both bodies.
     pub equations: usize,

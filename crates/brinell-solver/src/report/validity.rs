@@ -3,17 +3,41 @@
 use serde::{Deserialize, Serialize};
 
 use crate::contact::ContactLoad;
-use crate::job::{Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings};
+use crate::job::{Body, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Units};
 use crate::solver::{SolveStatus, StepSolution};
 
 /// One remark on the validity of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ValidityNote {
     /// Stable identifier.
     pub code: String,
     /// For a person.
     pub message: String,
 }
+
+/// Every code that a remark can have.
+pub const VALIDITY_CODES: &[&str] = &[
+    "not_converged",
+    "cancelled",
+    "timed_out",
+    "wide_contact",
+    "large_strain",
+    "collapse",
+    "deformation_theory",
+    "falling_loads",
+    "no_contact",
+    "contact_at_edge",
+    "coarse_mesh",
+    "near_support",
+    "suspicious_units",
+];
+
+/// Radius \[mm\] and half-width over it of a job in SI whose figures look like millimetres.
+const LARGE_RADIUS: f64 = 1000.0;
+const TINY_CONTACT: f64 = 1e-4;
+/// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
+const SOFT: f64 = 1.0;
 
 /// Half-width over effective radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
@@ -32,7 +56,10 @@ const NEAR_SUPPORT: f64 = 5.0;
 /// `depths` are those of the deformable bodies \[mm\].
 pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
-    let mut say = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
+    let mut say = |code: &str, message: String| {
+        debug_assert!(VALIDITY_CODES.contains(&code));
+        notes.push(ValidityNote { code: code.to_owned(), message });
+    };
     match step.status {
         SolveStatus::Converged => {}
         SolveStatus::NotConverged => {
@@ -112,6 +139,14 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 .into(),
         );
     }
+    if looks_like_millimetres(job, half_width, radius) {
+        say(
+            "suspicious_units",
+            "Units are SI, but the figures look like millimetres, newtons and megapascals: metres, N/m and pascals are \
+             expected. If they are meant in mm, leave `units` out."
+                .into(),
+        );
+    }
     notes
 }
 
@@ -141,6 +176,15 @@ fn strain_remark(step: &StepSolution, strain: f64) -> Option<(&'static str, Stri
         return None;
     };
     Some(("large_strain", message))
+}
+
+/// Whether a job in SI has figures that are usual in millimetres, newtons and megapascals.
+fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
+    let mut moduli = [&job.upper, &job.lower].into_iter().filter_map(Body::young_modulus);
+    let is_soft = moduli.any(|modulus| modulus < SOFT);
+    let is_large = radius.is_finite() && radius > LARGE_RADIUS;
+    let is_tiny = half_width > 0.0 && half_width < TINY_CONTACT * radius;
+    job.units == Units::Si && (is_soft || is_large && is_tiny)
 }
 
 /// Whether the loads of a job ever fall.

@@ -5,8 +5,11 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::job::Named;
+
 /// How a solve ended. Not converging is a status, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum SolveStatus {
     /// Displacement change and equilibrium residual are below the tolerance, and the final state passes the
@@ -29,6 +32,19 @@ pub enum Interrupt {
     TimedOut,
 }
 
+impl Named for SolveStatus {
+    const ALL: &'static [Self] = &[Self::Converged, Self::NotConverged, Self::Cancelled, Self::TimedOut];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::NotConverged => "not_converged",
+            Self::Cancelled => "cancelled",
+            Self::TimedOut => "timed_out",
+        }
+    }
+}
+
 impl SolveStatus {
     /// Whether the observer ended it.
     pub fn is_stopped(self) -> bool {
@@ -47,6 +63,7 @@ impl From<Interrupt> for SolveStatus {
 
 /// One outer iteration. Counts are of this iteration alone.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Iteration))]
 pub struct IterationRecord {
     /// One-based.
     pub iteration: usize,
@@ -56,21 +73,21 @@ pub struct IterationRecord {
     pub initial_stress_updates: usize,
     /// Stiffness factorizations.
     pub factorizations: usize,
-    /// `‖u - u_previous‖ / ‖u‖`, the paper's criterion.
+    /// `‖u - u_previous‖ / ‖u‖`, the paper's criterion \[1 >= 0\].
     pub displacement_change: f64,
-    /// `‖R - R_previous‖ / ‖R‖`.
+    /// `‖R - R_previous‖ / ‖R‖` \[1 >= 0\].
     pub force_change: f64,
-    /// `‖∫Bᵀσ dV - R‖ / ‖R‖` over the free degrees of freedom.
+    /// `‖∫Bᵀσ dV - R‖ / ‖R‖` over the free degrees of freedom \[1 >= 0\].
     pub equilibrium_residual: f64,
     /// Gauss points beyond yield, both bodies.
     pub plastic_points: usize,
     /// Pairs in contact.
     pub contact_pairs: usize,
-    /// Approach α.
+    /// Approach α \[length\].
     pub approach: f64,
-    /// Largest contact pressure.
+    /// Largest contact pressure \[stress >= 0\].
     pub peak_pressure: f64,
-    /// Since the start of the job \[ms\].
+    /// Since the start of the job \[ms >= 0\].
     pub elapsed_ms: f64,
 }
 

@@ -3,11 +3,42 @@
 use std::fmt::Write as _;
 
 use super::ExportError;
-use crate::job::{Quantity, Units};
+use crate::job::{Named, Quantity, Units};
 use crate::report::{Report, SubsurfaceReport};
 
 fn units(report: &Report) -> Units {
     if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
+}
+
+/// One row of figures for each step, as a spreadsheet wants them.
+pub fn summary_csv(report: &Report) -> String {
+    let units = units(report);
+    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
+    let (force, length) = (force.symbol(units), Quantity::Length.symbol(units));
+    let stress = Quantity::Stress.symbol(units);
+    let mut text = format!(
+        "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],mean_pressure [{stress}],\
+         half_width [{length}],contact_stiffness [{force}/{length}],max_equivalent_plastic_strain\n"
+    );
+    for (k, step) in report.steps.iter().enumerate() {
+        let status = Named::name(step.status);
+        let zones = [&step.plasticity.upper, &step.plasticity.lower];
+        let strain =
+            zones.into_iter().flatten().map(|zone| zone.max_equivalent_plastic_strain).fold(0.0, f64::max);
+        let contact = &step.contact;
+        let _ = writeln!(
+            text,
+            "{},{status},{},{},{},{},{},{},{strain}",
+            k + 1,
+            contact.force,
+            step.approach,
+            contact.peak_pressure,
+            contact.mean_pressure,
+            contact.half_width,
+            step.contact_stiffness,
+        );
+    }
+    text
 }
 
 /// `step, x, pressure, force, gap` of every candidate pair.

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{depth_svg, field_vtu, pressure_csv, pressure_svg, subsurface_csv};
+use super::{depth_svg, field_vtu, pressure_csv, pressure_svg, subsurface_csv, summary_csv};
 use crate::job::Job;
 use crate::report::Report;
 
@@ -26,6 +26,8 @@ pub enum ExportError {
 /// A form that a report can be written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Export {
+    /// One row of figures for each step.
+    SummaryCsv,
     /// Contact pressure of all steps.
     PressureCsv,
     /// Stresses over depth of all steps.
@@ -40,12 +42,19 @@ pub enum Export {
 
 impl Export {
     /// Every form.
-    pub const ALL: [Self; 5] =
-        [Self::PressureCsv, Self::SubsurfaceCsv, Self::FieldVtu, Self::PressureSvg, Self::DepthSvg];
+    pub const ALL: [Self; 6] = [
+        Self::SummaryCsv,
+        Self::PressureCsv,
+        Self::SubsurfaceCsv,
+        Self::FieldVtu,
+        Self::PressureSvg,
+        Self::DepthSvg,
+    ];
 
     /// What a file of it is called.
     pub const fn file_name(self) -> &'static str {
         match self {
+            Self::SummaryCsv => "summary.csv",
             Self::PressureCsv => "pressure.csv",
             Self::SubsurfaceCsv => "subsurface.csv",
             Self::FieldVtu => "field.vtu",
@@ -57,7 +66,9 @@ impl Export {
     /// Its media type.
     pub const fn media_type(self) -> &'static str {
         match self {
-            Self::PressureCsv | Self::SubsurfaceCsv => "text/csv; charset=utf-8; header=present",
+            Self::SummaryCsv | Self::PressureCsv | Self::SubsurfaceCsv => {
+                "text/csv; charset=utf-8; header=present"
+            }
             Self::FieldVtu => "application/xml",
             Self::PressureSvg | Self::DepthSvg => "image/svg+xml",
         }
@@ -65,7 +76,7 @@ impl Export {
 
     /// Whether it shows one step; the others have a column for it.
     pub const fn shows_one_step(self) -> bool {
-        !matches!(self, Self::PressureCsv | Self::SubsurfaceCsv)
+        !matches!(self, Self::SummaryCsv | Self::PressureCsv | Self::SubsurfaceCsv)
     }
 
     /// Has a job's output contain what this form shows.
@@ -73,7 +84,7 @@ impl Export {
         match self {
             Self::FieldVtu => job.output.fields = true,
             Self::SubsurfaceCsv | Self::DepthSvg => job.output.subsurface = true,
-            Self::PressureCsv | Self::PressureSvg => {}
+            Self::SummaryCsv | Self::PressureCsv | Self::PressureSvg => {}
         }
     }
 
@@ -84,6 +95,7 @@ impl Export {
     pub fn write(self, job: &Job, report: &Report, step: Option<usize>) -> Result<String, ExportError> {
         let step = step.unwrap_or(report.steps.len().saturating_sub(1));
         match self {
+            Self::SummaryCsv => Ok(summary_csv(report)),
             Self::PressureCsv => Ok(pressure_csv(report)),
             Self::SubsurfaceCsv => subsurface_csv(report),
             Self::FieldVtu => field_vtu(report, step),

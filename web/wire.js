@@ -1,0 +1,496 @@
+/**
+ * What goes over the wire, one type for each schema of the OpenAPI document. Generated from it:
+ * `BRINELL_WRITE=1 cargo test --test openapi`.
+ *
+ * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric'} Analysis
+ *
+ * @typedef {object} ApproachLoad
+ * @property {number} approach
+ * @property {null} [approaches]
+ * @property {null} [force]
+ * @property {null} [forces]
+ * @property {null} [history]
+ * @property {null} [onset]
+ *
+ * @typedef {object} ApproachesLoad
+ * @property {null} [approach]
+ * @property {(number)[]} approaches
+ * @property {null} [force]
+ * @property {null} [forces]
+ * @property {null} [history]
+ * @property {null} [onset]
+ *
+ * @typedef {object} BackstressTerm
+ * @property {number} modulus
+ * @property {number} rate
+ *
+ * @typedef {object} Bilinear
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {'bilinear'} law
+ * @property {number} tangent_modulus
+ * @property {number} yield_stress
+ *
+ * @typedef {object} Block
+ * @property {number} depth
+ * @property {'block'} type
+ * @property {number} width
+ *
+ * @typedef {object} Capacity
+ * @property {Limits} limits
+ * @property {number} memory_bytes
+ * @property {Queue} queue
+ * @property {number} solvers
+ *
+ * @typedef {object} ClosedForm
+ * @property {number} effective_radius
+ * @property {(ClosedFormStep)[]} steps
+ * @property {string} units
+ * @property {number | null} yield_onset_force
+ *
+ * @typedef {object} ClosedFormStep
+ * @property {number} force
+ * @property {number} half_width
+ * @property {number} peak_pressure
+ * @property {boolean} yields
+ *
+ * @typedef {object} Contact
+ * @property {number} force
+ * @property {number} half_width
+ * @property {number} mean_pressure
+ * @property {ContactNodes} nodes
+ * @property {(Patch)[]} patches
+ * @property {number} peak_position
+ * @property {number} peak_pressure
+ *
+ * @typedef {object} ContactBody
+ * @property {Material} material
+ * @property {Shape} shape
+ * @property {Support | null} [support]
+ *
+ * @typedef {object} ContactJob
+ * @property {Analysis} analysis
+ * @property {Load} load
+ * @property {ContactBody} lower
+ * @property {MeshSettings | null} [mesh]
+ * @property {OutputSettings | null} [output]
+ * @property {SolverSettings | null} [solver]
+ * @property {Tags | null} [tags]
+ * @property {Units | null} [units]
+ * @property {ContactBody} upper
+ *
+ * @typedef {'active_set' | 'simplex'} ContactMethod
+ *
+ * @typedef {object} ContactNodes
+ * @property {(number)[]} force
+ * @property {(number)[]} gap
+ * @property {(number)[]} pressure
+ * @property {(number)[]} x
+ *
+ * @typedef {'accelerated' | 'strong' | 'weak' | 'secant_stiffness'} Coupling
+ *
+ * @typedef {object} Cylinder
+ * @property {number} radius
+ * @property {'cylinder'} type
+ *
+ * @typedef {object} Deformable
+ * @property {Plasticity | null} [plasticity]
+ * @property {number} poisson_ratio
+ * @property {null} [rigid]
+ * @property {number} young_modulus
+ *
+ * @typedef {object} Energy
+ * @property {number} dissipated
+ * @property {number} elastic
+ * @property {number} plastic
+ * @property {number} stored
+ * @property {number} work
+ *
+ * @typedef {object} ErrorEstimate
+ * @property {number} approach
+ * @property {number} [force]
+ * @property {number} half_width
+ * @property {number} peak_pressure
+ *
+ * @typedef {object} Estimate
+ * @property {number} bytes
+ * @property {number} equations
+ * @property {number} result_bytes
+ *
+ * @typedef {object} Example
+ * @property {ContactJob} job
+ * @property {string} name
+ *
+ * @typedef {object} ExampleList
+ * @property {(Example)[]} examples
+ *
+ * @typedef {object} Fault
+ * @property {string} code
+ * @property {string} detail
+ * @property {string} [parameter]
+ * @property {string} [pointer]
+ *
+ * @typedef {object} Fields
+ * @property {([number, number])[]} displacement
+ * @property {([number, number, number, number])[]} elements
+ * @property {(number)[]} equivalent_plastic_strain
+ * @property {([number, number])[]} nodes
+ * @property {(number)[]} sigma_x
+ * @property {(number)[]} sigma_y
+ * @property {(number)[]} sigma_z
+ * @property {(number)[]} tau_xy
+ * @property {(number)[]} von_mises
+ *
+ * @typedef {object} FieldsOfBodies
+ * @property {Fields | null} lower
+ * @property {Fields | null} upper
+ *
+ * @typedef {object} Flow
+ * @property {Energy} energy
+ * @property {Increments} increments
+ * @property {SurfaceOfBodies} surfaces
+ * @property {number} unloading_stiffness
+ *
+ * @typedef {object} ForceLoad
+ * @property {null} [approach]
+ * @property {null} [approaches]
+ * @property {number} force
+ * @property {null} [forces]
+ * @property {null} [history]
+ * @property {null} [onset]
+ *
+ * @typedef {object} ForcesLoad
+ * @property {null} [approach]
+ * @property {null} [approaches]
+ * @property {null} [force]
+ * @property {(number)[]} forces
+ * @property {null} [history]
+ * @property {null} [onset]
+ *
+ * @typedef {object} Groove
+ * @property {number} depth
+ * @property {number} radius
+ * @property {'groove'} type
+ * @property {number} width
+ *
+ * @typedef {object} Health
+ * @property {string} status
+ *
+ * @typedef {object} Hertz
+ * @property {number} half_width
+ * @property {number} peak_pressure
+ * @property {number | null} yield_onset_depth
+ * @property {number | null} yield_onset_force
+ *
+ * @typedef {object} HistoryLoad
+ * @property {null} [approach]
+ * @property {null} [approaches]
+ * @property {null} [force]
+ * @property {null} [forces]
+ * @property {({force: number} | {approach: number})[]} history
+ * @property {null} [onset]
+ *
+ * @typedef {object} Increments
+ * @property {(number)[]} approach
+ * @property {(number)[]} force
+ * @property {(number)[]} half_width
+ * @property {(number)[]} iterations
+ * @property {(number)[]} peak_pressure
+ *
+ * @typedef {object} Iteration
+ * @property {number} approach
+ * @property {number} contact_pairs
+ * @property {number} contact_pivots
+ * @property {number} displacement_change
+ * @property {number} elapsed_ms
+ * @property {number} equilibrium_residual
+ * @property {number} factorizations
+ * @property {number} force_change
+ * @property {number} initial_stress_updates
+ * @property {number} iteration
+ * @property {number} peak_pressure
+ * @property {number} plastic_points
+ *
+ * @typedef {object} Job
+ * @property {number} attempts
+ * @property {boolean} cancel_requested
+ * @property {string} created_at
+ * @property {boolean} done
+ * @property {Problem} [error]
+ * @property {string | null} expires_at
+ * @property {string | null} finished_at
+ * @property {boolean} has_result
+ * @property {JobId} id
+ * @property {Links} links
+ * @property {number} priority
+ * @property {Progress} progress
+ * @property {number} [queue_position]
+ * @property {Report} [result]
+ * @property {string | null} started_at
+ * @property {JobState} status
+ * @property {Tags} [tags]
+ *
+ * @typedef {string} JobId
+ *
+ * @typedef {object} JobList
+ * @property {(Job)[]} jobs
+ * @property {JobId | null} next_cursor
+ *
+ * @typedef {string} JobState
+ *
+ * @typedef {object} Limits
+ * @property {number} body_bytes
+ * @property {number} job_memory_bytes
+ * @property {number} job_seconds
+ * @property {number} solve_seconds
+ * @property {number} wait_seconds
+ *
+ * @typedef {object} Links
+ * @property {string} [cancel]
+ * @property {string} [depth_svg]
+ * @property {string} events
+ * @property {string} [field_vtu]
+ * @property {string} [pressure_csv]
+ * @property {string} [pressure_svg]
+ * @property {string} request
+ * @property {string} [result]
+ * @property {string} self
+ * @property {string} [subsurface_csv]
+ * @property {string} [summary_csv]
+ *
+ * @typedef {ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad} Load
+ *
+ * @typedef {object} LoadApproach
+ * @property {(number)[]} approach
+ * @property {(number)[]} force
+ * @property {(number)[]} stiffness
+ *
+ * @typedef {PrescribedForce | PrescribedApproach} LoadReport
+ *
+ * @typedef {object} Ludwik
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {number} coefficient
+ * @property {number} exponent
+ * @property {'ludwik'} law
+ * @property {number} yield_stress
+ *
+ * @typedef {Deformable | Rigid} Material
+ *
+ * @typedef {object} Mesh
+ * @property {number} contact_pairs
+ * @property {number} elements
+ * @property {number} enlargements
+ * @property {number} equations
+ * @property {number} max_aspect_ratio
+ * @property {number} min_jacobian_ratio
+ * @property {number} nodes
+ * @property {number} passes
+ * @property {number} spacing
+ * @property {boolean} symmetric
+ *
+ * @typedef {object} MeshSettings
+ * @property {number | null} [elements_per_half_width]
+ *
+ * @typedef {object} OnsetLoad
+ * @property {null} [approach]
+ * @property {null} [approaches]
+ * @property {null} [force]
+ * @property {null} [forces]
+ * @property {null} [history]
+ * @property {true} onset
+ *
+ * @typedef {object} OutputSettings
+ * @property {boolean | null} [fields]
+ * @property {boolean | null} [subsurface]
+ *
+ * @typedef {object} Patch
+ * @property {number} left
+ * @property {number} right
+ *
+ * @typedef {object} PlasticZone
+ * @property {number} area
+ * @property {number} depth
+ * @property {number} max_equivalent_plastic_strain
+ * @property {(([number, number])[])[]} outline
+ * @property {number} position
+ * @property {boolean} reached_surface
+ * @property {boolean} yielded
+ *
+ * @typedef {object} PlasticZoneOfBodies
+ * @property {PlasticZone | null} lower
+ * @property {PlasticZone | null} upper
+ *
+ * @typedef {Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce} Plasticity
+ *
+ * @typedef {object} PrescribedApproach
+ * @property {number} approach
+ *
+ * @typedef {object} PrescribedForce
+ * @property {number} force
+ *
+ * @typedef {object} Problem
+ * @property {number} [column]
+ * @property {string} detail
+ * @property {(Fault)[]} [errors]
+ * @property {Estimate} [estimate]
+ * @property {string} [instance]
+ * @property {number} [limit_bytes]
+ * @property {number} [line]
+ * @property {number} status
+ * @property {string} title
+ * @property {string} type
+ *
+ * @typedef {object} Profile
+ * @property {number} depth
+ * @property {([number, number])[]} points
+ * @property {'profile'} type
+ *
+ * @typedef {object} Progress
+ * @property {number} iterations
+ * @property {Iteration | null} latest
+ *
+ * @typedef {object} Queue
+ * @property {number} capacity
+ * @property {number} queued
+ * @property {number} running
+ *
+ * @typedef {object} RambergOsgood
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {number} exponent
+ * @property {'ramberg_osgood'} law
+ * @property {number} offset
+ * @property {number} reference_stress
+ *
+ * @typedef {object} Report
+ * @property {Analysis} analysis
+ * @property {LoadApproach} [load_approach]
+ * @property {Mesh} mesh
+ * @property {SolveStatus} status
+ * @property {(Step)[]} steps
+ * @property {Tags} [tags]
+ * @property {Timings} timings_ms
+ * @property {Units} units
+ * @property {string} version
+ *
+ * @typedef {object} Rigid
+ * @property {null} [plasticity]
+ * @property {null} [poisson_ratio]
+ * @property {true} rigid
+ * @property {null} [young_modulus]
+ *
+ * @typedef {Cylinder | Block | Groove | Profile} Shape
+ *
+ * @typedef {'upper' | 'lower'} Side
+ *
+ * @typedef {string} SolveStatus
+ *
+ * @typedef {object} SolverSettings
+ * @property {ContactMethod | null} [contact]
+ * @property {Coupling | null} [coupling]
+ * @property {number | null} [increments]
+ * @property {number | null} [max_iterations]
+ * @property {Theory | null} [theory]
+ * @property {number | null} [tolerance]
+ *
+ * @typedef {object} Step
+ * @property {number} approach
+ * @property {string} approach_datum
+ * @property {Contact} contact
+ * @property {number} contact_stiffness
+ * @property {ErrorEstimate | null} estimated_error
+ * @property {FieldsOfBodies} [fields]
+ * @property {Flow} [flow]
+ * @property {Hertz | null} hertz
+ * @property {(Iteration)[]} history
+ * @property {LoadReport} load
+ * @property {PlasticZoneOfBodies} plasticity
+ * @property {SolveStatus} status
+ * @property {SubsurfaceOfBodies} [subsurface]
+ * @property {(ValidityNote)[]} validity
+ * @property {YieldOnset} [yield_onset]
+ *
+ * @typedef {object} Subsurface
+ * @property {(number)[]} depth
+ * @property {(number)[]} equivalent_plastic_strain
+ * @property {(number)[]} sigma_x
+ * @property {(number)[]} sigma_y
+ * @property {(number)[]} sigma_z
+ * @property {(number)[]} tau_max
+ * @property {(number)[]} von_mises
+ *
+ * @typedef {object} SubsurfaceOfBodies
+ * @property {Subsurface | null} lower
+ * @property {Subsurface | null} upper
+ *
+ * @typedef {'clamped' | 'roller'} Support
+ *
+ * @typedef {object} Surface
+ * @property {number} depth
+ * @property {(number)[]} height
+ * @property {number} max_reverse_strain
+ * @property {number} pile_up
+ * @property {number} pile_up_position
+ * @property {number} reverse_area
+ * @property {(number)[]} x
+ * @property {boolean} yielded_in_reverse
+ *
+ * @typedef {object} SurfaceOfBodies
+ * @property {Surface | null} lower
+ * @property {Surface | null} upper
+ *
+ * @typedef {object} Swift
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {number} exponent
+ * @property {'swift'} law
+ * @property {number} strain_offset
+ * @property {number} yield_stress
+ *
+ * @typedef {object} Table
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {'table'} law
+ * @property {([number, number])[]} points
+ *
+ * @typedef {Record<string, string>} Tags
+ *
+ * @typedef {'deformation' | 'flow'} Theory
+ *
+ * @typedef {object} Timings
+ * @property {number} assembly
+ * @property {number} contact
+ * @property {number} flexibility
+ * @property {number} mesh
+ * @property {number} numeric
+ * @property {number} ordering
+ * @property {number} output
+ * @property {number} plasticity
+ * @property {number} solves
+ * @property {number} symbolic
+ * @property {number} total
+ *
+ * @typedef {'mm_N_MPa' | 'SI'} Units
+ *
+ * @typedef {object} Validation
+ * @property {Estimate} estimate
+ * @property {boolean} valid
+ *
+ * @typedef {object} ValidityNote
+ * @property {string} code
+ * @property {string} message
+ *
+ * @typedef {object} Voce
+ * @property {(BackstressTerm)[] | null} [backstress]
+ * @property {'voce'} law
+ * @property {number} rate
+ * @property {number} saturation_stress
+ * @property {number} yield_stress
+ *
+ * @typedef {object} YieldOnset
+ * @property {number} approach
+ * @property {Side} body
+ * @property {number} depth
+ * @property {number} force
+ * @property {number} peak_pressure
+ * @property {number} position
+ *
+ */
+
+export {};
