@@ -77,7 +77,7 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
     pub allow_anonymous: bool,
 
-    /// Origin whose pages may ask this service, e.g. https://design.example; `*` is every origin. May be repeated
+    /// Origin whose pages may ask this service, e.g. `https://design.example`; `*` is every origin. May be repeated
     #[arg(long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',', value_parser = origin)]
     pub cors_origin: Vec<HeaderValue>,
 
