@@ -55,7 +55,7 @@ impl ContactSolver for ActiveSetSolver {
                 if touching[k] { equilibrium.force[k] > 0.0 } else { gap[k] < -GAP_TOLERANCE * scale[k] }
             });
             if next == active {
-                return Ok(bordered::into_solution(active, equilibrium, gap, steps));
+                return Ok(bordered::into_solution(problem, active, equilibrium, gap, steps));
             }
             active = next;
         }
@@ -74,10 +74,10 @@ fn start(problem: &ContactProblem, warm: Option<&ActiveSet>) -> ActiveSet {
         return warm;
     }
     let level = match problem.load {
-        ContactLoad::Force(_) => problem.smallest_gap(),
+        ContactLoad::Force(_) => problem.first_touch(),
         ContactLoad::Approach(approach) => approach,
     };
-    ActiveSet::from_fn(n, |&k| problem.initial_gap[k] <= level)
+    ActiveSet::from_fn(n, |&k| problem.touch(k) <= level)
 }
 
 #[cfg(test)]
@@ -89,7 +89,8 @@ mod tests {
     fn starts_where_the_gap_closes_first_and_ignores_foreign_pairs() {
         let flexibility = SymmetricMatrix::from_fn(3, |i, j| if i == j { 2.0 } else { 1.0 });
         let gaps = [0.5, -0.25, -0.25];
-        let problem = |load| ContactProblem { flexibility: &flexibility, initial_gap: &gaps, load };
+        let problem =
+            |load| ContactProblem { flexibility: &flexibility, initial_gap: &gaps, closing: &[1.0; 3], load };
         let by_force = problem(ContactLoad::Force(1.0));
         assert_eq!(start(&by_force, None).as_slice(), [1, 2]);
         assert_eq!(start(&by_force, Some(&[2, 9].into_iter().collect())).as_slice(), [2]);
@@ -103,10 +104,11 @@ mod tests {
         let problem = ContactProblem {
             flexibility: &flexibility,
             initial_gap: &[0.0, 0.0],
+            closing: &[1.0; 2],
             load: ContactLoad::Force(3.0),
         };
         let solution = ActiveSetSolver.solve(&problem, None).unwrap();
-        assert_eq!((solution.total_force(), solution.approach, solution.active_set.len()), (3.0, 3.0, 1));
+        assert_eq!((solution.total_force, solution.approach, solution.active_set.len()), (3.0, 3.0, 1));
         assert_eq!(solution.pivots, 3, "one step, then two pivots");
     }
 }

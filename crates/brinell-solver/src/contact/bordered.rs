@@ -5,8 +5,8 @@
 //! | F_AA  -e | | R_A |   | -g_A |        R_A = α y - w,   F_AA y = e,   F_AA w = g_A
 //! |  eᵀ    0 | |  α  | = |   P  |        α = (P + eᵀw) / eᵀy
 //! ```
-//! with α known instead where the approach is prescribed. g is counted from its smallest entry on A, so that a
-//! common offset of all gaps costs no digits.
+//! with α known instead where the approach is prescribed. g is counted from what it is when the first pair of A touches, so
+//! that an offset of the approach costs no digits.
 
 use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution};
 use sparse_cholesky::dense::DenseCholesky;
@@ -23,17 +23,20 @@ pub(super) struct Equilibrium {
 /// Solves the bordered system on `active`; |A|³/6 multiply-adds.
 pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<Equilibrium, ContactError> {
     let pairs = active.as_slice();
-    let datum = pairs.iter().map(|&k| problem.initial_gap[k]).fold(f64::INFINITY, f64::min);
+    let datum = pairs.iter().map(|&k| problem.touch(k)).fold(f64::INFINITY, f64::min);
     let factor = DenseCholesky::factor(problem.flexibility.principal_block(pairs))
         .map_err(|error| ContactError::NotPositiveDefinite { pair: pairs[error.index] })?;
-    let mut per_approach = vec![1.0; pairs.len()];
+    let mut per_approach: Vec<f64> = pairs.iter().map(|&k| problem.closing[k]).collect();
     factor.solve_in_place(&mut per_approach);
-    let mut from_gap: Vec<f64> = pairs.iter().map(|&k| problem.initial_gap[k] - datum).collect();
+    let mut from_gap: Vec<f64> = pairs.iter().map(|&k| problem.gap_at(k, datum)).collect();
     factor.solve_in_place(&mut from_gap);
 
     let (beyond_datum, approach) = match problem.load {
         ContactLoad::Force(total) => {
-            let beyond = (total + from_gap.iter().sum::<f64>()) / per_approach.iter().sum::<f64>();
+            let total_of = |values: &[f64]| -> f64 {
+                pairs.iter().zip(values).map(|(&k, value)| problem.closing[k] * value).sum()
+            };
+            let beyond = (total + total_of(&from_gap)) / total_of(&per_approach);
             (beyond, beyond + datum)
         }
         ContactLoad::Approach(approach) => (approach - datum, approach),
@@ -52,7 +55,7 @@ pub(super) fn gaps(
     equilibrium: &Equilibrium,
 ) -> (Vec<f64>, Vec<f64>) {
     let approach = equilibrium.approach;
-    let mut gap: Vec<f64> = problem.initial_gap.iter().map(|g| g - approach).collect();
+    let mut gap: Vec<f64> = (0..problem.n_pairs()).map(|k| problem.gap_at(k, approach)).collect();
     let mut scale: Vec<f64> = problem.initial_gap.iter().map(|g| g.abs() + approach.abs()).collect();
     for j in active.iter() {
         let force = equilibrium.force[j];
@@ -67,6 +70,7 @@ pub(super) fn gaps(
 
 /// Puts an equilibrium into the form of an answer: gaps are zero in contact, and rounding below zero is cut.
 pub(super) fn into_solution(
+    problem: &ContactProblem,
     active_set: ActiveSet,
     equilibrium: Equilibrium,
     mut gap: Vec<f64>,
@@ -78,13 +82,14 @@ pub(super) fn into_solution(
     for k in active_set.iter() {
         gap[k] = 0.0;
     }
-    ContactSolution { force: equilibrium.force, gap, approach: equilibrium.approach, active_set, pivots }
+    let Equilibrium { force, approach } = equilibrium;
+    ContactSolution { total_force: problem.total(&force), force, gap, approach, active_set, pivots }
 }
 
 /// The approach that holds when nothing touches.
 fn prescribed(problem: &ContactProblem) -> f64 {
     match problem.load {
         ContactLoad::Approach(approach) => approach,
-        ContactLoad::Force(_) => problem.smallest_gap(),
+        ContactLoad::Force(_) => problem.first_touch(),
     }
 }

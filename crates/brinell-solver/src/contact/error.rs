@@ -8,14 +8,17 @@ pub enum ContactError {
     /// There are no candidate pairs.
     #[error("the contact has no candidate pairs")]
     NoPairs,
-    /// Flexibility and initial gap describe different numbers of pairs.
-    #[error("flexibility is of {expected} pairs, but there are {found} initial gaps")]
+    /// Flexibility, initial gaps and normals describe different numbers of pairs.
+    #[error("flexibility is of {expected} pairs, but there are {found} initial gaps or normals")]
     DimensionMismatch {
         /// Rows of the flexibility.
         expected: usize,
-        /// Entries of the initial gap.
+        /// Entries of the other list.
         found: usize,
     },
+    /// An approach that does not close a pair.
+    #[error("the approach has to close every pair: the cosine of a normal to it is in (0, 1]")]
+    NotClosing,
     /// A NaN or an infinity in the data.
     #[error("the {0} holds a number that is not finite")]
     NotFinite(&'static str),

@@ -47,13 +47,14 @@ impl KktReport {
 /// Lists of different lengths give infinities, figures that are not finite give NaN; neither passes.
 pub fn check(problem: &ContactProblem, force: &[f64], approach: f64) -> KktReport {
     let n = problem.initial_gap.len();
-    if force.len() != n || problem.flexibility.len() != n {
+    if force.len() != n || problem.closing.len() != n || problem.flexibility.len() != n {
         let never = f64::INFINITY;
         return KktReport { penetration: never, tension: never, complementarity: never, equilibrium: never };
     }
     let displacement: Vec<f64> =
         (0..n).map(|i| (0..n).map(|j| problem.flexibility[(i, j)] * force[j]).sum()).collect();
-    let gap: Vec<f64> = (0..n).map(|k| problem.initial_gap[k] + displacement[k] - approach).collect();
+    let gap: Vec<f64> =
+        (0..n).map(|k| problem.initial_gap[k] + displacement[k] - problem.closing[k] * approach).collect();
 
     let force_scale = largest(force.iter().copied());
     let mut gap_scale = largest(displacement.iter().copied());
@@ -69,8 +70,9 @@ pub fn check(problem: &ContactProblem, force: &[f64], approach: f64) -> KktRepor
         .fold(0.0, worse);
     let equilibrium = match problem.load {
         ContactLoad::Force(total) => {
-            let sum: f64 = force.iter().sum();
-            let magnitude: f64 = force.iter().map(|r| r.abs()).sum();
+            let parts = force.iter().zip(problem.closing).map(|(force, closing)| force * closing);
+            let sum: f64 = parts.clone().sum();
+            let magnitude: f64 = parts.map(f64::abs).sum();
             ratio((sum - total).abs(), worse(total.abs(), magnitude))
         }
         ContactLoad::Approach(given) => {
@@ -112,7 +114,12 @@ mod tests {
     #[test]
     fn every_condition_is_seen_on_its_own() {
         let flexibility = SymmetricMatrix::from_fn(2, |i, j| if i == j { 2.0 } else { 1.0 });
-        let problem = |load| ContactProblem { flexibility: &flexibility, initial_gap: &[0.0, 5.0], load };
+        let problem = |load| ContactProblem {
+            flexibility: &flexibility,
+            initial_gap: &[0.0, 5.0],
+            closing: &[1.0; 2],
+            load,
+        };
         let force = problem(ContactLoad::Force(1.0));
         assert!(check(&force, &[1.0, 0.0], 2.0).passes(0.0));
 
@@ -134,6 +141,7 @@ mod tests {
         let problem = ContactProblem {
             flexibility: &flexibility,
             initial_gap: &[0.0, 5.0],
+            closing: &[1.0; 2],
             load: ContactLoad::Force(1.0),
         };
         for (force, approach) in [

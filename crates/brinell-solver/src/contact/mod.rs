@@ -1,10 +1,10 @@
 //! The frictionless unilateral contact of two elastic bodies, reduced to their candidate node pairs.
 //!
 //! With n pairs, the flexibility `F = flexibility [mm/N]`, the equivalent initial gap
-//! `g = initial_gap [mm]` (geometry plus plastic displacement), the contact forces `R = force [N]`, the gap
+//! `g = initial_gap [mm]` along each pair's normal (geometry plus plastic displacement), the contact forces `R = force [N]`, the gap
 //! after loading `δ = gap [mm]` and the `α = approach [mm]`, a solution satisfies
 //! ```text
-//! -F R + α e + δ = g        continuity                     e = (1, …, 1)
+//! -F R + α e + δ = g        continuity; e_k, the cosine of the pair's normal to the approach
 //! eᵀR = P   or   α given    the load
 //! R >= 0,  δ >= 0,  R_k δ_k = 0
 //! ```

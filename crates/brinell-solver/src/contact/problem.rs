@@ -6,7 +6,7 @@ use sparse_cholesky::dense::SymmetricMatrix;
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ContactLoad {
-    /// Sum of the contact forces P >= 0 \[N\]; the approach is an output.
+    /// Resultant of the contact forces P >= 0 \[N\]; the approach is an output.
     Force(f64),
     /// Approach α of the supports \[mm\]; the force is an output, and may be zero.
     Approach(f64),
@@ -24,10 +24,13 @@ impl ContactLoad {
 /// The contact of n candidate pairs under one load.
 #[derive(Debug, Clone, Copy)]
 pub struct ContactProblem<'a> {
-    /// F \[mm/N\], symmetric positive definite: both bodies' normal displacements under unit pair forces.
+    /// F \[mm/N\], symmetric positive definite: both bodies' displacements along the normals under unit pair forces.
     pub flexibility: &'a SymmetricMatrix,
-    /// Equivalent initial gap `g = δ0 + u_p` \[mm\]; plastic flow may make entries negative.
+    /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make entries negative.
     pub initial_gap: &'a [f64],
+    /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's normal and the direction
+    /// of the approach, in `(0, 1]`.
+    pub closing: &'a [f64],
     /// What is prescribed.
     pub load: ContactLoad,
 }
@@ -41,17 +44,12 @@ pub struct ContactSolution {
     pub gap: Vec<f64>,
     /// Approach α of the supports \[mm\].
     pub approach: f64,
+    /// `P = eᵀR` \[N\].
+    pub total_force: f64,
     /// The pairs in contact, exactly those with R > 0.
     pub active_set: ActiveSet,
     /// Simplex pivots, or linear systems solved by the active set (plus the pivots of its fallback).
     pub pivots: usize,
-}
-
-impl ContactSolution {
-    /// Sum of the contact forces P \[N\].
-    pub fn total_force(&self) -> f64 {
-        self.force.iter().sum()
-    }
 }
 
 impl ContactProblem<'_> {
@@ -60,9 +58,24 @@ impl ContactProblem<'_> {
         self.initial_gap.len()
     }
 
-    /// The smallest equivalent initial gap.
-    pub(super) fn smallest_gap(&self) -> f64 {
-        self.initial_gap.iter().copied().fold(f64::INFINITY, f64::min)
+    /// The approach at which the first pair touches.
+    pub(super) fn first_touch(&self) -> f64 {
+        (0..self.n_pairs()).map(|k| self.touch(k)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The approach at which a pair touches while no force acts.
+    pub(super) fn touch(&self, k: usize) -> f64 {
+        self.initial_gap[k] / self.closing[k]
+    }
+
+    /// `g_k - α e_k`: the gap of a pair at an approach while no force acts.
+    pub(super) fn gap_at(&self, k: usize, approach: f64) -> f64 {
+        self.initial_gap[k] - approach * self.closing[k]
+    }
+
+    /// `eᵀR`.
+    pub(super) fn total(&self, force: &[f64]) -> f64 {
+        self.closing.iter().zip(force).map(|(closing, force)| closing * force).sum()
     }
 
     /// Refuses data that are no contact problem.
@@ -73,6 +86,12 @@ impl ContactProblem<'_> {
         }
         if found == 0 {
             return Err(ContactError::NoPairs);
+        }
+        if self.closing.len() != found {
+            return Err(ContactError::DimensionMismatch { expected, found: self.closing.len() });
+        }
+        if !self.closing.iter().all(|closing| *closing > 0.0 && *closing <= 1.0) {
+            return Err(ContactError::NotClosing);
         }
         let (value, name) = match self.load {
             ContactLoad::Force(force) => (force, "force"),
@@ -96,15 +115,16 @@ impl ContactProblem<'_> {
     /// The answer without contact forces, if the load asks for none: the bodies at the prescribed approach, or
     /// just touching under `P = 0`.
     pub(super) fn without_force(&self) -> Option<ContactSolution> {
-        let smallest = self.smallest_gap();
+        let first = self.first_touch();
         let approach = match self.load {
-            ContactLoad::Force(force) => (force <= 0.0).then_some(smallest)?,
-            ContactLoad::Approach(approach) => (approach <= smallest).then_some(approach)?,
+            ContactLoad::Force(force) => (force <= 0.0).then_some(first)?,
+            ContactLoad::Approach(approach) => (approach <= first).then_some(approach)?,
         };
         Some(ContactSolution {
             force: vec![0.0; self.n_pairs()],
-            gap: self.initial_gap.iter().map(|gap| gap - approach).collect(),
+            gap: (0..self.n_pairs()).map(|k| self.gap_at(k, approach)).collect(),
             approach,
+            total_force: 0.0,
             active_set: ActiveSet::default(),
             pivots: 0,
         })

@@ -18,8 +18,8 @@ const ACCEPTABLE_VIOLATION: f64 = 1e-9;
 /// That leaves no choice: α enters first, the pair with the smallest gap closes, and from then on the complement
 /// of what has just left enters, until z leaves. If no pair opens again, `n_active` pairs take `n_active + 1` pivots.
 ///
-/// **Negative gaps.** Right-hand sides must be >= 0, so all gaps are counted from the smallest one, which is
-/// added back to α.
+/// **Negative gaps.** Right-hand sides must be >= 0, so all gaps are counted from what they are when the first pair touches;
+/// that approach is added back to α.
 ///
 /// **Prescribed approach.** The load row becomes `α + z = α_given`. Eliminating α by it shows Lemke's method for
 /// the linear complementarity problem `δ = (g - α_given e) + F R` with covering vector e and artificial variable
@@ -61,7 +61,7 @@ impl ContactSolver for SimplexSolver {
 /// the prescribed approach), so that its tolerances mean the same for every problem.
 fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError> {
     let n = problem.n_pairs();
-    let datum = problem.smallest_gap();
+    let datum = problem.first_touch();
     let largest = (0..n).map(|k| problem.flexibility[(k, k)]).fold(0.0, f64::max);
     if largest <= 0.0 {
         return Err(ContactError::NotPositiveDefinite { pair: 0 });
@@ -73,7 +73,8 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
     let mut tableau = Tableau::new(
         n,
         |i, j| problem.flexibility[(i, j)] / largest,
-        |k| (problem.initial_gap[k] - datum) / length_unit,
+        |k| problem.gap_at(k, datum) / length_unit,
+        |k| problem.closing[k],
         matches!(problem.load, ContactLoad::Force(_)),
     );
     let limit = 50 * (n + 2);
@@ -97,6 +98,7 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
         force: vec![0.0; n],
         gap: vec![0.0; n],
         approach: datum,
+        total_force: 0.0,
         active_set: ActiveSet::default(),
         pivots,
     };
@@ -112,6 +114,7 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
             Variable::Artificial => {}
         }
     }
+    end.total_force = problem.total(&end.force);
     end.active_set = active.into_iter().collect();
     Ok(end)
 }
@@ -137,7 +140,7 @@ fn polish(problem: &ContactProblem, end: &ContactSolution) -> Result<ContactSolu
         if violation > ACCEPTABLE_VIOLATION {
             return Err(ContactError::IllConditioned { violation });
         }
-        return Ok(bordered::into_solution(active, equilibrium, gap, end.pivots));
+        return Ok(bordered::into_solution(problem, active, equilibrium, gap, end.pivots));
     }
 }
 
@@ -167,7 +170,12 @@ mod tests {
             let flexibility = smooth(n, ridge);
             let initial_gap = parabola(n);
             for load in [ContactLoad::Force(0.5), ContactLoad::Approach(0.1)] {
-                let problem = ContactProblem { flexibility: &flexibility, initial_gap: &initial_gap, load };
+                let problem = ContactProblem {
+                    flexibility: &flexibility,
+                    initial_gap: &initial_gap,
+                    closing: &vec![1.0; n],
+                    load,
+                };
                 let raw = follow_path(&problem).unwrap();
                 let polished = polish(&problem, &raw).unwrap();
                 assert_eq!(raw.active_set, polished.active_set);
@@ -190,6 +198,7 @@ mod tests {
         let problem = ContactProblem {
             flexibility: &flexibility,
             initial_gap: &[0.0, 0.0],
+            closing: &[1.0; 2],
             load: ContactLoad::Approach(1.0),
         };
         assert_eq!(SimplexSolver.solve(&problem, None), Err(ContactError::Ray { pivots: 2 }));
@@ -207,6 +216,7 @@ mod tests {
         let problem = ContactProblem {
             flexibility: &flexibility,
             initial_gap: &initial_gap,
+            closing: &[1.0; 24],
             load: ContactLoad::Force(0.5),
         };
         let solution = SimplexSolver.solve(&problem, None).unwrap();

@@ -15,7 +15,7 @@ pub(super) enum Variable {
     Force(usize),
     /// Gap `δ_k`.
     Gap(usize),
-    /// Approach α, counted from the smallest initial gap.
+    /// Approach α, counted from where the first pair touches.
     Approach,
     /// z, what is missing from the prescribed load.
     Artificial,
@@ -36,17 +36,22 @@ impl Tableau {
         n: usize,
         flexibility: impl Fn(usize, usize) -> f64,
         gap: impl Fn(usize) -> f64,
+        closing: impl Fn(usize) -> f64,
         load_is_force: bool,
     ) -> Self {
         let width = n + 2;
         let mut entries = Vec::with_capacity((n + 1) * width);
         for i in 0..n {
             entries.extend((0..n).map(|j| -flexibility(i, j)));
-            entries.extend([1.0, gap(i)]);
+            entries.extend([closing(i), gap(i)]);
         }
-        let (of_force, of_approach) = if load_is_force { (1.0, 0.0) } else { (0.0, 1.0) };
-        entries.extend((0..n).map(|_| of_force));
-        entries.extend([of_approach, 1.0]);
+        if load_is_force {
+            entries.extend((0..n).map(closing));
+            entries.extend([0.0, 1.0]);
+        } else {
+            entries.extend((0..n).map(|_| 0.0));
+            entries.extend([1.0, 1.0]);
+        }
         Self {
             n,
             width,

@@ -164,7 +164,7 @@ impl MeshSolve {
             peak_pressure: self.system.peak_pressure(&contact.force),
             half_width: self.patch?.half_width(),
             approach: contact.approach,
-            force: self.system.symmetry_factor() as f64 * contact.total_force(),
+            force: self.system.symmetry_factor() as f64 * contact.total_force,
         })
     }
 
@@ -175,7 +175,7 @@ impl MeshSolve {
             peak_pressure: self.system.peak_pressure(&contact.force),
             half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
             approach: contact.approach,
-            force: self.system.symmetry_factor() as f64 * contact.total_force(),
+            force: self.system.symmetry_factor() as f64 * contact.total_force,
         }
     }
 

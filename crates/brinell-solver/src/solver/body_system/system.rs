@@ -33,8 +33,10 @@ pub(crate) struct System {
     pub zone: ContactZone,
     /// The smallest gap as the outlines are given, which gaps are counted from \[mm\].
     pub smallest_gap: f64,
-    /// Initial gap δ0 of each candidate pair \[mm\].
+    /// Initial gap δ0 of each candidate pair along its normal \[mm\].
     pub initial_gap: Vec<f64>,
+    /// The cosine of the angle between each pair's normal and the approach.
+    pub closing: Vec<f64>,
     /// Flexibility of both bodies together \[mm/N\].
     pub flexibility: SymmetricMatrix,
 }
@@ -108,7 +110,8 @@ impl System {
             bodies.push(body);
             transferred.push(displacement);
         }
-        let initial_gap = (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
+        let initial_gap: Vec<f64> =
+            (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
         let mut system = Self {
             bodies,
             bodies_represented,
@@ -116,6 +119,8 @@ impl System {
             stress_state: problem.stress_state,
             zone,
             smallest_gap: problem.smallest_gap,
+            // The surfaces of a contact that is narrow beside their radii face each other along the approach.
+            closing: vec![1.0; initial_gap.len()],
             initial_gap,
             flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
         };
@@ -202,6 +207,11 @@ impl System {
         self.flexibility = total_flexibility(self.zone.columns + 1, &parts, &self.bodies_represented);
     }
 
+    /// The contact conditions of the pairs for equivalent initial gaps.
+    pub fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+    }
+
     /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
     /// the shape function `N_k` of the surface. So a uniform pressure is found exactly.
     pub fn tributary(&self, k: usize) -> f64 {
@@ -239,7 +249,7 @@ impl System {
         let (forward, gap_opening) = phases.time(Phase::Solves, observer, || self.eliminate(loads));
         let gap: Vec<f64> =
             self.initial_gap.iter().zip(gap_opening).map(|(gap, gap_opening)| gap + gap_opening).collect();
-        let problem = ContactProblem { flexibility: &self.flexibility, initial_gap: &gap, load };
+        let problem = self.contact_problem(&gap, load);
         let contact = phases.time(Phase::Contact, observer, || solver.solve(&problem, warm))?;
         let displacement = phases.time(Phase::Solves, observer, || self.substitute(forward, &contact.force));
         Ok(Response { displacement, contact })

@@ -146,7 +146,7 @@ impl<'a> Iteration<'a> {
     pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, SolveError> {
         let gap: Vec<f64> = self.system.initial_gap.iter().zip(gap_opening).map(|(g, u)| g + u).collect();
         let load = self.controls.load;
-        self.solve_contact(&ContactProblem { flexibility: &self.system.flexibility, initial_gap: &gap, load })
+        self.solve_contact(&self.system.contact_problem(&gap, load))
     }
 
     /// A contact problem, warm-started from the last contact.

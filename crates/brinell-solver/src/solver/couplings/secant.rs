@@ -96,8 +96,7 @@ fn solve_equilibrium(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Res
     });
     let problem = ContactProblem {
         flexibility: &flexibility,
-        initial_gap: &system.initial_gap,
-        load: iteration.controls.load,
+        ..system.contact_problem(&system.initial_gap, iteration.controls.load)
     };
     let contact = iteration.solve_contact(&problem)?;
     let displacement = iteration.phases.time(Phase::Solves, iteration.observer, || {

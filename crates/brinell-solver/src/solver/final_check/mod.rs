@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use contact_stiffness::contact_stiffness;
 
-use crate::contact::{ContactLoad, ContactProblem, KktReport, kkt};
+use crate::contact::{ContactLoad, KktReport, kkt};
 use crate::fem::assembly::StressField;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
@@ -221,8 +221,7 @@ fn check_contact(
         .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
     let equivalent: Vec<f64> =
         unloaded_gap.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
-    let problem = ContactProblem { flexibility: &system.flexibility, initial_gap: &equivalent, load };
-    kkt::check(&problem, force, approach)
+    kkt::check(&system.contact_problem(&equivalent, load), force, approach)
 }
 
 fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {
@@ -235,7 +234,7 @@ fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f
                 pressure: pressures[k],
                 force: force[k] * if on_axis { 2.0 } else { 1.0 },
                 // In contact the gap is zero by definition; the rounding error there is checked, not reported.
-                gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach },
+                gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach * system.closing[k] },
             }
         })
         .collect()

@@ -596,7 +596,7 @@ impl Progress {
         self.time = time;
         self.force = match target {
             ContactLoad::Force(force) => force,
-            ContactLoad::Approach(_) => contact.total_force() * solve.system.symmetry_factor() as f64,
+            ContactLoad::Approach(_) => contact.total_force * solve.system.symmetry_factor() as f64,
         };
         self.approach = contact.approach;
         self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
@@ -632,7 +632,7 @@ impl PointHistory {
 fn increment_record(solve: &MeshSolve) -> IncrementRecord {
     let contact = &solve.outcome.state.response.contact;
     IncrementRecord {
-        force: contact.total_force() * solve.system.symmetry_factor() as f64,
+        force: contact.total_force * solve.system.symmetry_factor() as f64,
         approach: contact.approach,
         peak_pressure: solve.system.peak_pressure(&contact.force),
         half_width: solve.patch.map_or(0.0, |patch| patch.half_width()),
