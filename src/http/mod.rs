@@ -8,6 +8,8 @@ mod access;
 mod body;
 mod edge;
 mod event_stream;
+mod examples;
+mod export_file;
 mod job_path;
 mod listen;
 mod metrics;

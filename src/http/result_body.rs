@@ -15,11 +15,12 @@ use tokio::task::spawn_blocking;
 
 use super::HttpState;
 use super::problem::Problem;
+use super::problem_type::ProblemType;
 use super::query::Selection;
 use super::request_log::JobIdExtension;
 use super::selection::{edit, edit_report, no_step};
 use super::wire::JobDocument;
-use crate::jobs::{Deflated, GzipStream, JobId, ResultHead, StoreError};
+use crate::jobs::{Deflated, GzipStream, JobId, JobRecord, ResultHead, StoreError};
 use brinell_solver::report::FieldArrays;
 
 /// Pieces that wait for a client that reads slowly.
@@ -288,6 +289,17 @@ fn byte_range(text: &str, length: usize) -> Option<Result<(usize, usize), ()>> {
         (from, to)
     };
     Some(if from < to { Ok((from, to)) } else { Err(()) })
+}
+
+/// Why this job has no report.
+pub(super) fn no_result(record: &JobRecord) -> Problem {
+    let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
+    let problem = Problem::new(kind, format!("the job is {}", record.state));
+    match &record.failure {
+        Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))
+            .with_errors(failure.errors.clone()),
+        None => problem,
+    }
 }
 
 #[cfg(test)]

@@ -15,7 +15,6 @@ use utoipa::openapi::schema::Schema;
 use utoipa::openapi::{Ref, RefOr};
 
 use super::problem_type::ProblemType;
-use super::routes;
 use crate::jobs::JobState;
 use brinell_solver::job::FaultCode;
 use brinell_solver::job::fields::words;
@@ -111,14 +110,14 @@ fn tags_of_operations() -> Value {
 
 /// Puts the files of `api/examples` beside the bodies that jobs come in, and an example of every error.
 fn show_examples(document: &mut Value) {
-    let jobs = routes::get_examples::EXAMPLES.iter().filter_map(|(name, text)| {
+    let jobs = super::examples::EXAMPLES.iter().filter_map(|(name, text)| {
         let job: Value = serde_json::from_str(text).ok()?;
         Some(((*name).to_owned(), json!({"summary": name.replace('_', " "), "value": job})))
     });
     let all: Map<String, Value> = jobs.chain(problems::examples()).collect();
     document["components"]["examples"] = Value::Object(all);
     let reference = |name: &str| json!({"$ref": format!("#/components/examples/{name}")});
-    let jobs = routes::get_examples::EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
+    let jobs = super::examples::EXAMPLES.iter().map(|(name, _)| ((*name).to_owned(), reference(name)));
     let jobs = Value::Object(jobs.collect());
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate", "/v1/hertz"] {
         document["paths"][path]["post"]["requestBody"]["content"]["application/json"]["examples"] =

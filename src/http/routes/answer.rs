@@ -4,8 +4,8 @@ use axum::http::header::{CONTENT_LOCATION, LOCATION};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 
-use super::get_result::no_result;
 use crate::http::query::Granted;
+use crate::http::result_body::no_result;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem, result_body};
 use crate::jobs::JobRecord;

@@ -6,15 +6,9 @@ use serde_json::value::RawValue;
 use utoipa::ToSchema;
 
 use crate::http::Problem;
+use crate::http::examples::EXAMPLES;
 use crate::http::openapi::job;
 use crate::http::problem_type::ProblemType;
-
-/// Every file in `api/examples`.
-pub(in crate::http) const EXAMPLES: [(&str, &str); 3] = [
-    ("two_cylinders", include_str!("../../../api/examples/two_cylinders.json")),
-    ("cylinder_on_block", include_str!("../../../api/examples/cylinder_on_block.json")),
-    ("ramberg_osgood", include_str!("../../../api/examples/ramberg_osgood.json")),
-];
 
 /// Jobs to begin with, each with its keys in the order of its file.
 #[derive(Debug, Serialize, ToSchema)]

@@ -5,7 +5,6 @@
 //! unless `?step=` names another, counted from 1 as in the tables.
 
 use axum::extract::State;
-use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use utoipa::IntoParams;
@@ -16,11 +15,11 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
 use utoipa_axum::router::UtoipaMethodRouter;
 
-use super::get_result::no_result;
+use crate::http::export_file::{export, file};
 use crate::http::job_path::JobPath;
 use crate::http::query::{Step, StepQuery, takes_no_step};
-use crate::http::{HttpState, Problem, ProblemType};
-use crate::jobs::{Export, ExportError, ExportFailure, JobId};
+use crate::http::{HttpState, Problem};
+use crate::jobs::Export;
 
 /// One route for each form, declared as it is served.
 pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<HttpState>> {
@@ -80,41 +79,4 @@ async fn get_export(
         return Err(takes_no_step(form.file_name()));
     }
     Ok(file(id, form, export(&state, id, form, step).await?).into_response())
-}
-
-/// The result of a job in another form.
-pub(super) async fn export(
-    state: &HttpState,
-    id: JobId,
-    form: Export,
-    step: Option<usize>,
-) -> Result<String, Problem> {
-    match state.jobs.export(id, form, step).await {
-        Ok(text) => Ok(text),
-        Err(ExportFailure::NoResult) => Err(no_result(&state.jobs.get(id).await?)),
-        Err(ExportFailure::Store(error)) => Err(error.into()),
-        Err(ExportFailure::Export(error)) => Err(unavailable(&error)),
-        Err(error @ ExportFailure::Unreadable(_)) => {
-            tracing::error!(job = %id, %error, "no export");
-            Err(Problem::new(ProblemType::Internal, "the stored result cannot be read"))
-        }
-    }
-}
-
-pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
-    // Figures are looked at, the rest is for other programs.
-    let is_figure = matches!(form, Export::PressureSvg | Export::DepthSvg);
-    let disposition = if is_figure { "inline" } else { "attachment" };
-    let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
-    let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
-    (headers, text)
-}
-
-fn unavailable(error: &ExportError) -> Problem {
-    let kind = match error {
-        ExportError::NoStep(_) => ProblemType::StepNotFound,
-        ExportError::NoSubsurface | ExportError::NoFields => ProblemType::NotInResult,
-        ExportError::Drawing(_) => ProblemType::Internal,
-    };
-    Problem::new(kind, error.to_string())
 }

@@ -6,8 +6,8 @@ use axum::http::HeaderMap;
 use axum::response::Response;
 use tokio::task::spawn_blocking;
 
-use super::get_result::no_result;
 use crate::http::job_path::JobPath;
+use crate::http::result_body::no_result;
 use crate::http::{HttpState, Problem, ProblemType, result_body};
 use crate::jobs::{JobId, StoreError};
 use brinell_solver::report::FieldArrays;

@@ -5,12 +5,12 @@ use axum::http::header::{ACCEPT, VARY};
 use axum::http::{HeaderMap, HeaderValue};
 use axum::response::{IntoResponse, Response};
 
-use super::get_export::{export, file};
+use crate::http::export_file::{export, file};
 use crate::http::job_path::JobPath;
 use crate::http::query::{Selection, SelectionQuery};
 use crate::http::selection::no_step;
-use crate::http::{HttpState, Problem, ProblemType, result_body};
-use crate::jobs::{Export, JobId, JobRecord};
+use crate::http::{HttpState, Problem, result_body};
+use crate::jobs::{Export, JobId};
 use brinell_solver::report::Report;
 
 /// The result of a job
@@ -46,7 +46,7 @@ pub(in crate::http) async fn get_result(
     }
     match state.jobs.result(id).await? {
         Some(head) => result_body::result(&state, id, head, selection, &headers).await,
-        None => Err(no_result(&state.jobs.get(id).await?)),
+        None => Err(result_body::no_result(&state.jobs.get(id).await?)),
     }
 }
 
@@ -88,17 +88,6 @@ fn prefers_csv(headers: &HeaderMap) -> bool {
     };
     let csv = preference("text", "csv");
     csv.0 > 0.0 && csv > preference("application", "json")
-}
-
-/// Why this job has no report.
-pub(super) fn no_result(record: &JobRecord) -> Problem {
-    let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
-    let problem = Problem::new(kind, format!("the job is {}", record.state));
-    match &record.failure {
-        Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))
-            .with_errors(failure.errors.clone()),
-        None => problem,
-    }
 }
 
 #[cfg(test)]

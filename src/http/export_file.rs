@@ -1,0 +1,46 @@
+//! Results in the forms that other programs read.
+
+use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
+use axum::response::IntoResponse;
+
+use super::result_body::no_result;
+use super::{HttpState, Problem, ProblemType};
+use crate::jobs::{Export, ExportError, ExportFailure, JobId};
+
+/// The result of a job in another form.
+pub(super) async fn export(
+    state: &HttpState,
+    id: JobId,
+    form: Export,
+    step: Option<usize>,
+) -> Result<String, Problem> {
+    match state.jobs.export(id, form, step).await {
+        Ok(text) => Ok(text),
+        Err(ExportFailure::NoResult) => Err(no_result(&state.jobs.get(id).await?)),
+        Err(ExportFailure::Store(error)) => Err(error.into()),
+        Err(ExportFailure::Export(error)) => Err(unavailable(&error)),
+        Err(error @ ExportFailure::Unreadable(_)) => {
+            tracing::error!(job = %id, %error, "no export");
+            Err(Problem::new(ProblemType::Internal, "the stored result cannot be read"))
+        }
+    }
+}
+
+/// A file as it is sent, with a name to keep it under.
+pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
+    // Figures are looked at, the rest is for other programs.
+    let is_figure = matches!(form, Export::PressureSvg | Export::DepthSvg);
+    let disposition = if is_figure { "inline" } else { "attachment" };
+    let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
+    let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
+    (headers, text)
+}
+
+fn unavailable(error: &ExportError) -> Problem {
+    let kind = match error {
+        ExportError::NoStep(_) => ProblemType::StepNotFound,
+        ExportError::NoSubsurface | ExportError::NoFields => ProblemType::NotInResult,
+        ExportError::Drawing(_) => ProblemType::Internal,
+    };
+    Problem::new(kind, error.to_string())
+}
