@@ -77,7 +77,9 @@ fn field(field: &Field) -> Value {
 /// The page's name of a quantity.
 fn quantity(figure: &Figure) -> &'static str {
     match figure {
-        Figure::Quantity(Quantity::Length | Quantity::Position | Quantity::Approach) => "length",
+        Figure::Quantity(Quantity::Length | Quantity::Position | Quantity::Depth | Quantity::Approach) => {
+            "length"
+        }
         Figure::Quantity(Quantity::Modulus | Quantity::TangentModulus | Quantity::Stress) => "stress",
         Figure::Quantity(Quantity::LineForce) => "line_force",
         Figure::Quantity(Quantity::Force) => "force",

@@ -137,7 +137,8 @@ fn every_kind_of_result_is_as_documented() {
         "points": [[0.0, 500.0], [0.01, 600.0]]}});
     let ball = json!({"shape": {"type": "cylinder", "radius": 20.0}, "material": steel});
     let block = |material: Value| json!({"shape": {"type": "block", "width": 100.0, "depth": 100.0}, "material": material});
-    let crown = json!({"shape": {"type": "profile", "points": [[-4.0, -0.4], [-0.5, 0.0], [4.0, -0.3]], "depth": 20.0},
+    let crown = json!({"shape": {"type": "profile", "points": [[-4.0, -0.4], [-0.5, 0.0], [4.0, -0.3]],
+        "interpolation": "smooth", "depth": 20.0},
         "material": {"young_modulus": 110_000.0, "poisson_ratio": 0.34}});
     let coarse = |analysis: &str, upper: &Value, lower: &Value, load: Value| {
         json!({"analysis": analysis, "upper": upper, "lower": lower, "load": load,

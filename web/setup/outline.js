@@ -34,8 +34,59 @@ export function outline(shape) {
     case 'profile':
       return depth > 0 ? profile(shape.points, depth) : null;
     default:
+      return smooth(shape);
+  }
+}
+
+/** @param {Record<string, any> | undefined} shape @returns {Outline | null} of a shape whose height is a formula */
+function smooth(shape) {
+  const number = (/** @type {string} */ key) => Number(shape?.[key] ?? 0);
+  const [width, depth] = [number('width'), number('depth')];
+  const flank = Math.tan((number('angle') * Math.PI) / 180);
+  switch (shape?.type) {
+    case 'wedge':
+    case 'cone': {
+      const radius = number('tip_radius');
+      const tip = (radius * flank) / Math.hypot(flank, 1);
+      const height = (/** @type {number} */ x) =>
+        Math.abs(x) < tip
+          ? Math.sqrt(radius * radius - x * x) - radius
+          : radius * (Math.hypot(flank, 1) - 1) - flank * Math.abs(x);
+      return flank > 0 ? sampled(height, width, depth) : null;
+    }
+    case 'punch': {
+      const radius = number('edge_radius');
+      const flat = width / 2 - radius;
+      const height = (/** @type {number} */ x) =>
+        Math.abs(x) > flat ? Math.sqrt(Math.max(0, radius * radius - (Math.abs(x) - flat) ** 2)) - radius : 0;
+      return flat > 0 ? sampled(height, width, depth) : null;
+    }
+    case 'parabola': {
+      const radius = number('radius');
+      return radius > 0 ? sampled((x) => (-x * x) / (2 * radius), width, depth) : null;
+    }
+    case 'ellipse': {
+      const [along, across] = [number('semi_axis_x'), number('semi_axis_y')];
+      const height = (/** @type {number} */ x) => across * (Math.sqrt(Math.max(0, 1 - (x / along) ** 2)) - 1);
+      return sampled(height, 2 * along, across);
+    }
+    case 'power': {
+      const [exponent, scale] = [number('exponent'), number('scale')];
+      return scale > 0 ? sampled((x) => -scale * (Math.abs(x) / scale) ** exponent, width, depth) : null;
+    }
+    default:
       return null;
   }
+}
+
+/** @param {(x: number) => number} height @param {number} width @param {number} depth @returns {Outline | null} */
+function sampled(height, width, depth) {
+  if (!(width > 0 && depth > 0)) return null;
+  const surface = Array.from({ length: 2 * STEPS + 1 }, (_, k) => {
+    const x = (width / 2) * Math.sin((Math.PI / 2) * (k / STEPS - 1));
+    return /** @type {Point} */ ([x, height(x)]);
+  });
+  return { surface, base: -depth };
 }
 
 /** @param {number} radius @param {number} half of its width @param {1 | -1} sense 1 rises away from the middle @returns {Point[]} */

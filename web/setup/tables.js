@@ -32,10 +32,67 @@ export const SHAPES = {
   },
   profile: {
     label: "Profile",
-    description: "A block whose upper face passes through points, interpolated without overshoot.",
+    description: "A block whose upper face passes through points, smooth or straight between them.",
     fields: [
       {"description":"Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.","example":[[-10.0,-2.5],[-4.0,-0.4],[0.0,0.0],[4.0,-0.4],[10.0,-2.5]],"key":"points","kind":"points","label":"Points","pair":["length","length"],"symbol":"x, height"},
       {"description":"From height 0 to the base; every height is above it.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+      {"choices":{"linear":"linear","smooth":"smooth"},"description":"What the face is like between its points: `smooth` to the first derivative, without overshoot, or `linear`, so that points are corners. If it is left out, the face is smooth, and refused where that would round off a corner in the contact.","key":"interpolation","kind":"choice","label":"Between points","optional":true,"symbol":""},
+    ],
+  },
+  wedge: {
+    label: "Wedge",
+    description: "Two plane flanks that meet in a tip; only in plane analyses.",
+    fields: [
+      {"description":"Angle β of the flanks to the tangential plane, in degrees.","example":5.0,"key":"angle","label":"Angle of the flanks","quantity":"number","symbol":"β"},
+      {"description":"Radius of the tip; sharp if it is left out.","key":"tip_radius","label":"Tip radius","optional":true,"quantity":"length","symbol":"ρ"},
+      {"description":"Full width.","example":40.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"From the tip to the base, more than the height of the flanks.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  cone: {
+    label: "Cone",
+    description: "A flank of revolution that ends in a tip; only in axisymmetry.",
+    fields: [
+      {"description":"Angle β of the flank to the tangential plane, in degrees.","example":5.0,"key":"angle","label":"Angle of the flank","quantity":"number","symbol":"β"},
+      {"description":"Radius of the tip; sharp if it is left out.","key":"tip_radius","label":"Tip radius","optional":true,"quantity":"length","symbol":"ρ"},
+      {"description":"Diameter of the base.","example":40.0,"key":"width","label":"Diameter","quantity":"length","symbol":"w"},
+      {"description":"From the tip to the base, more than the height of the flank.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  punch: {
+    label: "Flat punch",
+    description: "A rigid flat punch with sharp or rounded edges.",
+    fields: [
+      {"description":"Full width with the edges, the diameter in axisymmetry.","example":10.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"Radius of the edges, less than half the width; sharp if it is 0 or left out.","key":"edge_radius","label":"Edge radius","optional":true,"quantity":"length","symbol":"ρ"},
+      {"description":"Height of the side walls, more than the edge radius.","example":20.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  parabola: {
+    label: "Parabola",
+    description: "A block with the surface y = −x²/2R.",
+    fields: [
+      {"description":"Radius of curvature at the vertex.","example":20.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+      {"description":"Full width.","example":30.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"From the vertex to the base, more than the fall of the surface at its ends.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
+    ],
+  },
+  ellipse: {
+    label: "Ellipse",
+    description: "Half an ellipse, held at its axis along x.",
+    fields: [
+      {"description":"Half its extent along x.","example":30.0,"key":"semi_axis_x","label":"Semi-axis along x","quantity":"length","symbol":"a_x"},
+      {"description":"Half its extent along y.","example":20.0,"key":"semi_axis_y","label":"Semi-axis along y","quantity":"length","symbol":"a_y"},
+    ],
+  },
+  power: {
+    label: "Power law",
+    description: "A block with the surface y = −L (|x|/L)^n.",
+    fields: [
+      {"description":"Exponent n; 2 is a parabola, a large one nearly a flat punch.","example":4.0,"key":"exponent","label":"Exponent","quantity":"number","symbol":"n"},
+      {"description":"Length L, the distance at which the surface has fallen by as much.","example":30.0,"key":"scale","label":"Scale","quantity":"length","symbol":"L"},
+      {"description":"Full width.","example":30.0,"key":"width","label":"Width","quantity":"length","symbol":"w"},
+      {"description":"From the vertex to the base, more than the fall of the surface at its ends.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
     ],
   },
 };

@@ -280,6 +280,24 @@ fn coarse_mesh() {
     assert_says(&job, "coarse_mesh");
 }
 
+/// A pin that nearly fills its hole touches over a large part of its own radius, small as that is beside the effective one.
+#[test]
+fn a_pin_in_its_groove_is_a_wide_contact() {
+    let mut job = cylinders(&Value::Null, 5000.0);
+    job["upper"]["shape"] = json!({"type": "cylinder", "radius": 10.0});
+    job["lower"]["shape"] = json!({"type": "groove", "radius": 10.2, "width": 20.0, "depth": 40.0});
+    assert_says(&job, "wide_contact");
+}
+
+#[test]
+fn sharp_corner() {
+    let mut job = cylinders(&Value::Null, 100.0);
+    job["upper"] =
+        json!({"shape": {"type": "punch", "width": 2.0, "depth": 5.0}, "material": {"rigid": true}});
+    job["lower"]["shape"] = json!({"type": "block", "width": 60.0, "depth": 30.0});
+    assert_says(&job, "sharp_corner");
+}
+
 #[test]
 fn near_support() {
     let mut job = cylinders(&Value::Null, 600.0);

@@ -83,23 +83,26 @@ impl YieldOnset {
 }
 
 /// The largest value of f in `0..=end` and where it is: a scan finds the hump, golden section its top.
-fn maximum(f: impl Fn(f64) -> f64, end: f64) -> (f64, f64) {
+pub(super) fn maximum(f: impl Fn(f64) -> f64, end: f64) -> (f64, f64) {
     const SAMPLES: u32 = 300;
     let step = end / f64::from(SAMPLES);
     let at_surface = (0.0, f(0.0));
-    let best = (1..=SAMPLES)
-        .map(|i| f64::from(i) * step)
-        .map(|x| (x, f(x)))
-        .fold(at_surface, |best, next| if next.1 > best.1 { next } else { best });
+    let better = |best: (f64, f64), next: (f64, f64)| if next.1 > best.1 { next } else { best };
+    let mut best = (1..=SAMPLES).map(|i| f64::from(i) * step).map(|x| (x, f(x))).fold(at_surface, better);
     let section = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut low, mut high) = ((best.0 - step).max(0.0), best.0 + step);
     for _ in 0..80 {
         let (left, right) = (high - section * (high - low), low + section * (high - low));
-        if f(left) < f(right) { low = left } else { high = right }
+        let found = [left, right].map(|x| (x, f(x)));
+        if found[0].1 < found[1].1 {
+            low = left;
+        } else {
+            high = right;
+        }
+        // Beside a jump the last interval need not have the largest value.
+        best = found.into_iter().fold(best, better);
     }
-    let top = 0.5 * (low + high);
-    let refined = (top, f(top));
-    if refined.1 > at_surface.1 { refined } else { at_surface }
+    best
 }
 
 #[cfg(test)]

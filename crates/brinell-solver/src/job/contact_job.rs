@@ -107,6 +107,7 @@ impl Job {
         let faults = Faults::default();
         faults.extend(job.faults_of_revolution());
         faults.extend(job.faults_of_theory());
+        faults.extend(job.faults_of_shapes());
         let refused = faults.into_sorted(document);
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }

@@ -46,5 +46,7 @@ pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
 pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
-pub use shape::{Block, Cylinder, Groove, Profile, Shape};
+pub use shape::{
+    Block, Cone, Cylinder, Ellipse, Groove, Interpolation, Parabola, Power, Profile, Punch, Shape, Wedge,
+};
 pub use units::Units;

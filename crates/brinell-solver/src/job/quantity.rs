@@ -13,6 +13,8 @@ pub enum Quantity {
     Length,
     /// A signed position, `-1e6..=1e6` mm.
     Position,
+    /// A depth below the surface or the radius of a corner, `0..=1e6` mm.
+    Depth,
     /// An approach, `1e-9..=1e6` mm.
     Approach,
     /// Young's modulus, `1e-3..=1e8` MPa.
@@ -33,6 +35,7 @@ impl Quantity {
         match self {
             Self::Length => (1e-6, 1e6),
             Self::Position => (-1e6, 1e6),
+            Self::Depth => (0.0, 1e6),
             Self::Approach => (1e-9, 1e6),
             Self::Modulus => (1e-3, 1e8),
             Self::TangentModulus => (0.0, 1e8),
@@ -51,8 +54,8 @@ impl Quantity {
     /// How the unit of this quantity is written.
     pub const fn symbol(self, units: Units) -> &'static str {
         match (self, units) {
-            (Self::Length | Self::Position | Self::Approach, Units::MmNMpa) => "mm",
-            (Self::Length | Self::Position | Self::Approach, Units::Si) => "m",
+            (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::MmNMpa) => "mm",
+            (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::Si) => "m",
             (Self::Modulus | Self::TangentModulus | Self::Stress, Units::MmNMpa) => "MPa",
             (Self::Modulus | Self::TangentModulus | Self::Stress, Units::Si) => "Pa",
             (Self::LineForce, Units::MmNMpa) => "N/mm",
@@ -78,7 +81,7 @@ impl Quantity {
     const fn factors(self, units: Units) -> (f64, f64) {
         match (units, self) {
             (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),
-            (Units::Si, Self::Length | Self::Position | Self::Approach) => (1e3, 1.0),
+            (Units::Si, Self::Length | Self::Position | Self::Depth | Self::Approach) => (1e3, 1.0),
             (Units::Si, Self::Modulus | Self::TangentModulus | Self::Stress) => (1.0, 1e6),
             (Units::Si, Self::LineForce) => (1.0, 1e3),
         }
@@ -89,8 +92,9 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    const ALL: [Quantity; 8] = [
+    const ALL: [Quantity; 9] = [
         Quantity::Length,
+        Quantity::Depth,
         Quantity::Position,
         Quantity::Approach,
         Quantity::Modulus,

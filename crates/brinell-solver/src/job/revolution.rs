@@ -1,8 +1,32 @@
-//! What a body of revolution asks of a profile.
+//! What a shape asks of the analysis and of the material.
 
-use super::{Analysis, FieldError, Job, Profile, Shape};
+use super::{Analysis, FieldError, Job, Material, Profile, Shape};
 
 impl Job {
+    /// Shapes that are of one kind of analysis, or of rigid bodies only.
+    pub(super) fn faults_of_shapes(&self) -> Vec<FieldError> {
+        let is_revolved = self.analysis == Analysis::Axisymmetric;
+        let mut faults = Vec::new();
+        for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
+            let misplaced = match body.shape {
+                Shape::Cone(_) if !is_revolved => {
+                    Some("\"cone\" is a body of revolution; the plane one is \"wedge\"")
+                }
+                Shape::Wedge(_) if is_revolved => {
+                    Some("\"wedge\" is a plane body; the one of revolution is \"cone\"")
+                }
+                _ => None,
+            };
+            faults.extend(misplaced.map(|detail| FieldError::new(format!("/{side}/shape/type"), detail)));
+            if matches!(body.shape, Shape::Punch(_)) && body.material != Material::Rigid {
+                let detail = "a punch is rigid (`{\"rigid\": true}`), because its contact reaches to the edge of its \
+                              face; give a face that deforms as a `profile`";
+                faults.push(FieldError::new(format!("/{side}/material"), detail));
+            }
+        }
+        faults
+    }
+
     /// In axisymmetry a profile is turned about x = 0: it has to be given from there outward, or with both sides
     /// alike.
     pub(super) fn faults_of_revolution(&self) -> Vec<FieldError> {

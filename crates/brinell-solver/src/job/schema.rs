@@ -7,8 +7,9 @@ use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
-    Analysis, BackstressTerm, ContactMethod, Coupling, Elastic, Hardening, Job, Load, MeshSettings, Named,
-    OutputSettings, Quantity, Shape, SolverSettings, Support, Sweep, Theory, Units, tags,
+    Analysis, BackstressTerm, ContactMethod, Coupling, Elastic, Hardening, Interpolation, Job, Load,
+    MeshSettings, Named, OutputSettings, Quantity, Shape, SolverSettings, Support, Sweep, Theory, Units,
+    tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -63,6 +64,10 @@ impl Schemas<'_> {
                 ),
             ),
             ("ContactMethod", enumeration::<ContactMethod>("The method that solves the contact conditions.")),
+            (
+                "Interpolation",
+                enumeration::<Interpolation>("What a face given by points is like between them."),
+            ),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
             (

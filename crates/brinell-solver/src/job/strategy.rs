@@ -38,7 +38,7 @@ fn any_of_tables<T: std::fmt::Debug>(
             table.fields.iter().map(|field| member(field).prop_map(|value| (field.key, value))).collect();
         members.prop_map(move |members| {
             let mut object: serde_json::Map<_, _> =
-                members.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+                members.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect();
             object.insert(tag.to_owned(), table.word.into());
             serde_json::Value::Object(object)
         })
@@ -50,9 +50,21 @@ fn any_of_tables<T: std::fmt::Debug>(
     })
 }
 
+/// A field that may be left out is, now and then, and always if nothing is typical of it.
+fn member(field: &'static Field) -> BoxedStrategy<Option<serde_json::Value>> {
+    match (field.required, &field.kind, field.example) {
+        (true, ..) => value(field).prop_map(Some).boxed(),
+        (false, FieldKind::Figure(_), Example::None) => Just(None).boxed(),
+        (false, ..) => proptest::option::of(value(field)).boxed(),
+    }
+}
+
 /// The value of one field in the wire format, within two decades of the typical one and in range in either unit system.
-fn member(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
+fn value(field: &'static Field) -> BoxedStrategy<serde_json::Value> {
     match (&field.kind, field.example) {
+        (FieldKind::Choice(_, words), _) => {
+            proptest::sample::select(words()).prop_map(serde_json::Value::from).boxed()
+        }
         (FieldKind::Figure(figure), Example::Figure(typical)) => {
             let (low, high) = figure.range();
             let drawn = (-2.0..2.0_f64).prop_map(move |decades| typical * 10_f64.powf(decades));

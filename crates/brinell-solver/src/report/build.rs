@@ -8,6 +8,7 @@ use super::{
     error_bars, fields, flow, load_approach, onset, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
+use crate::fem::mesh::Outline;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::{
     BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
@@ -105,8 +106,12 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
-    // Of bodies that conform the effective radius is larger than either.
-    let radius = if effective > 0.0 { effective.min(smallest_arc(job)) } else { effective };
+    let radius =
+        [&job.upper, &job.lower].into_iter().filter_map(|body| Outline::of(&body.shape).curvature()).fold(
+            if effective > 0.0 { effective } else { f64::INFINITY },
+            // Bodies that nearly conform have a large effective radius, but gaps as far from vertical as their own tells.
+            |least, curvature| least.min(curvature.abs().recip()),
+        );
     let plasticity = if is_stopped {
         PerBody { upper: None, lower: None }
     } else {
@@ -137,16 +142,6 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
         fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
-}
-
-/// The smallest radius of a cylinder or groove \[mm\]; infinite without one.
-fn smallest_arc(job: &Job) -> f64 {
-    let radius = |body: &Body| match &body.shape {
-        Shape::Cylinder(cylinder) => cylinder.radius.get(),
-        Shape::Groove(groove) => groove.radius().get(),
-        _ => f64::INFINITY,
-    };
-    radius(&job.upper).min(radius(&job.lower))
 }
 
 fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {
@@ -186,6 +181,12 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
         (_, Shape::Profile(profile)) => block_base(side, profile.depth().get(), write),
+        (_, Shape::Wedge(wedge)) => block_base(side, wedge.depth().get(), write),
+        (_, Shape::Cone(cone)) => block_base(side, cone.depth().get(), write),
+        (_, Shape::Punch(punch)) => block_base(side, punch.depth().get(), write),
+        (_, Shape::Parabola(parabola)) => block_base(side, parabola.depth().get(), write),
+        (_, Shape::Ellipse(ellipse)) => block_base(side, ellipse.semi_axis_y.get(), write),
+        (_, Shape::Power(power)) => block_base(side, power.depth().get(), write),
     };
     format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
 }

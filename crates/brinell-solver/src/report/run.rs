@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::build::ReportBuilder;
 use super::{Report, StepReport};
 use crate::fem::mesh::MeshError;
-use crate::job::{FieldError, Job, Load};
+use crate::job::{FieldError, Job, Load, Material, Shape};
 use crate::solver::{self, Estimate, Interrupt, Observer, Options, SolveError, StepSolution};
 
 /// Why a job gave no report.
@@ -27,25 +27,41 @@ fn summary(errors: &[FieldError]) -> String {
     errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
-impl From<SolveError> for RunError {
-    fn from(error: SolveError) -> Self {
-        match error {
+impl RunError {
+    /// The error of a job, with the fields that are at fault.
+    fn of(job: &Job, error: &SolveError) -> Self {
+        let sides = [("upper", &job.upper), ("lower", &job.lower)];
+        // The surfaces given by points, of bodies that deform or of all.
+        let faces = |deformable: bool| -> Vec<String> {
+            let faces = sides.iter().filter(|(_, body)| {
+                let is_rigid = matches!(body.material, Material::Rigid);
+                matches!(body.shape, Shape::Profile(_)) && !(deformable && is_rigid)
+            });
+            faces.map(|(side, _)| format!("/{side}/shape/points")).collect()
+        };
+        let pointers = match error {
+            SolveError::Interrupted(interrupt) => return Self::Interrupted(*interrupt),
             SolveError::TooWide { .. } | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
-                Self::Input(vec![FieldError::not_solvable("/load", error.to_string())])
+                vec!["/load".to_owned()]
             }
-            SolveError::NoYieldPoint => {
-                Self::Input(vec![FieldError::not_solvable("/load/onset", error.to_string())])
+            SolveError::NoLoad => vec!["/load/history".to_owned()],
+            SolveError::NoYieldPoint => vec!["/load/onset".to_owned()],
+            SolveError::Conforming => sides.map(|(side, _)| format!("/{side}/shape")).to_vec(),
+            SolveError::AmbiguousCorner { side, .. } => {
+                let side = if *side == 0 { "upper" } else { "lower" };
+                vec![format!("/{side}/shape/interpolation")]
             }
-            SolveError::Conforming => {
-                let detail = error.to_string();
-                Self::Input(vec![
-                    FieldError::not_solvable("/upper/shape", detail.clone()),
-                    FieldError::not_solvable("/lower/shape", detail),
-                ])
-            }
-            SolveError::Interrupted(interrupt) => Self::Interrupted(interrupt),
-            other => Self::Failed(other.to_string()),
+            SolveError::TraceTooFine { .. } => faces(false),
+            SolveError::Mesh(MeshError::TooSteep { .. }) => faces(true),
+            _ => Vec::new(),
+        };
+        let detail = error.to_string();
+        if pointers.is_empty() {
+            return Self::Failed(detail);
         }
+        Self::Input(
+            pointers.into_iter().map(|pointer| FieldError::not_solvable(pointer, detail.clone())).collect(),
+        )
     }
 }
 
@@ -69,7 +85,7 @@ pub struct JobEstimate {
 /// # Errors
 /// The fields that describe a contact which is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    match solver::estimate(job).map_err(RunError::from) {
+    match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
         Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
@@ -139,6 +155,7 @@ pub fn run_each(
     let mut report_step = |step: StepSolution, observer: &mut dyn Observer| {
         on_step(builder.step(&step, observer));
     };
-    let solution = solver::run_each(job, options, observer, &mut report_step)?;
+    let solution = solver::run_each(job, options, observer, &mut report_step)
+        .map_err(|error| RunError::of(job, &error))?;
     Ok(builder.finish(&solution, observer))
 }

@@ -30,6 +30,7 @@ pub const VALIDITY_CODES: &[&str] = &[
     "contact_at_edge",
     "coarse_mesh",
     "near_support",
+    "sharp_corner",
     "suspicious_units",
 ];
 
@@ -39,7 +40,7 @@ const TINY_CONTACT: f64 = 1e-4;
 /// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
 const SOFT: f64 = 1.0;
 
-/// Half-width over effective radius beyond which the surfaces are no longer close to their tangent.
+/// Half-width over the smallest radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
@@ -51,33 +52,23 @@ const COARSE_MESH: f64 = 9.0;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
-/// The remarks that apply to a step that was solved with these settings. `radius` is the smaller of the effective one and
-/// those of the arcs, infinite or negative where there is none;
-/// `depths` are those of the deformable bodies \[mm\].
+/// The remarks that apply to a step that was solved with these settings. `radius` is the smallest of the effective radius and
+/// those of the surfaces, infinite where there is none; `depths` are those of the deformable bodies \[mm\].
 pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
     let mut say = |code: &str, message: String| {
         debug_assert!(VALIDITY_CODES.contains(&code));
         notes.push(ValidityNote { code: code.to_owned(), message });
     };
-    match step.status {
-        SolveStatus::Converged => {}
-        SolveStatus::NotConverged => {
-            say("not_converged", not_converged(step, job.solver));
-        }
-        SolveStatus::Cancelled => {
-            say("cancelled", "Stopped on request; the figures are those of the last iteration.".into());
-        }
-        SolveStatus::TimedOut => {
-            say("timed_out", "The deadline passed; the figures are those of the last iteration.".into());
-        }
+    if let Some((code, message)) = status_remark(step, job.solver) {
+        say(code, message);
     }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    if radius > 0.0 && half_width > WIDE_CONTACT * radius {
+    if half_width > WIDE_CONTACT * radius {
         say(
             "wide_contact",
             format!(
-                "The half-width is {:.0} % of the radius; contact theory with small displacements and \
+                "The half-width is {:.0} % of the smallest radius; contact theory with small displacements and \
                  vertical gaps is meant for up to 10 %.",
                 100.0 * half_width / radius
             ),
@@ -115,6 +106,15 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 .into(),
         );
     }
+    if let (true, Some(x)) = (strain == 0.0, step.loaded_corners.first()) {
+        say(
+            "sharp_corner",
+            format!(
+                "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound there: the peak pressure is \
+                 that of the mesh, and grows with its density."
+            ),
+        );
+    }
     if step.reaches_edge {
         say(
             "contact_at_edge",
@@ -128,6 +128,16 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             format!(
                 "The half-width has only {:.1} elements; ask for at least 10 (`mesh.elements_per_half_width`).",
                 half_width / step.spacing
+            ),
+        );
+    }
+    if let Some(needed) = step.unresolved {
+        say(
+            "coarse_mesh",
+            format!(
+                "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh \
+                 have {:.2e} mm.",
+                step.spacing
             ),
         );
     }
@@ -148,6 +158,20 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     notes
+}
+
+/// What is said of a step that did not converge.
+fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'static str, String)> {
+    match step.status {
+        SolveStatus::Converged => None,
+        SolveStatus::NotConverged => Some(("not_converged", not_converged(step, settings))),
+        SolveStatus::Cancelled => {
+            Some(("cancelled", "Stopped on request; the figures are those of the last iteration.".into()))
+        }
+        SolveStatus::TimedOut => {
+            Some(("timed_out", "The deadline passed; the figures are those of the last iteration.".into()))
+        }
+    }
 }
 
 /// What is said of strains that are not small.

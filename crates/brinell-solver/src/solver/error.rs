@@ -35,6 +35,33 @@ pub enum SolveError {
     /// The surfaces do not open away from the contact.
     #[error("the surfaces do not open away from where they first touch; conforming contacts are not solved")]
     Conforming,
+    /// A surface that is given by points has details much smaller than the contact.
+    #[error(
+        "within the contact, of half-width {half_width:.4} mm, the surfaces have details that only elements of \
+         {spacing:.2e} mm resolve, but {finest:.2e} mm is the finest that is solved: give the surface with fewer points, \
+         or smooth its trace"
+    )]
+    TraceTooFine {
+        /// Expected half-width \[mm\].
+        half_width: f64,
+        /// Element size that resolves the trace \[mm\].
+        spacing: f64,
+        /// Smallest element size that is solved \[mm\].
+        finest: f64,
+    },
+    /// A profile has a corner in the contact, and nothing says whether it is one.
+    #[error(
+        "the face turns by {opening:.3} at the point x = {x:.6} mm of a profile, within the contact: set its \
+         `interpolation` to \"linear\" if this is a corner, to \"smooth\" if it is to be rounded off"
+    )]
+    AmbiguousCorner {
+        /// The body, 0 for the upper one.
+        side: usize,
+        /// Where \[mm\].
+        x: f64,
+        /// Change of slope.
+        opening: f64,
+    },
     /// The onset of yield is sought of bodies that do not yield, or do from the first load on.
     #[error("neither body has a yield stress, so there is no onset of yield to find")]
     NoYieldPoint,

@@ -22,7 +22,7 @@ use crate::solver::solution::CoarseFigures;
 use crate::solver::{Observer, SolveError, couplings};
 
 /// What a pass is asked to do.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct MeshSolveRequest<'a> {
     pub contact: &'a dyn ContactSolver,
     pub zone: ContactZone,
@@ -217,7 +217,7 @@ pub(crate) fn run(
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> Result<MeshSolve, SolveError> {
-    let mut request = *request;
+    let mut request = request.clone();
     let previous = request.previous;
     let mut available = reusable;
     let (mut enlargements, mut meshes, mut widenings, mut narrowings) = (0, 0, 0, 0);
@@ -228,20 +228,20 @@ pub(crate) fn run(
             reusable.resume(&request, phases, observer)?
         } else {
             meshes += 1;
-            let MeshSolveRequest { zone, refinement, search_region, cache, .. } = request;
+            let MeshSolveRequest { zone, refinement, search_region, cache, .. } = &request;
+            let (refinement, search_region, cache) = (*refinement, *search_region, *cache);
             let design = Design { zone, refinement, search_region, cache };
             let (system, start) = match System::build(problem, design, previous, phases, observer) {
                 // A contact that reaches the edge of the narrower zone is reported.
                 Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
                     narrowings += 1;
-                    request.zone = narrow(zone);
+                    request.zone = narrow(problem, zone);
                     continue;
                 }
                 built => built?,
             };
             (system, Vec::new(), start)
         };
-        let zone = system.zone;
         let initial = InitialState {
             displacement: start,
             history: std::mem::take(&mut history),
@@ -282,7 +282,7 @@ pub(crate) fn run(
             continue;
         }
         if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS && narrowings == 0 {
-            let wider = enlarge(zone);
+            let wider = enlarge(problem, &pass.system.zone);
             if fits(problem, &wider) {
                 enlargements += 1;
                 request.zone = wider;
@@ -317,20 +317,20 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
     fields
 }
 
-pub(crate) fn enlarge(zone: ContactZone) -> ContactZone {
-    resized(zone, ENLARGEMENT)
+pub(crate) fn enlarge(problem: &Problem, zone: &ContactZone) -> ContactZone {
+    resized(problem, zone, ENLARGEMENT)
 }
 
-pub(crate) fn narrow(zone: ContactZone) -> ContactZone {
-    resized(zone, NARROWING)
+pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
+    resized(problem, zone, NARROWING)
 }
 
-/// A zone so many times as wide, with the same elements.
-fn resized(zone: ContactZone, factor: f64) -> ContactZone {
+/// A zone so many times as wide, with elements of the same size.
+fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
     let (centre, half) = (zone.centre(), factor * zone.half_width());
-    let columns = (zone.columns as f64 * factor).round() as usize;
-    let x_min = if zone.symmetric { 0.0 } else { centre - half };
-    ContactZone { x_min, x_max: centre + half, columns, symmetric: zone.symmetric }
+    let columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor).round() as usize;
+    let x_min = if zone.is_symmetric() { 0.0 } else { centre - half };
+    problem.zone(x_min, centre + half, columns, zone.is_symmetric())
 }
 
 /// Whether a zone lies on both bodies.
@@ -391,7 +391,7 @@ fn find_contact(
     fields: &[ModelField],
 ) -> (Option<ContactPatch>, bool) {
     let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-    let patch = ContactPatch::find(&x, &pressures, system.zone.symmetric);
+    let patch = ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k));
     let meets_beyond = !outcome.status.is_stopped()
         && problem.may_touch_elsewhere()
         && meets_beyond_zone(problem, system, outcome, fields);
@@ -401,9 +401,9 @@ fn find_contact(
 /// Whether one of the outermost two pairs of an open end of the zone carries force.
 fn reaches_edge(system: &System, outcome: &Outcome) -> bool {
     let active = &outcome.state.response.contact.active_set;
-    let last = system.zone.columns;
+    let last = system.zone.columns();
     let right = active.contains(last) || active.contains(last.saturating_sub(1));
-    let left = !system.zone.symmetric && (active.contains(0) || active.contains(1));
+    let left = !system.zone.is_symmetric() && (active.contains(0) || active.contains(1));
     right || left
 }
 
@@ -424,9 +424,10 @@ fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fiel
             .map(|(surface, n)| *n as f64 * interpolate(surface, x))
             .sum()
     };
-    let abscissae = surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
-    let mut beyond =
-        abscissae.filter(|x| *x > system.zone.x_max || (*x < system.zone.x_min && !system.zone.symmetric));
+    let nodes = surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
+    let abscissae = nodes.chain(problem.knots_within(left, right).iter().copied());
+    let zone = &system.zone;
+    let mut beyond = abscissae.filter(|x| *x > zone.x_max() || (*x < zone.x_min() && !zone.is_symmetric()));
     beyond.any(|x| problem.initial_gap(x) + inward(x) - contact.approach < 0.0)
 }
 

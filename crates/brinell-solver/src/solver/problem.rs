@@ -6,12 +6,13 @@ use std::sync::Arc;
 use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
 use crate::fem::assembly::{MaterialModel, out_of_plane};
 use crate::fem::element::StressState;
-use crate::fem::mesh::Outline;
-use crate::job::{Analysis, Body, Deformable, Job, Material, Support};
+use crate::fem::mesh::{ContactZone, Corner, Outline};
+use crate::job::{Analysis, Body, Deformable, Job, Material, Shape, Support};
 use crate::material::{
     BackstressTerm, DeformationPlasticity, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane,
     ReturnMapping,
 };
+use crate::solver::mesh_sizing::first_contact::smallest_gap;
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
 pub(crate) struct Problem {
@@ -24,6 +25,10 @@ pub(crate) struct Problem {
     pub first_contact_x: f64,
     /// The smallest gap as the outlines are given \[mm\]; gaps are counted from it.
     pub smallest_gap: f64,
+    /// Where the gap may not be as smooth as in between \[mm\], ascending.
+    knots: Vec<f64>,
+    /// Corners of both surfaces, ascending.
+    corners: Vec<Corner>,
 }
 
 pub(crate) struct ProblemBody {
@@ -33,6 +38,8 @@ pub(crate) struct ProblemBody {
     /// Its constitutive model.
     pub model: Option<Arc<dyn MaterialModel>>,
     pub support: Support,
+    /// Whether it is a profile of which nothing says what lies between its points.
+    interpolation_is_open: bool,
 }
 
 /// Makes the constitutive model of a material.
@@ -67,8 +74,12 @@ pub(crate) fn flow_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Ar
     }
 }
 
-/// Samples in search of the smallest gap.
-const GAP_SAMPLES: u32 = 4000;
+/// Part of the half-width in which a corner counts: one near the end of the contact ends it, rounded or not.
+const INNER_PART: f64 = 0.95;
+/// Rounding of a corner that makes a difference, as a part of the gap at the ends of the contact.
+const ROUNDING_SHARE: f64 = 0.05;
+/// Steps of the integral for the force of an elastic contact.
+const FORCE_STEPS: u32 = 48;
 
 impl Problem {
     pub fn of(job: &Job) -> Self {
@@ -92,6 +103,7 @@ impl Problem {
                 model: material.as_ref().map(|material| model(material, out_of_plane(stress_state))),
                 material,
                 support: body.support,
+                interpolation_is_open: matches!(&body.shape, Shape::Profile(p) if p.interpolation().is_none()),
             }
         };
         let mut problem = Self {
@@ -100,7 +112,17 @@ impl Problem {
             use_symmetry: true,
             first_contact_x: 0.0,
             smallest_gap: 0.0,
+            knots: Vec::new(),
+            corners: Vec::new(),
         };
+        let (left, right) = problem.span();
+        let mut knots: Vec<f64> = problem.bodies.iter().flat_map(|body| body.outline.knots()).collect();
+        knots.retain(|x| (left..=right).contains(x));
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        problem.knots = knots;
+        problem.corners = problem.bodies.iter().flat_map(|body| body.outline.corners()).collect();
+        problem.corners.sort_by(|a, b| a.x.total_cmp(&b.x));
         problem.find_smallest_gap();
         problem
     }
@@ -115,9 +137,15 @@ impl Problem {
                 model: material.as_ref().map(|material| deformation_theory(material, out_of_plane)),
                 material,
                 support: body.support,
+                interpolation_is_open: body.interpolation_is_open,
             }
         };
-        Self { bodies: self.bodies.each_ref().map(elastic), ..*self }
+        Self {
+            bodies: self.bodies.each_ref().map(elastic),
+            knots: self.knots.clone(),
+            corners: self.corners.clone(),
+            ..*self
+        }
     }
 
     /// Force over the area of a contact of this half-width \[MPa\].
@@ -128,23 +156,48 @@ impl Problem {
         }
     }
 
-    /// Looks for the smallest gap; where it is reached again and again, the place nearest to the origin counts.
+    /// Looks for the smallest gap.
     fn find_smallest_gap(&mut self) {
-        if self.bodies.iter().all(|body| body.outline.curvature().is_some()) {
+        if self.has_arcs() {
             return;
         }
         let (left, right) = self.span();
         let left = if self.stress_state == StressState::Axisymmetric { 0.0 } else { left };
-        let place = |k: u32| left + (right - left) * f64::from(k) / f64::from(GAP_SAMPLES);
-        let origin: (f64, f64) = (self.initial_gap(0.0), 0.0);
-        let (gap, x) =
-            (0..=GAP_SAMPLES).map(|k| (self.initial_gap(place(k)), place(k))).fold(origin, |best, found| {
-                let same = (found.0 - best.0).abs() <= 1e-12 * (right - left);
-                let better = if same { found.1.abs() < best.1.abs() } else { found.0 < best.0 };
-                if better { found } else { best }
-            });
-        self.smallest_gap = gap;
-        self.first_contact_x = x;
+        (self.first_contact_x, self.smallest_gap) =
+            smallest_gap(|x| self.initial_gap(x), left, right, &self.knots);
+    }
+
+    /// The knots within `[left, right]`.
+    pub fn knots_within(&self, left: f64, right: f64) -> &[f64] {
+        let first = self.knots.partition_point(|x| *x < left);
+        let end = self.knots.partition_point(|x| *x <= right);
+        self.knots.get(first..end).unwrap_or(&[])
+    }
+
+    /// Whether one of the surfaces has a corner at this knot.
+    pub fn is_corner(&self, x: f64) -> bool {
+        self.corners.binary_search_by(|corner| corner.x.total_cmp(&x)).is_ok()
+    }
+
+    /// A zone of about so many even columns, with a node at each corner.
+    pub fn zone(&self, x_min: f64, x_max: f64, columns: usize, symmetric: bool) -> ContactZone {
+        let corners: Vec<Corner> =
+            self.corners.iter().copied().filter(|corner| (x_min..x_max).contains(&corner.x)).collect();
+        ContactZone::with_corners(x_min, x_max, columns, symmetric, &corners)
+    }
+
+    /// The sharpest corner of a profile within the middle part of a contact, where nothing says whether it is one and a
+    /// smooth curve through it would make a difference; and the body that has it, 0 for the upper one.
+    pub fn ambiguous_corner(&self, centre: f64, half_width: f64) -> Option<(usize, Corner)> {
+        let (left, right) = (centre - INNER_PART * half_width, centre + INNER_PART * half_width);
+        let opening = 0.5 * (self.initial_gap(left) + self.initial_gap(right));
+        let bodies = self.bodies.iter().enumerate().filter(|(_, body)| {
+            body.interpolation_is_open && body.outline.rounding(left, right) > ROUNDING_SHARE * opening
+        });
+        let corners = bodies
+            .flat_map(|(side, body)| body.outline.corners().into_iter().map(move |corner| (side, corner)));
+        let inside = corners.filter(|(_, corner)| (left..=right).contains(&corner.x));
+        inside.max_by(|a, b| a.1.opening().abs().total_cmp(&b.1.opening().abs()))
     }
 
     /// Whether both bodies are deformable and mirror images of each other.
@@ -161,6 +214,50 @@ impl Problem {
         -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>() - self.smallest_gap
     }
 
+    /// Whether both surfaces are circular arcs or planes.
+    pub fn has_arcs(&self) -> bool {
+        self.bodies.iter().all(|body| body.outline.is_arc())
+    }
+
+    /// By how much the surfaces open, both sides together, at the distance a from where they touch \[mm\].
+    pub fn opening(&self, a: f64) -> f64 {
+        self.initial_gap(self.first_contact_x + a) + self.initial_gap(self.first_contact_x - a)
+    }
+
+    /// Force under which elastic half-spaces with these surfaces touch over the half-width a \[N/mm, or N in axisymmetry\].
+    ///
+    /// Exact, with `g(x)` half of the opening, for contacts in one part:
+    /// ```text
+    /// P(a) = E* ∫₀ᵃ g'(x) x/√(a² - x²) dx         plane
+    /// P(a) = 2 E* ∫₀ᵃ g'(r) r²/√(a² - r²) dr      axisymmetric
+    /// ```
+    ///
+    /// # Reference
+    /// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of
+    /// arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson, *Contact Mechanics* (1985), section 2.7.
+    pub fn elastic_force(&self, a: f64) -> f64 {
+        let modulus = self.effective_modulus();
+        if self.has_arcs() {
+            return match self.stress_state {
+                StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * modulus * self.opening(a),
+                StressState::Axisymmetric => 4.0 / 3.0 * modulus * a * self.opening(a),
+            };
+        }
+        // With x = a sin φ, between even steps of φ: dg tan φ, or 2 dg a sin φ tan φ.
+        let angle = |k: f64| 0.5 * PI * k / f64::from(FORCE_STEPS);
+        let mut last = 0.0;
+        let parts = (0..FORCE_STEPS).map(|k| {
+            let opening = 0.5 * self.opening(a * angle(f64::from(k + 1)).sin());
+            let growth = opening - std::mem::replace(&mut last, opening);
+            let (sin, cos) = angle(f64::from(k) + 0.5).sin_cos();
+            match self.stress_state {
+                StressState::PlaneStrain | StressState::PlaneStress => growth * sin / cos,
+                StressState::Axisymmetric => 2.0 * growth * a * sin * sin / cos,
+            }
+        });
+        modulus * parts.sum::<f64>()
+    }
+
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
         self.stress_state == StressState::Axisymmetric || (self.use_symmetry && self.has_symmetric_outlines())
@@ -173,7 +270,7 @@ impl Problem {
 
     /// Whether the surfaces may touch away from the zone around the smallest gap.
     pub fn may_touch_elsewhere(&self) -> bool {
-        self.bodies.iter().any(|body| body.outline.curvature().is_none())
+        !self.has_arcs()
     }
 
     /// Sum of the curvatures at the origin \[1/mm\]; `None` where a surface is no arc.

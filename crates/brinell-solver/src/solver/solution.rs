@@ -62,10 +62,14 @@ pub struct StepSolution {
     pub contact_check: KktReport,
     /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖` over both whole bodies.
     pub equilibrium_residual: f64,
+    /// Corners of the surfaces that carry pressure, of the half that is meshed \[mm\].
+    pub loaded_corners: Vec<f64>,
     /// Whether the contact still reaches the edge of the candidate zone.
     pub reaches_edge: bool,
     /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
     pub has_collapsed: bool,
+    /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
+    pub unresolved: Option<f64>,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.

@@ -35,7 +35,7 @@ pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Me
         support_nodes: Vec::new(),
         axis_nodes: Vec::new(),
         lattice: points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect(),
-        zone: ContactZone { x_min: 0.0, x_max: 1.0, columns: 1, symmetric: false },
+        zone: ContactZone::uniform(0.0, 1.0, 1, false),
     }
 }
 

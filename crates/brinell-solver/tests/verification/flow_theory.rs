@@ -265,15 +265,16 @@ fn a_dent_unloads_by_the_slope_of_a_flat_punch() {
     }
 }
 
-/// A punch at half of what the body bears, without load, and beyond it: the answers of the first two loads are kept, and the
+/// A punch below what the body bears, without load, and beyond it: the answers of the first two loads are kept, and the
 /// history ends with the collapse.
 #[test]
 fn a_history_ends_where_a_body_collapses() {
-    let text = include_str!("../cases/flat_punch_beyond_its_limit.json");
+    let text = include_str!("../cases/flat_punch_given_by_points.json");
     let mut job: serde_json::Value = serde_json::from_str(text).unwrap();
-    let limit = job["load"]["force"].as_f64().unwrap();
-    let loads = [0.5 * limit, 0.0, limit, 0.0].map(|force| serde_json::json!({"force": force}));
+    let force = job["load"]["force"].as_f64().unwrap();
+    let loads = [0.5 * force, 0.0, 1.3 * force, 0.0].map(|force| serde_json::json!({"force": force}));
     job["load"] = serde_json::json!({"history": loads});
+    job["upper"]["shape"] = serde_json::json!({"type": "punch", "width": 2.0, "depth": 5.0});
     job["solver"] = serde_json::json!({"theory": "flow"});
     job["mesh"] = serde_json::json!({"elements_per_half_width": 8});
     let report = report(&Job::from_json(job.to_string().as_bytes()).unwrap());

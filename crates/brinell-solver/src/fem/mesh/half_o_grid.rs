@@ -13,49 +13,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Mesh, MeshError, Outline};
+use super::{ContactZone, Mesh, MeshError, Outline};
 use sparse_cholesky::LatticePoint;
-
-/// The part of the surface where contact may happen, and its division.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactZone {
-    /// Left end \[mm\]; 0 for a half model.
-    pub x_min: f64,
-    /// Right end \[mm\].
-    pub x_max: f64,
-    /// Elements across the zone.
-    pub columns: usize,
-    /// Whether `x = 0` is a symmetry axis and only `x >= 0` is meshed.
-    pub symmetric: bool,
-}
-
-impl ContactZone {
-    /// Width of a column \[mm\].
-    pub fn spacing(&self) -> f64 {
-        (self.x_max - self.x_min) / self.columns as f64
-    }
-
-    /// Abscissa of candidate node `k` \[mm\], the same on both bodies.
-    pub fn abscissa(&self, k: usize) -> f64 {
-        if k == self.columns { self.x_max } else { self.x_min + self.spacing() * k as f64 }
-    }
-
-    /// Middle of the contact zone \[mm\]: the axis of a half model.
-    pub fn centre(&self) -> f64 {
-        if self.symmetric { 0.0 } else { 0.5 * (self.x_min + self.x_max) }
-    }
-
-    /// Whether the zone leaves enough of a body's surface beside it to be meshed.
-    pub fn fits(&self, outline: &Outline) -> bool {
-        let (left, right) = outline.span();
-        self.x_max <= MAX_ZONE_SPAN * right && self.x_min >= MAX_ZONE_SPAN * left
-    }
-
-    /// Half of the zone's width, both sides of the axis counted \[mm\].
-    pub fn half_width(&self) -> f64 {
-        if self.symmetric { self.x_max } else { 0.5 * (self.x_max - self.x_min) }
-    }
-}
 
 /// How fine the rings are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,8 +23,6 @@ pub struct Refinement {
     pub growth: f64,
 }
 
-/// Largest part of the body's surface that the zone may take.
-const MAX_ZONE_SPAN: f64 = 0.8;
 /// Largest part of the body's depth that the block may take.
 const MAX_BLOCK_DEPTH: f64 = 0.5;
 
@@ -84,16 +41,15 @@ struct Polar {
 /// distance from it.
 pub(super) fn generate(
     outline: &Outline,
-    zone: ContactZone,
+    zone: &ContactZone,
     refinement: Refinement,
     fade: i32,
 ) -> Result<Mesh, MeshError> {
-    let (left, right) = outline.span();
-    let available = MAX_ZONE_SPAN * right.min(-left);
     if !zone.fits(outline) {
-        return Err(MeshError::ZoneBeyondBody { half_width: zone.x_max.max(-zone.x_min), available });
+        let half_width = zone.x_max().max(-zone.x_min());
+        return Err(MeshError::ZoneBeyondBody { half_width, available: ContactZone::available(outline) });
     }
-    let rows = block_rows(outline, &zone);
+    let rows = block_rows(outline, zone);
     let mut grid = Builder::new(outline, zone, rows);
     grid.block();
     grid.rings(refinement, fade);
@@ -107,10 +63,10 @@ fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
 }
 
 /// About how many nodes [`generate`] will make.
-pub(super) fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
-    let rows = block_rows(outline, &zone);
-    let sides = if zone.symmetric { 1 } else { 2 };
-    let columns = zone.columns;
+pub(super) fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
+    let rows = zone.row_depths(block_rows(outline, zone)).len() - 1;
+    let sides = if zone.is_symmetric() { 1 } else { 2 };
+    let columns = zone.columns();
     // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
     let (growth, distance) = (refinement.growth, outline.depth().max(outline.span().1));
     let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
@@ -119,17 +75,17 @@ pub(super) fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: 
 
 struct Builder<'a> {
     outline: &'a Outline,
-    zone: ContactZone,
-    rows: usize,
+    zone: &'a ContactZone,
+    /// Depths of the block's rows as a part of its own, from 0 to 1.
+    depths: Vec<f64>,
     /// y of the block's base, negative.
     base: f64,
     mesh: Mesh,
 }
 
 impl<'a> Builder<'a> {
-    fn new(outline: &'a Outline, zone: ContactZone, rows: usize) -> Self {
-        let lowest =
-            (0..=zone.columns).map(|k| outline.height(zone.abscissa(k))).fold(f64::INFINITY, f64::min);
+    fn new(outline: &'a Outline, zone: &'a ContactZone, rows: usize) -> Self {
+        let lowest = zone.abscissae().iter().map(|&x| outline.height(x)).fold(f64::INFINITY, f64::min);
         let mesh = Mesh {
             nodes: Vec::new(),
             elements: Vec::new(),
@@ -137,30 +93,29 @@ impl<'a> Builder<'a> {
             support_nodes: Vec::new(),
             axis_nodes: Vec::new(),
             lattice: Vec::new(),
-            zone,
+            zone: zone.clone(),
         };
         let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (outline.depth() + lowest));
         let base = lowest - depth;
-        Self { outline, zone, rows, base, mesh }
+        Self { outline, zone, depths: zone.row_depths(rows), base, mesh }
     }
 
     /// The block, column by column from the surface down.
     fn block(&mut self) {
-        for i in 0..=self.zone.columns {
+        for i in 0..=self.zone.columns() {
             let x = self.zone.abscissa(i);
             let top = self.outline.height(x);
             self.mesh.contact_nodes.push(self.block_node(i, 0));
-            for j in 0..=self.rows {
-                let t = j as f64 / self.rows as f64;
+            for (j, &t) in self.depths.iter().enumerate() {
                 self.mesh.nodes.push([x, (1.0 - t) * top + t * self.base]);
                 self.mesh.lattice.push(LatticePoint { patch: 0, i: i as i32, j: j as i32 });
-                if i == 0 && self.zone.symmetric {
+                if i == 0 && self.zone.is_symmetric() {
                     self.mesh.axis_nodes.push(self.block_node(i, j));
                 }
             }
         }
-        for i in 0..self.zone.columns {
-            for j in 0..self.rows {
+        for i in 0..self.zone.columns() {
+            for j in 0..self.rows() {
                 let [a, b] = [self.block_node(i, j), self.block_node(i, j + 1)];
                 let [d, c] = [self.block_node(i + 1, j), self.block_node(i + 1, j + 1)];
                 self.mesh.elements.push([a, b, c, d]);
@@ -168,17 +123,21 @@ impl<'a> Builder<'a> {
         }
     }
 
+    fn rows(&self) -> usize {
+        self.depths.len() - 1
+    }
+
     fn block_node(&self, column: usize, row: usize) -> u32 {
-        (column * (self.rows + 1) + row) as u32
+        (column * self.depths.len() + row) as u32
     }
 
     /// Block nodes met going round from the right end of the zone, down, along the base and, in a full model,
     /// up to the left end.
     fn perimeter(&self) -> Vec<u32> {
-        let right = (0..self.rows).map(|j| self.block_node(self.zone.columns, j));
-        let base = (0..=self.zone.columns).rev().map(|i| self.block_node(i, self.rows));
-        let left = (0..self.rows).rev().map(|j| self.block_node(0, j));
-        if self.zone.symmetric {
+        let right = (0..self.rows()).map(|j| self.block_node(self.zone.columns(), j));
+        let base = (0..=self.zone.columns()).rev().map(|i| self.block_node(i, self.rows()));
+        let left = (0..self.rows()).rev().map(|j| self.block_node(0, j));
+        if self.zone.is_symmetric() {
             right.chain(base).collect()
         } else {
             right.chain(base).chain(left).collect()
@@ -194,15 +153,15 @@ impl<'a> Builder<'a> {
         let depth = self.outline.depth();
         let end = |sign: f64| self.outline.end(sign);
         let first = angle_about(centre, end(1.0));
-        let last = if self.zone.symmetric { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
+        let last = if self.zone.is_symmetric() { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
         let has_wall = |sign: f64| end(sign)[1] + depth > 1e-9 * depth;
         let ends = [(0, first), (inner.len() - 1, last)];
         let mut angles = stretched(inner, &ends);
         let base_x = |angle: f64| centre[0] - (centre[1] + depth) * angle.cos() / angle.sin();
         // Rays from the sides of a block that nearly fills the body must not turn under it.
         let mut bends = Vec::new();
-        for (corner, sign) in [(self.rows, 1.0), (inner.len() - 1 - self.rows, -1.0)] {
-            if has_wall(sign) || (sign < 0.0 && self.zone.symmetric) {
+        for (corner, sign) in [(self.rows(), 1.0), (inner.len() - 1 - self.rows(), -1.0)] {
+            if has_wall(sign) || (sign < 0.0 && self.zone.is_symmetric()) {
                 continue;
             }
             let block = centre[0] + inner[corner].log_radius.exp() * inner[corner].angle.cos();
@@ -217,13 +176,13 @@ impl<'a> Builder<'a> {
         }
         let mut corners = Vec::new();
         for sign in [1.0, -1.0] {
-            if has_wall(sign) && (sign > 0.0 || !self.zone.symmetric) {
+            if has_wall(sign) && (sign > 0.0 || !self.zone.is_symmetric()) {
                 let corner = angle_about(centre, [end(sign)[0], -depth]);
                 corners.push(turn_nearest(&mut angles, corner));
             }
         }
         let right = if has_wall(1.0) { corners.first().copied().unwrap_or(0) } else { 0 };
-        let left = match (self.zone.symmetric, has_wall(-1.0)) {
+        let left = match (self.zone.is_symmetric(), has_wall(-1.0)) {
             (false, true) => corners.last().copied().unwrap_or(angles.len() - 1),
             _ => angles.len() - 1,
         };
@@ -232,7 +191,7 @@ impl<'a> Builder<'a> {
             let drop = centre[1] + depth;
             let point = if s == 0 {
                 end(1.0)
-            } else if s + 1 == angles.len() && !self.zone.symmetric {
+            } else if s + 1 == angles.len() && !self.zone.is_symmetric() {
                 end(-1.0)
             } else if s < right {
                 [end(1.0)[0], centre[1] + (end(1.0)[0] - centre[0]) * sin / cos]
@@ -248,7 +207,7 @@ impl<'a> Builder<'a> {
             (point, (right..=left).contains(&s))
         };
         let mut points: Vec<_> = angles.iter().enumerate().map(place).collect();
-        if let (true, Some(axis)) = (self.zone.symmetric, points.last_mut()) {
+        if let (true, Some(axis)) = (self.zone.is_symmetric(), points.last_mut()) {
             axis.0 = [0.0, -depth];
         }
         points
@@ -265,7 +224,7 @@ impl<'a> Builder<'a> {
         let inner: Vec<Polar> = perimeter.iter().map(|&n| polar(self.mesh.nodes[n as usize])).collect();
         let outer = self.outer_boundary(&inner, centre);
         let outer_polar: Vec<Polar> = outer.iter().map(|&(p, _)| polar(p)).collect();
-        let steps = ring_steps(&inner, &outer_polar, &self.zone, refinement);
+        let steps = ring_steps(&inner, &outer_polar, self.zone, refinement);
         let last = perimeter.len() - 1;
 
         let mut previous = perimeter;
@@ -273,7 +232,7 @@ impl<'a> Builder<'a> {
             let is_outermost = k + 1 == steps.len();
             let sides = [
                 self.side_correction(&inner, &outer_polar, 0, eta, centre),
-                if self.zone.symmetric {
+                if self.zone.is_symmetric() {
                     0.0
                 } else {
                     self.side_correction(&inner, &outer_polar, last, eta, centre)
@@ -288,7 +247,7 @@ impl<'a> Builder<'a> {
                     + eta * outer_polar[s].angle
                     + (1.0 - xi).powi(fade) * sides[0]
                     + xi.powi(fade) * sides[1];
-                let on_axis = self.zone.symmetric && s == last;
+                let on_axis = self.zone.is_symmetric() && s == last;
                 let position = if is_outermost {
                     outer[s].0
                 } else if on_axis {
@@ -368,7 +327,7 @@ fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: 
     let mean = |curve: &[Polar]| {
         let sum: f64 = curve.iter().map(|p| p.log_radius).sum();
         match curve.last() {
-            Some(axis) if zone.symmetric => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
+            Some(axis) if zone.is_symmetric() => (2.0 * sum - axis.log_radius) / (2 * curve.len() - 1) as f64,
             _ => sum / curve.len() as f64,
         }
     };

@@ -8,8 +8,50 @@
 /// slopes by the weighted harmonic mean of F. N. Fritsch, J. Butland (1984).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MonotoneCubic {
-    points: Vec<[f64; 2]>,
+    line: Polyline,
     slopes: Vec<f64>,
+}
+
+/// Straight lines from point to point.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Polyline {
+    points: Vec<[f64; 2]>,
+}
+
+impl Polyline {
+    /// Takes at least two points, x strictly rising.
+    pub fn new(points: Vec<[f64; 2]>) -> Self {
+        Self { points }
+    }
+
+    /// The points.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// Value at x; beyond the ends the outermost lines go on.
+    pub fn value(&self, x: f64) -> f64 {
+        let right = self.points.partition_point(|p| p[0] <= x).clamp(1, self.points.len() - 1);
+        let ([x0, y0], [x1, y1]) = (self.points[right - 1], self.points[right]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    }
+
+    /// First and last x.
+    pub fn range(&self) -> (f64, f64) {
+        (self.points[0][0], self.points[self.points.len() - 1][0])
+    }
+
+    /// Inner points `[x, slope to the left, slope to the right]`.
+    pub fn bends(&self) -> impl Iterator<Item = [f64; 3]> {
+        let slope = |p: &[f64; 2], q: &[f64; 2]| (q[1] - p[1]) / (q[0] - p[0]);
+        self.points.windows(3).map(move |p| [p[1][0], slope(&p[0], &p[1]), slope(&p[1], &p[2])])
+    }
+
+    /// Whether the curve equals its mirror image in x = 0.
+    #[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
+    pub fn is_even(&self) -> bool {
+        self.points.iter().zip(self.points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1])
+    }
 }
 
 impl MonotoneCubic {
@@ -28,22 +70,23 @@ impl MonotoneCubic {
                 (None, None) => 0.0,
             })
             .collect();
-        Self { points, slopes }
+        Self { line: Polyline::new(points), slopes }
     }
 
     /// Value at x; beyond the ends the curve goes on straight.
     pub fn value(&self, x: f64) -> f64 {
-        let last = self.points.len() - 1;
-        let (first_point, last_point) = (self.points[0], self.points[last]);
+        let points = self.line.points();
+        let last = points.len() - 1;
+        let (first_point, last_point) = (points[0], points[last]);
         if x <= first_point[0] {
             return first_point[1] + self.slopes[0] * (x - first_point[0]);
         }
         if x >= last_point[0] {
             return last_point[1] + self.slopes[last] * (x - last_point[0]);
         }
-        let right = self.points.partition_point(|p| p[0] <= x);
+        let right = points.partition_point(|p| p[0] <= x);
         let left = right - 1;
-        let ([x0, y0], [x1, y1]) = (self.points[left], self.points[right]);
+        let ([x0, y0], [x1, y1]) = (points[left], points[right]);
         let h = x1 - x0;
         let t = (x - x0) / h;
         let (m0, m1) = (h * self.slopes[left], h * self.slopes[right]);
@@ -51,15 +94,9 @@ impl MonotoneCubic {
         y0 * s * s * (1.0 + 2.0 * t) + y1 * t * t * (3.0 - 2.0 * t) + m0 * t * s * s - m1 * t * t * s
     }
 
-    /// First and last x.
-    pub fn range(&self) -> (f64, f64) {
-        (self.points[0][0], self.points[self.points.len() - 1][0])
-    }
-
-    /// Whether the curve equals its mirror image in x = 0.
-    #[expect(clippy::float_cmp, reason = "a face is symmetric if its points are, to the last bit")]
-    pub fn is_even(&self) -> bool {
-        self.points.iter().zip(self.points.iter().rev()).all(|(p, q)| p[0] == -q[0] && p[1] == q[1])
+    /// The straight lines through the same points.
+    pub fn line(&self) -> &Polyline {
+        &self.line
     }
 }
 
@@ -100,14 +137,14 @@ mod tests {
         for k in 0..=20 {
             assert!(curve.value(-1.0 + 0.1 * f64::from(k)).abs() < 1e-15);
         }
-        assert!(!curve.is_even());
+        assert!(!curve.line().is_even());
     }
 
     #[test]
     fn a_finely_sampled_parabola_is_close() {
         let points = (-20..=20).map(|k| f64::from(k) * 0.1).map(|x| [x, -0.5 * x * x]).collect();
         let curve = MonotoneCubic::new(points);
-        assert!(curve.is_even());
+        assert!(curve.line().is_even());
         for k in -40..=40 {
             let x = 0.05 * f64::from(k);
             assert!((curve.value(x) + 0.5 * x * x).abs() < 1e-3);

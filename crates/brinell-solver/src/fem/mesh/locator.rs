@@ -97,8 +97,8 @@ mod tests {
     fn mesh(columns: usize, symmetric: bool) -> Mesh {
         let outline = Outline::of(&Shape::Cylinder(Cylinder { radius: PositiveF64::new(20.0).unwrap() }));
         let x_min = if symmetric { 0.0 } else { -0.5 };
-        let zone = ContactZone { x_min, x_max: 0.5, columns, symmetric };
-        Mesh::generate(&outline, zone, Refinement { growth: 1.3 }).unwrap()
+        let zone = ContactZone::uniform(x_min, 0.5, columns, symmetric);
+        Mesh::generate(&outline, &zone, Refinement { growth: 1.3 }).unwrap()
     }
 
     /// A linear field is transferred exactly, but for the sagitta of the arc between two nodes of the surface.

@@ -21,11 +21,14 @@ mod locator;
 mod outline;
 mod quality;
 mod smoothing;
+mod zone;
 
-pub use half_o_grid::{ContactZone, Refinement};
+pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
+use outline::MESHED_SLOPE;
 pub use outline::Outline;
 pub use quality::Quality;
+pub use zone::{ContactZone, Corner};
 
 use thiserror::Error;
 
@@ -44,6 +47,17 @@ pub enum MeshError {
         /// Largest half-width that the surface offers \[mm\].
         available: f64,
     },
+    /// A surface given by points that is too steep for the mesh to follow.
+    #[error(
+        "the face has a slope of {slope:.2} at x = {x:.6} mm; a body that deforms is meshed up to slopes of about \
+         {MESHED_SLOPE}, and contact theory with small displacements is not meant for steeper ones"
+    )]
+    TooSteep {
+        /// Where \[mm\].
+        x: f64,
+        /// Largest slope there.
+        slope: f64,
+    },
     /// The interpolation folded over itself.
     #[error("element {element} of the mesh is turned inside out; this is a defect of the mesh generator")]
     Inverted {
@@ -53,7 +67,7 @@ pub enum MeshError {
 }
 
 /// About how many nodes a mesh will have.
-pub fn estimated_nodes(outline: &Outline, zone: ContactZone, refinement: Refinement) -> usize {
+pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
     half_o_grid::estimated_nodes(outline, zone, refinement)
 }
 
@@ -83,9 +97,13 @@ impl Mesh {
     /// Meshes a body around a contact zone.
     ///
     /// # Errors
-    /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::Inverted`] if an
-    /// element has a Jacobian that is not positive.
-    pub fn generate(outline: &Outline, zone: ContactZone, refinement: Refinement) -> Result<Self, MeshError> {
+    /// [`MeshError::ZoneBeyondBody`] if the zone is too wide for the body, [`MeshError::TooSteep`] or
+    /// [`MeshError::Inverted`] if an element has a Jacobian that is not positive.
+    pub fn generate(
+        outline: &Outline,
+        zone: &ContactZone,
+        refinement: Refinement,
+    ) -> Result<Self, MeshError> {
         // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
         // folds the rings there; a steeper fade keeps it near the surface.
         let centre = [zone.centre(), outline.height(zone.centre())];
@@ -102,7 +120,12 @@ impl Mesh {
                 }
             }
         }
-        outcome
+        match (outcome, outline.steepest()) {
+            (Err(MeshError::Inverted { .. }), Some([x, slope])) if slope > MESHED_SLOPE => {
+                Err(MeshError::TooSteep { x, slope })
+            }
+            (outcome, _) => outcome,
+        }
     }
 
     /// Bytes held.
@@ -118,7 +141,7 @@ impl Mesh {
     pub fn free_surface_nodes(&self) -> impl Iterator<Item = u32> {
         // Patch 0 is the block below the zone, with the surface at j = 0; the rings of patch 1 end on the surface.
         let last_ray = self.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
-        let is_end = move |ray: i32| ray == 0 || (!self.zone.symmetric && Some(ray) == last_ray);
+        let is_end = move |ray: i32| ray == 0 || (!self.zone.is_symmetric() && Some(ray) == last_ray);
         let is_free = move |p: &LatticePoint| if p.patch == 0 { p.j == 0 } else { is_end(p.i) };
         (0u32..).zip(&self.lattice).filter(move |(_, p)| is_free(p)).map(|(node, _)| node)
     }
@@ -150,10 +173,10 @@ mod tests {
         let reach = 0.8 * right.min(-left);
         let half = part * reach;
         if symmetric {
-            return ContactZone { x_min: 0.0, x_max: half, columns, symmetric };
+            return ContactZone::uniform(0.0, half, columns, symmetric);
         }
         let centre = shift * (reach - half);
-        ContactZone { x_min: centre - half, x_max: centre + half, columns: 2 * columns, symmetric }
+        ContactZone::uniform(centre - half, centre + half, 2 * columns, symmetric)
     }
 
     fn shape() -> impl Strategy<Value = String> {
@@ -186,7 +209,7 @@ mod tests {
             let outline = outline(&shape);
             let zone = zone(&outline, part, shift, columns, symmetric);
             let refinement = Refinement { growth: 1.0 + 2.0 / columns as f64 };
-            let mesh = Mesh::generate(&outline, zone, refinement);
+            let mesh = Mesh::generate(&outline, &zone, refinement);
             prop_assert!(mesh.is_ok(), "{:?}", mesh.err());
         }
     }

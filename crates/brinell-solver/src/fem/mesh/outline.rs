@@ -1,7 +1,10 @@
 //! The undeformed outline of a body, as the mesh generator and the gap function see it.
 
-use super::interpolation::MonotoneCubic;
-use crate::job::{Block, Cylinder, Shape};
+use std::f64::consts::FRAC_PI_2;
+
+use super::interpolation::{MonotoneCubic, Polyline};
+use super::zone::Corner;
+use crate::job::{Block, Cylinder, Ellipse, Interpolation, Shape};
 
 /// Surface, width and depth of a body in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,9 +20,26 @@ pub struct Outline {
 enum Surface {
     /// Circular arc through the origin with curvature κ \[1/mm\]: convex positive, flat 0, concave negative.
     Arc { curvature: f64 },
-    /// Through points.
-    Points(MonotoneCubic),
+    /// The upper half of an ellipse with these semi-axes along x and y \[mm\].
+    Ellipse { semi_axes: [f64; 2] },
+    /// `y = -L (|x|/L)^n`, with the length L \[mm\].
+    Power { exponent: f64, scale: f64 },
+    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` \[mm\] or, at 0, a corner.
+    Wedge { slope: f64, tip_radius: f64 },
+    /// A flat whose edges are arcs of `edge_radius` \[mm\] or, at 0, corners; beyond `half_width` it drops to `-drop`.
+    Punch { half_width: f64, edge_radius: f64, drop: f64 },
+    /// Smooth, through points.
+    Smooth(MonotoneCubic),
+    /// Straight between points.
+    Linear(Polyline),
 }
+
+/// Slope jump between two points from which on a smooth curve through them is taken to imitate a corner.
+const CORNER: f64 = 0.05;
+/// Slope of a surface given by points up to which meshes are made without fail.
+pub(super) const MESHED_SLOPE: f64 = 0.5;
+/// Slope of a vertical drop.
+const VERTICAL: f64 = 1e9;
 
 impl Outline {
     /// Outline of a shape of the job.
@@ -33,36 +53,173 @@ impl Outline {
                 Self::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
             }
             Shape::Profile(profile) => {
-                let curve = MonotoneCubic::new(whole_face(profile.points()));
-                let span = curve.range();
-                Self { surface: Surface::Points(curve), span, depth: profile.depth().get() }
+                let points = whole_face(profile.points());
+                let line = Polyline::new(points);
+                let span = line.range();
+                let surface = match profile.interpolation() {
+                    Some(Interpolation::Linear) => Surface::Linear(line),
+                    _ => Surface::Smooth(MonotoneCubic::new(line.points().to_vec())),
+                };
+                Self { surface, span, depth: profile.depth().get() }
+            }
+            Shape::Wedge(wedge) => {
+                let surface = Surface::Wedge { slope: wedge.slope(), tip_radius: wedge.tip_radius() };
+                Self::of_width(surface, wedge.width().get(), wedge.depth().get())
+            }
+            Shape::Cone(cone) => {
+                let surface = Surface::Wedge { slope: cone.slope(), tip_radius: cone.tip_radius() };
+                Self::of_width(surface, cone.width().get(), cone.depth().get())
+            }
+            Shape::Punch(punch) => {
+                let (half_width, depth) = (0.5 * punch.width().get(), punch.depth().get());
+                let surface = Surface::Punch { half_width, edge_radius: punch.edge_radius(), drop: depth };
+                // Nothing of a rigid body is meshed: its side walls and base bound no contact.
+                Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth }
+            }
+            Shape::Parabola(parabola) => {
+                let surface = Surface::Power { exponent: 2.0, scale: 2.0 * parabola.radius().get() };
+                Self::of_width(surface, parabola.width().get(), parabola.depth().get())
+            }
+            Shape::Ellipse(Ellipse { semi_axis_x, semi_axis_y }) => {
+                let semi_axes = [semi_axis_x.get(), semi_axis_y.get()];
+                Self::of_width(Surface::Ellipse { semi_axes }, 2.0 * semi_axes[0], semi_axes[1])
+            }
+            Shape::Power(power) => {
+                let surface = Surface::Power { exponent: power.exponent(), scale: power.scale().get() };
+                Self::of_width(surface, power.width().get(), power.depth().get())
             }
         }
     }
 
     fn arc(curvature: f64, half_span: f64, depth: f64) -> Self {
-        Self { surface: Surface::Arc { curvature }, span: (-half_span, half_span), depth }
+        Self::of_width(Surface::Arc { curvature }, 2.0 * half_span, depth)
+    }
+
+    fn of_width(surface: Surface, width: f64, depth: f64) -> Self {
+        Self { surface, span: (-0.5 * width, 0.5 * width), depth }
     }
 
     /// Height of the surface over the tangent at the origin, along the outward normal \[mm\]; a convex surface
     /// falls below zero.
     pub fn height(&self, x: f64) -> f64 {
         match &self.surface {
-            // -R + √(R² - x²), written without cancellation for x << R.
-            Surface::Arc { curvature } => {
-                let slope = (curvature * x).clamp(-1.0, 1.0);
-                -curvature * x * x / (1.0 + (1.0 - slope * slope).sqrt())
+            Surface::Arc { curvature } => arc_height(*curvature, x),
+            Surface::Ellipse { semi_axes: [a, b] } => b / a * arc_height(a.recip(), x),
+            Surface::Power { exponent, scale } => -scale * (x.abs() / scale).powf(*exponent),
+            Surface::Wedge { slope, tip_radius } => {
+                let sin = slope / slope.hypot(1.0);
+                let tip = tip_radius * sin;
+                if x.abs() < tip {
+                    arc_height(tip_radius.recip(), x)
+                } else {
+                    // The flanks meet above the arc that rounds them off.
+                    -slope * x.abs() + tip_radius * (slope.hypot(1.0) - 1.0)
+                }
             }
-            Surface::Points(curve) => curve.value(x),
+            Surface::Punch { half_width, edge_radius, drop } => {
+                let beyond_flat = x.abs() - (half_width - edge_radius);
+                if x.abs() > *half_width {
+                    -drop
+                } else if beyond_flat > 0.0 && *edge_radius > 0.0 {
+                    arc_height(edge_radius.recip(), beyond_flat)
+                } else {
+                    0.0
+                }
+            }
+            Surface::Smooth(curve) => curve.value(x),
+            Surface::Linear(line) => line.value(x),
         }
     }
 
-    /// Curvature of the surface at the origin \[1/mm\], convex positive; `None` where the surface is no arc.
+    /// Curvature of the surface at the origin \[1/mm\], convex positive; `None` where the surface has none there, or only
+    /// in a small part of it.
     pub fn curvature(&self) -> Option<f64> {
         match self.surface {
             Surface::Arc { curvature } => Some(curvature),
-            Surface::Points(_) => None,
+            Surface::Ellipse { semi_axes: [a, b] } => Some(b / (a * a)),
+            Surface::Power { exponent, scale } => {
+                ((exponent - 2.0).abs() < f64::EPSILON).then(|| 2.0 / scale)
+            }
+            _ => None,
         }
+    }
+
+    /// Whether the whole surface is one circular arc or a plane.
+    pub fn is_arc(&self) -> bool {
+        matches!(self.surface, Surface::Arc { .. })
+    }
+
+    /// Where a surface given by points is steepest, and its slope there `[x, slope]`.
+    pub(super) fn steepest(&self) -> Option<[f64; 2]> {
+        let line = match &self.surface {
+            Surface::Smooth(curve) => curve.line(),
+            Surface::Linear(line) => line,
+            _ => return None,
+        };
+        let slopes =
+            line.points().windows(2).map(|p| [p[0][0], ((p[1][1] - p[0][1]) / (p[1][0] - p[0][0])).abs()]);
+        slopes.max_by(|a, b| a[1].total_cmp(&b[1]))
+    }
+
+    /// Whether a surface given by points is so steep somewhere that it may not be meshed.
+    pub fn is_steep(&self) -> bool {
+        self.steepest().is_some_and(|[_, slope]| slope > MESHED_SLOPE)
+    }
+
+    /// Places where the surface may not be as smooth as between them \[mm\], ascending: points of a profile, ends of arcs.
+    pub fn knots(&self) -> Vec<f64> {
+        match &self.surface {
+            Surface::Arc { .. } | Surface::Ellipse { .. } => Vec::new(),
+            Surface::Power { .. } => vec![0.0],
+            Surface::Wedge { slope, tip_radius } => {
+                let tip = tip_radius * slope / slope.hypot(1.0);
+                vec![-tip, 0.0, tip]
+            }
+            Surface::Punch { half_width, edge_radius, .. } => {
+                let flat = half_width - edge_radius;
+                vec![-half_width, -flat, flat, *half_width]
+            }
+            Surface::Smooth(curve) => abscissae(curve.line()),
+            Surface::Linear(line) => abscissae(line),
+        }
+    }
+
+    /// Corners of the surface, ascending.
+    pub fn corners(&self) -> Vec<Corner> {
+        let corner = |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right] };
+        match &self.surface {
+            Surface::Wedge { slope, tip_radius } if *tip_radius == 0.0 => vec![corner(0.0, *slope, -slope)],
+            Surface::Punch { half_width, edge_radius, .. } if *edge_radius == 0.0 => {
+                vec![corner(-half_width, VERTICAL, 0.0), corner(*half_width, 0.0, -VERTICAL)]
+            }
+            Surface::Smooth(curve) => curve
+                .line()
+                .bends()
+                .map(|[x, left, right]| corner(x, left, right))
+                .filter(|corner| corner.opening().abs() > CORNER)
+                .collect(),
+            Surface::Linear(line) => {
+                let bends = line.bends().filter(|[_, left, right]| (left - right).abs() > 0.0);
+                bends.map(|[x, left, right]| corner(x, left, right)).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Largest distance over `[left, right]` between a smooth curve through points and the straight lines between them
+    /// \[mm\]; 0 for any other surface.
+    pub fn rounding(&self, left: f64, right: f64) -> f64 {
+        let Surface::Smooth(curve) = &self.surface else { return 0.0 };
+        let line = curve.line();
+        let points = line.points();
+        let first = points.partition_point(|[x, _]| *x <= left).saturating_sub(1);
+        let end = points.partition_point(|[x, _]| *x < right) + 1;
+        let between = points.get(first..end.min(points.len())).unwrap_or(&[]).windows(2).flat_map(|pair| {
+            [0.25, 0.5, 0.75]
+                .map(|t| pair[0][0] + t * (pair[1][0] - pair[0][0]))
+                .map(|x| x.clamp(left, right))
+        });
+        between.map(|x| (curve.value(x) - line.value(x)).abs()).fold(0.0, f64::max)
     }
 
     /// Least and greatest x on the contact surface \[mm\].
@@ -78,8 +235,9 @@ impl Outline {
     /// Whether the outline equals its mirror image in x = 0.
     pub fn is_symmetric(&self) -> bool {
         match &self.surface {
-            Surface::Arc { .. } => true,
-            Surface::Points(curve) => curve.is_even(),
+            Surface::Smooth(curve) => curve.line().is_even(),
+            Surface::Linear(line) => line.is_even(),
+            _ => true,
         }
     }
 
@@ -100,8 +258,9 @@ impl Outline {
                 Surface::Arc { curvature } if *curvature != 0.0 => {
                     (t * (curvature * end).clamp(-1.0, 1.0).asin()).sin() / curvature
                 }
+                Surface::Ellipse { .. } => end * (t * FRAC_PI_2).sin(),
                 Surface::Arc { .. } => t * end,
-                Surface::Points(_) => centre[0] + t * (end - centre[0]),
+                _ => centre[0] + t * (end - centre[0]),
             };
             [x, self.height(x)]
         };
@@ -118,6 +277,16 @@ impl Outline {
         }
         point(0.5 * (low + high))
     }
+}
+
+/// Height of a circular arc `-R + √(R² - x²)`, written without cancellation for x << R.
+fn arc_height(curvature: f64, x: f64) -> f64 {
+    let slope = (curvature * x).clamp(-1.0, 1.0);
+    -curvature * x * x / (1.0 + (1.0 - slope * slope).sqrt())
+}
+
+fn abscissae(line: &Polyline) -> Vec<f64> {
+    line.points().iter().map(|[x, _]| *x).collect()
 }
 
 /// Points from end to end: a face given from x = 0 to one side is completed by its mirror image.

@@ -7,16 +7,22 @@
 mod block;
 mod cylinder;
 mod groove;
+mod power;
 mod profile;
+mod punch;
+mod wedge;
 
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use groove::Groove;
-pub use profile::Profile;
+pub use power::{Ellipse, Parabola, Power};
+pub use profile::{Interpolation, Profile};
+pub use punch::Punch;
+pub use wedge::{Cone, Wedge};
 
 use super::fields::tagged;
 
 tagged! {
     /// The undeformed outline of a body.
-    pub enum Shape by "type" { Cylinder, Block, Groove, Profile }
+    pub enum Shape by "type" { Cylinder, Block, Groove, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power }
 }

@@ -1,10 +1,10 @@
 //! A face given by points.
 
 use crate::job::fields::{Field, Figure, Known, faults_of, record};
-use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::job::{FieldError, Named, PositiveF64, Quantity};
 
 record! {
-    /// A block whose upper face passes through points, interpolated without overshoot.
+    /// A block whose upper face passes through points, smooth or straight between them.
     pub struct Profile("profile", "Profile") where rules {
         /// Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.
         points: Vec<[f64; 2]> = Field::points(
@@ -18,6 +18,30 @@ record! {
         .example_points(&[[-10.0, -2.5], [-4.0, -0.4], [0.0, 0.0], [4.0, -0.4], [10.0, -2.5]]),
         /// From height 0 to the base; every height is above it.
         depth: PositiveF64 = Field::quantity(Quantity::Length).label("Depth", "d").example(50.0),
+        /// What the face is like between its points: `smooth` to the first derivative, without overshoot, or `linear`, so that
+        /// points are corners. If it is left out, the face is smooth, and refused where that would round off a corner in the
+        /// contact.
+        interpolation: Option<Interpolation> = Field::choice::<Interpolation>("Interpolation").label("Between points", ""),
+    }
+}
+
+/// What a face given by points is like between them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Smooth to the first derivative, without overshoot.
+    Smooth,
+    /// Straight, so that points may be corners.
+    Linear,
+}
+
+impl Named for Interpolation {
+    const ALL: &'static [Self] = &[Self::Smooth, Self::Linear];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Smooth => "smooth",
+            Self::Linear => "linear",
+        }
     }
 }
 
@@ -30,9 +54,20 @@ impl Profile {
     /// # Errors
     /// Every fault, with a pointer relative to the shape, e.g. `/points/3/0`.
     pub fn new(points: Vec<[f64; 2]>, depth: PositiveF64) -> Result<Self, Vec<FieldError>> {
-        let profile = Self { points, depth };
+        let profile = Self { points, depth, interpolation: None };
         let faults = faults_of(&profile, &[]);
         if faults.is_empty() { Ok(profile) } else { Err(faults) }
+    }
+
+    /// The same points, with a choice of what lies between them.
+    #[must_use]
+    pub fn interpolated(self, interpolation: Interpolation) -> Self {
+        Self { interpolation: Some(interpolation), ..self }
+    }
+
+    /// What lies between the points; `None` where that was not said: smooth, unless it would round off a corner.
+    pub const fn interpolation(&self) -> Option<Interpolation> {
+        self.interpolation
     }
 
     /// `[x, height]` \[mm\], x strictly increasing.

@@ -14,12 +14,22 @@ impl ContactPatch {
     /// whose first abscissa is the axis, the left end mirrors the right one.
     ///
     /// From the last node that is loaded over its whole length, the pressure is taken to fall like the square root
-    /// of the distance to the end; the end is where it has to be for the outermost node to receive its force.
-    pub fn find(x: &[f64], pressure: &[f64], symmetric: bool) -> Option<Self> {
+    /// of the distance to the end; the end is where it has to be for the outermost node to receive its force. Where that
+    /// node stands for an edge of a surface, the contact ends at the edge.
+    pub fn find(
+        x: &[f64],
+        pressure: &[f64],
+        symmetric: bool,
+        edge: impl Fn(usize) -> Option<f64>,
+    ) -> Option<Self> {
         let first = pressure.iter().position(|&p| p > 0.0)?;
         let last = pressure.iter().rposition(|&p| p > 0.0)?;
-        let right = end_beyond(x, pressure, last, |k| k.checked_add(1));
-        let left = if symmetric { -right } else { end_beyond(x, pressure, first, |k| k.checked_sub(1)) };
+        let right = edge(last).unwrap_or_else(|| end_beyond(x, pressure, last, |k| k.checked_add(1)));
+        let left = if symmetric {
+            -right
+        } else {
+            edge(first).unwrap_or_else(|| end_beyond(x, pressure, first, |k| k.checked_sub(1)))
+        };
         Some(Self { left, right })
     }
 
@@ -101,7 +111,7 @@ mod tests {
     fn finds_the_half_width_of_hertz_to_a_fraction_of_an_element() {
         for a in [1.0, 1.02, 1.04, 1.07] {
             let (x, p) = hertz_nodes(a, 0.1, 20);
-            let patch = ContactPatch::find(&x, &p, true).unwrap();
+            let patch = ContactPatch::find(&x, &p, true, |_| None).unwrap();
             assert!((patch.half_width() - a).abs() < 0.02, "{a}: {patch:?}");
         }
     }
@@ -112,12 +122,12 @@ mod tests {
         let x_full: Vec<f64> =
             x.iter().rev().map(|v| 2.0 - v).chain(x[1..].iter().map(|v| 2.0 + v)).collect();
         let p_full: Vec<f64> = p.iter().rev().copied().chain(p[1..].iter().copied()).collect();
-        let patch = ContactPatch::find(&x_full, &p_full, false).unwrap();
+        let patch = ContactPatch::find(&x_full, &p_full, false, |_| None).unwrap();
         assert!((patch.left - 0.97).abs() < 0.02 && (patch.right - 3.03).abs() < 0.02, "{patch:?}");
     }
 
     #[test]
     fn nothing_touches() {
-        assert_eq!(ContactPatch::find(&[0.0, 1.0], &[0.0, 0.0], true), None);
+        assert_eq!(ContactPatch::find(&[0.0, 1.0], &[0.0, 0.0], true, |_| None), None);
     }
 }

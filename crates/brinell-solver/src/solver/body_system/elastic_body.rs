@@ -49,7 +49,7 @@ impl ElasticBody {
         observer: &mut dyn Observer,
     ) -> Result<Self, SolveError> {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
-        let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, *zone, *refinement))?;
+        let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, zone, *refinement))?;
         let contacts = mesh.contact_nodes.len();
         let restraint = Restraint::new(&mesh, *support);
         let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
@@ -230,7 +230,7 @@ pub(crate) mod tests {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
         BodyKey {
             outline: Outline::of(&Shape::Cylinder(Cylinder { radius: positive(radius) })),
-            zone: ContactZone { x_min: 0.0, x_max: 0.01 * radius, columns: 8, symmetric: true },
+            zone: ContactZone::uniform(0.0, 0.01 * radius, 8, true),
             refinement: Refinement { growth: 1.3 },
             stress_state: StressState::PlaneStrain,
             constants: Elastic {

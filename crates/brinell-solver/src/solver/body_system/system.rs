@@ -44,7 +44,7 @@ pub(crate) struct System {
 /// What a mesh is to be like.
 #[derive(Clone, Copy)]
 pub(crate) struct Design<'a> {
-    pub zone: ContactZone,
+    pub zone: &'a ContactZone,
     pub refinement: Refinement,
     pub search_region: PlasticSearchRegion,
     /// Where it may be already.
@@ -85,7 +85,7 @@ impl System {
             }
             let key = BodyKey {
                 outline: body.outline.clone(),
-                zone,
+                zone: zone.clone(),
                 refinement,
                 stress_state: problem.stress_state,
                 constants: *material.elastic(),
@@ -110,14 +110,13 @@ impl System {
             bodies.push(body);
             transferred.push(displacement);
         }
-        let initial_gap: Vec<f64> =
-            (0..=zone.columns).map(|k| problem.initial_gap(zone.abscissa(k))).collect();
+        let initial_gap: Vec<f64> = zone.abscissae().iter().map(|&x| problem.initial_gap(x)).collect();
         let mut system = Self {
             bodies,
             bodies_represented,
             model_of,
             stress_state: problem.stress_state,
-            zone,
+            zone: zone.clone(),
             smallest_gap: problem.smallest_gap,
             // The surfaces of a contact that is narrow beside their radii face each other along the approach.
             closing: vec![1.0; initial_gap.len()],
@@ -204,7 +203,7 @@ impl System {
 
     fn sum_flexibility(&mut self) {
         let parts: Vec<&SymmetricMatrix> = self.bodies.iter().map(|body| &body.flexibility).collect();
-        self.flexibility = total_flexibility(self.zone.columns + 1, &parts, &self.bodies_represented);
+        self.flexibility = total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
     }
 
     /// The contact conditions of the pairs for equivalent initial gaps.
@@ -215,18 +214,40 @@ impl System {
     /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
     /// the shape function `N_k` of the surface. So a uniform pressure is found exactly.
     pub fn tributary(&self, k: usize) -> f64 {
-        let h = self.zone.spacing();
-        let (is_first, is_last) = (k == 0, k == self.zone.columns);
+        self.tributary_within(k, self.zone.abscissae())
+    }
+
+    /// Where pairs carry force at a corner of one of the surfaces \[mm\].
+    pub fn loaded_corners(&self, force: &[f64]) -> Vec<f64> {
+        let loaded = (0..force.len()).filter(|&k| force[k] > 0.0 && self.zone.is_corner(k));
+        loaded.map(|k| self.zone.edge(k).unwrap_or_else(|| self.zone.abscissa(k))).collect()
+    }
+
+    /// [`Self::tributary`], but of an edge at which the contact ends only what lies inside of the edge.
+    fn loaded_width(&self, k: usize, force: &[f64]) -> f64 {
+        let Some(edge) = self.zone.edge(k) else { return self.tributary(k) };
+        let x = self.zone.abscissae();
+        let is_loaded = |k: usize| force.get(k).is_some_and(|r| *r > 0.0);
+        let inset = (edge - x[k]).abs();
+        let beyond = match self.stress_state {
+            StressState::PlaneStrain | StressState::PlaneStress => inset,
+            StressState::Axisymmetric => PI * inset * (edge + x[k]),
+        };
+        match (k.checked_sub(1).is_some_and(is_loaded), is_loaded(k + 1)) {
+            (true, false) => self.tributary_within(k, &x[..=k]) + beyond,
+            (false, true) if k > 0 => self.tributary_within(0, &x[k..]) + beyond,
+            _ => self.tributary(k),
+        }
+    }
+
+    /// [`Self::tributary`] on the columns between these abscissae, `x[k]` being that of the pair.
+    fn tributary_within(&self, k: usize, x: &[f64]) -> f64 {
+        let here = x[k];
+        let (inner, outer) = (k.checked_sub(1).map(|j| here - x[j]), x.get(k + 1).map(|x| x - here));
+        let (inner, outer) = (inner.unwrap_or(0.0), outer.unwrap_or(0.0));
         match self.stress_state {
-            StressState::PlaneStrain | StressState::PlaneStress => {
-                h * if is_first || is_last { 0.5 } else { 1.0 }
-            }
-            StressState::Axisymmetric => {
-                let x = self.zone.abscissa(k);
-                let inner = if is_first { 0.0 } else { 0.5 * h * (x - h / 3.0) };
-                let outer = if is_last { 0.0 } else { 0.5 * h * (x + h / 3.0) };
-                2.0 * PI * (inner + outer)
-            }
+            StressState::PlaneStrain | StressState::PlaneStress => 0.5 * (inner + outer),
+            StressState::Axisymmetric => PI * (inner * (here - inner / 3.0) + outer * (here + outer / 3.0)),
         }
     }
 
@@ -346,7 +367,7 @@ impl System {
     /// 2 if the meshed half stands for both sides, else 1; a body of revolution is whole.
     pub fn symmetry_factor(&self) -> usize {
         let is_plane = self.stress_state != StressState::Axisymmetric;
-        if self.zone.symmetric && is_plane { 2 } else { 1 }
+        if self.zone.is_symmetric() && is_plane { 2 } else { 1 }
     }
 
     /// The load of what is meshed.
@@ -366,8 +387,9 @@ impl System {
     /// Contact pressure of each pair \[MPa\]: its force over the length or area it stands for; next to the axis of
     /// a body of revolution, the smooth continuation of what lies around it.
     pub fn pressures(&self, force: &[f64]) -> Vec<f64> {
-        let mut pressures: Vec<f64> = force.iter().enumerate().map(|(k, r)| r / self.tributary(k)).collect();
-        if self.stress_state == StressState::Axisymmetric {
+        let mut pressures: Vec<f64> =
+            (0..force.len()).map(|k| force[k] / self.loaded_width(k, force)).collect();
+        if self.stress_state == StressState::Axisymmetric && self.zone.is_uniform() {
             axis::recover(&mut pressures);
         }
         pressures
@@ -375,7 +397,7 @@ impl System {
 
     /// Abscissae of the pairs and their pressures.
     pub fn pressure_over_x(&self, force: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        ((0..=self.zone.columns).map(|k| self.zone.abscissa(k)).collect(), self.pressures(force))
+        (self.zone.abscissae().to_vec(), self.pressures(force))
     }
 
     /// Largest contact pressure \[MPa\].

@@ -115,12 +115,12 @@ fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f6
         |pairs: Vec<usize>, share: f64| stiffness(&pairs).map_or(0.0, |s| share.abs() * (s / whole - 1.0));
     let mut correction = 1.0;
     let right = share(patch.right - zone.abscissa(last));
-    if right >= 0.0 && last < zone.columns {
+    if right >= 0.0 && last < zone.columns() {
         correction += change(active.iter().copied().chain([last + 1]).collect(), right);
     } else if right < 0.0 && active.len() > 2 {
         correction += change(active[..active.len() - 1].to_vec(), right);
     }
-    if !zone.symmetric {
+    if !zone.is_symmetric() {
         let left = share(zone.abscissa(first) - patch.left);
         if left >= 0.0 && first > 0 {
             correction += change(std::iter::once(first - 1).chain(active.iter().copied()).collect(), left);

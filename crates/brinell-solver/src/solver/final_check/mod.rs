@@ -23,13 +23,18 @@ const RESIDUAL_FLOOR: f64 = 1e-9;
 
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
 const COLLAPSE_STRAIN: f64 = 1.0;
+/// Area of the section that strains so much, over the square of the half-width: beside a sharp edge strains grow without bound
+/// under any load.
+const COLLAPSE_AREA: f64 = 1.0 / 400.0;
 
 /// Whether strains have outgrown the theory of small strains.
 pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
-    let mut bodies = pass.system.bodies.iter().zip(&pass.fields);
-    bodies.any(|(body, field)| {
+    let half_width = pass.patch.map_or(0.0, |patch| patch.half_width());
+    pass.system.bodies.iter().zip(&pass.fields).any(|(body, field)| {
         let accumulates = body.model.has_memory();
-        field.stress.points.iter().flatten().any(|point| point.strain(accumulates) > COLLAPSE_STRAIN)
+        let points = field.stress.points.iter().flatten();
+        let strained = points.filter(|point| point.strain(accumulates) > COLLAPSE_STRAIN);
+        strained.map(|point| point.area).sum::<f64>() > COLLAPSE_AREA * half_width * half_width
     })
 }
 
@@ -65,8 +70,11 @@ pub(crate) fn finish(
             }
         }
     };
-    phases
-        .time(Phase::Output, observer, || final_check(pass, contact_stiffness, load, tolerance, force_scale))
+    phases.time(Phase::Output, observer, || {
+        // Before the stresses are handed over.
+        let has_collapsed = has_collapsed(pass);
+        final_check(pass, has_collapsed, contact_stiffness, load, tolerance, force_scale)
+    })
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
@@ -155,6 +163,7 @@ fn from_iteration(pass: &MeshSolve) -> Final {
 
 fn final_check(
     pass: &mut MeshSolve,
+    has_collapsed: bool,
     contact_stiffness: f64,
     load: ContactLoad,
     tolerance: f64,
@@ -168,7 +177,6 @@ fn final_check(
         check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
     let sound =
         contact_check.is_sound() && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
-    let has_collapsed = bodies.iter().any(|body| body.max_strain() > COLLAPSE_STRAIN);
     let status = match outcome.status {
         SolveStatus::Converged if !sound || has_collapsed || pass.reaches_edge => SolveStatus::NotConverged,
         status => status,
@@ -178,7 +186,7 @@ fn final_check(
         status,
         load,
         approach: contact.approach,
-        symmetric: system.zone.symmetric,
+        symmetric: system.zone.is_symmetric(),
         stress_state: system.stress_state,
         smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
@@ -192,8 +200,10 @@ fn final_check(
         history: outcome.history.clone(),
         contact_check,
         equilibrium_residual,
+        loaded_corners: system.loaded_corners(&contact.force),
         reaches_edge: pass.reaches_edge,
         has_collapsed,
+        unresolved: None,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),

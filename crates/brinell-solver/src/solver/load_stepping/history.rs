@@ -140,9 +140,9 @@ fn choose_increments(
     let mut last: Option<Found> = None;
     loop {
         let guide = last.as_ref().map(|last| &last.path);
-        let run = MeshHistory { request, mesh, size, division, guide };
+        let run = MeshHistory { request, mesh: mesh.clone(), size, division, guide };
         let now = run.solve(None, solution, observer)?;
-        mesh.zone = now.mesh;
+        mesh.zone = now.mesh.clone();
         // Finer increments do not help a body that does not bear the load.
         if now.has_collapsed {
             let errors = last.map_or_else(Vec::new, |before| differences(&before.figures, &now.figures).0);
@@ -289,12 +289,12 @@ impl MeshHistory<'_> {
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<Found, SolveError> {
-        let mut mesh = self.mesh;
+        let mut mesh = self.mesh.clone();
         let (mut enlargements, mut narrowings) = (0, 0);
         loop {
             let steps = solution.steps.len();
-            let run = MeshHistory { mesh, ..*self };
-            let wider = mesh_solve::enlarge(mesh.zone);
+            let run = MeshHistory { mesh: mesh.clone(), ..*self };
+            let wider = mesh_solve::enlarge(self.request.problem, &mesh.zone);
             let can_enlarge = narrowings == 0
                 && enlargements < MAX_ENLARGEMENTS
                 && mesh_solve::fits(self.request.problem, &wider);
@@ -312,7 +312,7 @@ impl MeshHistory<'_> {
                 }
                 // A contact that reaches the edge of the narrower zone is reported.
                 Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
-                    mesh.zone = mesh_solve::narrow(mesh.zone);
+                    mesh.zone = mesh_solve::narrow(self.request.problem, &mesh.zone);
                     narrowings += 1;
                 }
                 Err(error) => return Err(error),
@@ -330,7 +330,8 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> Result<Option<Found>, SolveError> {
         let problem = self.request.problem;
-        let MeshSolveRequest { zone, refinement, cache, .. } = self.mesh;
+        let MeshSolveRequest { refinement, cache, .. } = self.mesh;
+        let zone = &self.mesh.zone;
         let search_region = match self.mesh.search_region {
             PlasticSearchRegion::WholeBody => PlasticSearchRegion::WholeBody,
             PlasticSearchRegion::Within(_) => {
@@ -340,7 +341,7 @@ impl MeshHistory<'_> {
         let design = Design { zone, refinement, search_region, cache };
         let (mut system, _) = System::build(problem, design, None, &mut solution.phases, observer)?;
         let mut found = Found {
-            mesh: zone,
+            mesh: zone.clone(),
             size: self.size,
             path: Path {
                 meshes: system.bodies.iter().map(|body| Arc::clone(&body.elastic.mesh)).collect(),
@@ -472,7 +473,7 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> Result<MeshSolve, SolveError> {
         let phases = &mut solution.phases;
-        let mut request = MeshSolveRequest { load: target, scales: progress.scales, ..self.mesh };
+        let mut request = MeshSolveRequest { load: target, scales: progress.scales, ..self.mesh.clone() };
         request.previous = None;
         let mut start = None;
         if couplings::of(request.solver.coupling).uses_tangent_moduli() {

@@ -34,6 +34,9 @@ const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for.
 const RESOLUTION_SLACK: f64 = 1.05;
 
+/// How much finer than the mesh a surface may have to be resolved without a remark: one step of the search for it.
+const TRACE_SLACK: f64 = 0.8;
+
 /// By how much a zone that does not fit on the surfaces is narrowed, again and again.
 const NARROWING: f64 = 0.95;
 const MAX_NARROWINGS: usize = 60;
@@ -96,7 +99,8 @@ impl<'a> LoadStepper<'a> {
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.previous = (!previous.is_empty()).then_some(&previous);
         let coarse = self.solve_auxiliary(&request, coarse, solution, observer)?;
-        let extent = solution.phases.time(Phase::Output, observer, || extent.found_by(&coarse));
+        let found = || self.found(extent, &coarse);
+        let extent = solution.phases.time(Phase::Output, observer, found);
         let figures = coarse.figures();
 
         let previous = coarse.nodal_fields();
@@ -106,15 +110,16 @@ impl<'a> LoadStepper<'a> {
         let mut pass = mesh_solve::run(self.problem, &request, fine, &mut solution.phases, observer)?;
         solution.passes += pass.meshes;
         // Before the stresses are handed over.
-        let found = solution.phases.time(Phase::Output, observer, || next.map(|_| extent.found_by(&pass)));
+        let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
         let tolerance = request.solver.tolerance.get();
         let mut step = final_check::finish(&mut pass, load, tolerance, 0.0, &mut solution.phases, observer);
         step.coarse = figures;
+        step.unresolved = found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing());
         // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
             drop((sizing, outgrown));
-            let (extent, coarse, fine) = (found?, coarse.into_reusable(load), pass.into_reusable(load));
-            Some(LastStep { load, extent, coarse, fine })
+            let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
+            next.map(|_| LastStep { load, extent, coarse, fine })
         });
         Ok(step)
     }
@@ -144,14 +149,16 @@ impl<'a> LoadStepper<'a> {
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<(ContactSizeEstimate, Option<MeshSolve>), SolveError> {
-        let expect = || ContactSizeEstimate::expected(self.problem, load);
+        let elements = self.job.mesh.elements_per_half_width as usize;
+        let expect = || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, elements);
         let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {
             let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
             request.search_region = PlasticSearchRegion::WholeBody;
             let pass = self.solve_auxiliary(&request, None, solution, observer)?;
-            let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
+            let find = || self.found(extent, &pass);
+            let found = solution.phases.time(Phase::Output, observer, find);
             let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
             extent = found;
             last = Some(pass);
@@ -166,6 +173,16 @@ impl<'a> LoadStepper<'a> {
             };
         }
         Ok((extent, last))
+    }
+
+    /// What a mesh has found of a contact, with elements as small as the surfaces need them; where a body has collapsed these
+    /// are in contact wherever they happen to be, and no finer mesh helps.
+    fn found(&self, extent: ContactSizeEstimate, pass: &MeshSolve) -> ContactSizeEstimate {
+        let found = extent.found_by(pass);
+        if final_check::has_collapsed(pass) {
+            return found;
+        }
+        found.refined(self.problem, self.job.mesh.elements_per_half_width as usize)
     }
 
     fn solve_auxiliary(
@@ -184,13 +201,13 @@ impl<'a> LoadStepper<'a> {
     /// A zone for a contact of this size, or as much of it as the surfaces have room for.
     fn zone(&self, mut extent: ContactSizeEstimate, spacing: f64) -> ContactZone {
         for _ in 0..MAX_NARROWINGS {
-            let zone = extent.zone(self.problem.is_symmetric(), spacing);
+            let zone = extent.zone(self.problem, spacing);
             if mesh_solve::fits(self.problem, &zone) {
                 return zone;
             }
             extent.half_width *= NARROWING;
         }
-        extent.zone(self.problem.is_symmetric(), spacing)
+        extent.zone(self.problem, spacing)
     }
 
     pub(super) fn request(
@@ -210,8 +227,8 @@ impl<'a> LoadStepper<'a> {
         let zone = self.zone(extent, spacing);
         MeshSolveRequest {
             contact: &ActiveSetSolver,
-            zone,
             refinement: refinement(&zone),
+            zone,
             search_region,
             load,
             solver,

@@ -2,10 +2,12 @@
 
 use std::f64::consts::PI;
 
+use super::trace::resolving_spacing;
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::solver::SolveError;
+use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
@@ -23,6 +25,12 @@ const BEYOND_LAST: f64 = 0.4;
 const SIZE_STEP: f64 = 0.1;
 /// Step from one place of an off-centre zone to the next, in elements.
 const CENTRE_STEP: f64 = 0.1;
+/// Part of the pressure that a part of the contact carries at least to be resolved for its own sake.
+const LEAST_PART: f64 = 0.05;
+/// How much finer a mesh may become than what was expected before anything was solved.
+const MORE_THAN_EXPECTED: f64 = 1.5;
+/// Elements over a half-width at most, a few more than a job may ask for.
+const MAX_ELEMENTS: f64 = 350.0;
 /// A part of the contact is resolved by its own width down to this part of the whole width.
 const MAX_PART_RATIO: f64 = 6.0;
 
@@ -39,6 +47,8 @@ pub(crate) struct ContactSizeEstimate {
     pub plastic: RadialEnvelope,
     /// Half-width of the elastic contact in closed form, which element sizes are rounded to steps from \[mm\].
     pub hertz_half_width: f64,
+    /// How much smaller elements have to be for the nodes to see surfaces that are given by points as they are, at least 1.
+    pub refinement: f64,
 }
 
 impl ContactSizeEstimate {
@@ -62,17 +72,21 @@ impl ContactSizeEstimate {
         if limit <= 0.0 {
             return Err(SolveError::Conforming);
         }
-        let opening =
-            |a: f64| problem.initial_gap(first_contact_x + a) + problem.initial_gap(first_contact_x - a);
+        let opening = |a: f64| problem.opening(a);
         if opening(limit) <= 0.0 {
             return Err(SolveError::Conforming);
         }
         let bears = |a: f64| match load {
-            ContactLoad::Force(force) => hertz_force(problem, a, opening(a)) >= force,
+            ContactLoad::Force(force) => problem.elastic_force(a) >= force,
             ContactLoad::Approach(approach) => 0.5 * opening(a) >= approach,
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
-        let half_width = (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a));
+        let half_width = if problem.has_arcs() {
+            (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a))
+        } else {
+            let rough = (0..=ROUGH_STEPS).rev().map(|k| limit * ROUGH_RATIO.powi(-k)).find(|&a| bears(a));
+            rough.map(|a| bisect(a / ROUGH_RATIO, a, bears))
+        };
         let plastic = match load {
             ContactLoad::Force(force) => plastic_half_width(problem, force),
             ContactLoad::Approach(_) => 0.0,
@@ -80,13 +94,14 @@ impl ContactSizeEstimate {
         match half_width.map(|a| a.max(plastic)) {
             Some(a) if a <= limit => {
                 let hertz_half_width = half_width.unwrap_or(a);
+                if let Some((side, corner)) = problem.ambiguous_corner(first_contact_x, a) {
+                    return Err(SolveError::AmbiguousCorner { side, x: corner.x, opening: corner.opening() });
+                }
                 Ok(Self::around(first_contact_x, a, hertz_half_width, symmetric))
             }
             beyond => {
                 let elastic = match load {
-                    ContactLoad::Force(force) => {
-                        limit * (force / hertz_force(problem, limit, opening(limit))).sqrt()
-                    }
+                    ContactLoad::Force(force) => limit * (force / problem.elastic_force(limit)).sqrt(),
                     ContactLoad::Approach(approach) => limit * (2.0 * approach / opening(limit)).sqrt(),
                 };
                 let half_width = beyond.unwrap_or(elastic).max(plastic);
@@ -97,7 +112,50 @@ impl ContactSizeEstimate {
 
     fn around(first_contact_x: f64, a: f64, hertz_half_width: f64, symmetric: bool) -> Self {
         let (centre, half_width) = if symmetric { (0.0, first_contact_x + a) } else { (first_contact_x, a) };
-        Self { centre, half_width, smallest_part: a, plastic: RadialEnvelope::NONE, hertz_half_width }
+        Self {
+            centre,
+            half_width,
+            smallest_part: a,
+            plastic: RadialEnvelope::NONE,
+            hertz_half_width,
+            refinement: 1.0,
+        }
+    }
+
+    /// This extent, with elements as small as the surfaces need them; `elements` are asked for over a half-width.
+    ///
+    /// # Errors
+    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved.
+    pub fn resolved(self, problem: &Problem, elements: usize) -> Result<Self, SolveError> {
+        let (wanted, spacing) = self.spacings(problem, elements);
+        let finest = self.half_width / MAX_ELEMENTS;
+        if spacing < wanted && spacing < finest {
+            return Err(SolveError::TraceTooFine { half_width: self.half_width, spacing, finest });
+        }
+        Ok(Self { refinement: wanted / spacing, ..self })
+    }
+
+    /// The same for a contact that a mesh has found, without becoming much finer than was expected and estimated.
+    pub fn refined(self, problem: &Problem, elements: usize) -> Self {
+        let (wanted, spacing) = self.spacings(problem, elements);
+        let finest = (self.half_width / MAX_ELEMENTS).min(wanted);
+        let refinement = wanted / spacing.max(finest);
+        Self { refinement: refinement.min(MORE_THAN_EXPECTED * self.refinement), ..self }
+    }
+
+    /// Element size that the surfaces within the contact need, where it is smaller than a given one \[mm\].
+    pub fn unresolved(&self, problem: &Problem, spacing: f64) -> Option<f64> {
+        let needed = resolving_spacing(problem, self.centre, self.half_width, spacing);
+        (!problem.has_arcs() && needed < spacing).then_some(needed)
+    }
+
+    /// Element size that is asked for, and the one up to it that the surfaces need \[mm\].
+    fn spacings(&self, problem: &Problem, elements: usize) -> (f64, f64) {
+        let wanted = self.half_width / (elements as f64 + BEYOND_LAST);
+        if problem.has_arcs() {
+            return (wanted, wanted);
+        }
+        (wanted, resolving_spacing(problem, self.centre, self.half_width, wanted))
     }
 
     /// The extent that a pass found; `self` where nothing touched.
@@ -105,11 +163,20 @@ impl ContactSizeEstimate {
         let Some(patch) = pass.patch else { return self };
         let zone = &pass.system.zone;
         let own_width = |left: f64, right: f64| {
-            if zone.symmetric && left == 0.0 { right } else { 0.5 * (right - left) }
+            if zone.is_symmetric() && left == 0.0 { right } else { 0.5 * (right - left) }
         };
-        let parts = pass.parts();
+        let (x, pressures) = pass.system.pressure_over_x(&pass.outcome.state.response.contact.force);
+        let carried = |part: &ContactPatch| -> f64 {
+            let inside = x.iter().zip(&pressures).filter(|(x, _)| (part.left..=part.right).contains(*x));
+            inside.map(|(_, p)| p).sum()
+        };
+        let mut parts = pass.parts();
+        let least = LEAST_PART * pressures.iter().sum::<f64>();
+        if parts.len() > 1 {
+            parts.retain(|part| carried(part) >= least);
+        }
         let smallest = match parts.as_slice() {
-            [only] if !zone.symmetric || only.left == 0.0 => patch.half_width(),
+            [only] if !zone.is_symmetric() || only.left == 0.0 => patch.half_width(),
             many => {
                 many.iter().map(|part| own_width(part.left, part.right)).fold(patch.half_width(), f64::min)
             }
@@ -120,6 +187,7 @@ impl ContactSizeEstimate {
             smallest_part: smallest.max(0.5 * zone.spacing()),
             plastic: pass.yielded_envelope(),
             hertz_half_width: self.hertz_half_width,
+            refinement: self.refinement,
         }
     }
 
@@ -131,6 +199,7 @@ impl ContactSizeEstimate {
             smallest_part: factor * self.smallest_part,
             plastic: self.plastic.scaled(factor),
             hertz_half_width: self.hertz_half_width,
+            refinement: self.refinement,
         }
     }
 
@@ -145,43 +214,52 @@ impl ContactSizeEstimate {
         let elements = elements as f64 + BEYOND_LAST;
         let step = (SIZE_STEP / elements).ln_1p();
         let steps = (resolved / self.hertz_half_width).ln() / step;
+        if self.refinement > 1.0 {
+            // Fine enough for the points of a trace, between which nothing is known: parts that it has are no reason more.
+            return self.half_width / elements / self.refinement;
+        }
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
 
     /// A zone that covers the contact and more, with elements of a given size.
-    pub fn zone(&self, symmetric: bool, spacing: f64) -> ContactZone {
+    pub fn zone(&self, problem: &Problem, spacing: f64) -> ContactZone {
+        let symmetric = problem.is_symmetric();
         let columns = (ZONE * self.half_width / spacing).round().max(4.0);
         let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
         let columns = columns as usize;
         if symmetric {
-            ContactZone { x_min: 0.0, x_max: half, columns, symmetric }
+            problem.zone(0.0, half, columns, symmetric)
         } else {
             let step = CENTRE_STEP * spacing;
             let centre = (self.centre / step).round() * step;
-            ContactZone { x_min: centre - half, x_max: centre + half, columns: 2 * columns, symmetric }
+            problem.zone(centre - half, centre + half, 2 * columns, symmetric)
         }
     }
 }
 
 /// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
 pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
-    let columns = if zone.symmetric { zone.columns } else { zone.columns / 2 };
-    Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns as f64 }
+    // Not of the graded columns: they leave the rest as it is.
+    let columns = zone.half_width() / zone.spacing();
+    Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns }
 }
 
 /// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
 const SEARCH_RATIO: f64 = 1.02;
 const SEARCH_STEPS: i32 = 700;
+/// The same where a force is an integral, and what is found is refined.
+const ROUGH_RATIO: f64 = 1.1;
+const ROUGH_STEPS: i32 = 145;
 
-/// Force under which a parabola that has opened by `opening / 2` at ±a touches over the half-width a.
-fn hertz_force(problem: &Problem, a: f64, opening: f64) -> f64 {
-    let modulus = problem.effective_modulus();
-    match problem.stress_state {
-        StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * modulus * opening,
-        StressState::Axisymmetric => 4.0 / 3.0 * modulus * a * opening,
+/// The least value between `low`, which does not bear, and `high`, which does.
+fn bisect(mut low: f64, mut high: f64, bears: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if bears(middle) { high = middle } else { low = middle }
     }
+    high
 }
 
 fn plastic_half_width(problem: &Problem, force: f64) -> f64 {

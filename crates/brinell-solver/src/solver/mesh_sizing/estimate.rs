@@ -1,6 +1,6 @@
 //! What a job will cost, without meshing it.
 
-use crate::fem::mesh::estimated_nodes;
+use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
 use crate::job::Job;
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
@@ -22,20 +22,28 @@ pub struct Estimate {
     pub bytes: u64,
 }
 
-/// Estimates the cost of a job without meshing it.
+/// Estimates the cost of a job without meshing it, but for steep faces.
 ///
 /// # Errors
-/// [`SolveError::Conforming`] or [`SolveError::TooWide`] for contacts that are not solved.
+/// [`SolveError`] for contacts that are not solved: too wide, conforming, of traces too fine or faces too steep, with a corner
+/// that may be none.
 pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let problem = Problem::of(job);
     let elements = job.mesh.elements_per_half_width as usize;
     let mut worst = Estimate { equations: 0, bytes: 0 };
     let Some(loads) = loads(&job.load) else { return Ok(nominal(&problem, elements)) };
     for (k, &load) in loads.iter().enumerate() {
-        let extent = ContactSizeEstimate::expected(&problem, load)?;
+        let extent = ContactSizeEstimate::expected(&problem, load)?.resolved(&problem, elements)?;
         let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
-        let zone = extent.zone(problem.is_symmetric(), spacing);
-        let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
+        let zone = extent.zone(&problem, spacing);
+        for outline in problem.deformable_outlines().filter(|outline| outline.is_steep()) {
+            // Where there is no mesh for another reason, a narrower zone is tried.
+            if let Err(error @ MeshError::TooSteep { .. }) = Mesh::generate(outline, &zone, refinement(&zone))
+            {
+                return Err(error.into());
+            }
+        }
+        let nodes = |outline| estimated_nodes(outline, &zone, refinement(&zone));
         let found = cost(&problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>());
         worst.equations = worst.equations.max(found.equations);
         worst.bytes = worst.bytes.max(found.bytes);
@@ -52,10 +60,11 @@ fn nominal(problem: &Problem, elements: usize) -> Estimate {
         smallest_part: half_width,
         plastic: RadialEnvelope::NONE,
         hertz_half_width: half_width,
+        refinement: 1.0,
     };
     let spacing = extent.spacing(elements);
-    let zone = extent.zone(problem.is_symmetric(), spacing);
-    let nodes = |outline| estimated_nodes(outline, zone, refinement(&zone));
+    let zone = extent.zone(problem, spacing);
+    let nodes = |outline| estimated_nodes(outline, &zone, refinement(&zone));
     cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
 }
 

@@ -2,3 +2,5 @@
 
 pub(crate) mod contact_size;
 pub(crate) mod estimate;
+pub(crate) mod first_contact;
+mod trace;

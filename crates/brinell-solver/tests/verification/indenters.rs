@@ -1,0 +1,170 @@
+//! Rigid indenters on an elastic block: wedges, cones, power-law punches and flat punches, against Sneddon, Johnson,
+//! Sadowsky and Boussinesq; and the limit load of the flat punch on a perfectly plastic block against Prandtl.
+
+use brinell_solver::analytical::{
+    PowerIndenter, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure, shear_yield_von_mises,
+};
+use brinell_solver::report::StepReport;
+use brinell_solver::solver::SolveStatus;
+use serde_json::{Value, json};
+
+use crate::problems::{assert_within, report};
+
+const MODULUS: f64 = 210_000.0 / 0.91;
+
+#[expect(clippy::needless_pass_by_value, reason = "values are written where they are used")]
+fn press(analysis: &str, shape: Value, load: Value, block: f64, plasticity: Value) -> Value {
+    let mut material = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
+    if !plasticity.is_null() {
+        material["plasticity"] = plasticity;
+    }
+    json!({"analysis": analysis, "load": load,
+        "upper": {"shape": shape, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 2.0 * block, "depth": block}, "material": material}})
+}
+
+fn step(job: &Value) -> StepReport {
+    let step = report(job).steps.remove(0);
+    assert_eq!(step.status, SolveStatus::Converged);
+    step
+}
+
+fn spacing(step: &StepReport) -> f64 {
+    let x = &step.contact.nodes.x;
+    x.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+}
+
+fn assert_half_width(step: &StepReport, expected: f64) {
+    let error = (step.contact.half_width - expected).abs();
+    assert!(error < 0.01 * expected || error < spacing(step), "{} for {expected}", step.contact.half_width);
+}
+
+/// Pressure at x, between two nodes.
+fn pressure_at(step: &StepReport, x: f64) -> f64 {
+    let nodes = &step.contact.nodes;
+    let right = nodes.x.partition_point(|node| *node < x);
+    let left = right.saturating_sub(1);
+    let t = if right == left { 0.0 } else { (x - nodes.x[left]) / (nodes.x[right] - nodes.x[left]) };
+    (1.0 - t) * nodes.pressure[left] + t * nodes.pressure[right]
+}
+
+#[test]
+fn cones_of_sneddon() {
+    for angle in [2.0_f64, 5.710_593] {
+        let indenter = PowerIndenter::wedge(angle.to_radians(), MODULUS);
+        let shape = json!({"type": "cone", "angle": angle, "width": 20.0, "depth": 20.0});
+        let step =
+            step(&press("axisymmetric", shape, json!({"force": indenter.force(1.0)}), 400.0, Value::Null));
+        assert_within(step.approach, indenter.approach(1.0), 3e-3);
+        assert_half_width(&step, 1.0);
+        assert_within(step.contact.mean_pressure, 0.5 * MODULUS * angle.to_radians().tan(), 1e-2);
+    }
+}
+
+#[test]
+fn wedges_of_johnson() {
+    for angle in [2.0_f64, 5.710_593] {
+        let indenter = PowerIndenter::wedge(angle.to_radians(), MODULUS);
+        let shape = json!({"type": "wedge", "angle": angle, "width": 20.0, "depth": 20.0});
+        let force = indenter.line_force(1.0);
+        let step = step(&press("plane_strain", shape, json!({"force": force}), 400.0, Value::Null));
+        assert_half_width(&step, 1.0);
+        assert_within(step.contact.mean_pressure, 0.5 * MODULUS * angle.to_radians().tan(), 1e-2);
+        // p = E* tan β / π · arcosh(a/x)
+        let exact = MODULUS * angle.to_radians().tan() / std::f64::consts::PI * 2.0_f64.acosh();
+        assert_within(pressure_at(&step, 0.5), exact, 1e-2);
+    }
+}
+
+#[test]
+fn power_law_punches() {
+    for exponent in [1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0] {
+        let scale = 30.0_f64;
+        let coefficient = scale.powf(1.0 - exponent);
+        let indenter = PowerIndenter::new(exponent, coefficient, MODULUS);
+        let shape =
+            json!({"type": "power", "exponent": exponent, "scale": scale, "width": 20.0, "depth": 20.0});
+        let load = json!({"force": indenter.force(1.0)});
+        let round = step(&press("axisymmetric", shape.clone(), load, 400.0, Value::Null));
+        assert_within(round.approach, indenter.approach(1.0), 3e-3);
+        assert_half_width(&round, 1.0);
+        let load = json!({"force": indenter.line_force(1.0)});
+        let plane = step(&press("plane_strain", shape, load, 400.0, Value::Null));
+        assert_half_width(&plane, 1.0);
+    }
+}
+
+#[test]
+fn a_parabola_has_hertz_pressure_and_an_ellipse_that_of_its_vertex() {
+    let plane =
+        |shape: Value| step(&press("plane_strain", shape, json!({"force": 500.0}), 60.0, Value::Null));
+    let parabola = plane(json!({"type": "parabola", "radius": 20.0, "width": 30.0, "depth": 20.0}));
+    let ellipse = plane(json!({"type": "ellipse", "semi_axis_x": 20.0, "semi_axis_y": 20.0}));
+    let flat = plane(json!({"type": "ellipse", "semi_axis_x": 20.0, "semi_axis_y": 10.0}));
+    let hertz =
+        |radius: f64| brinell_solver::analytical::HertzLine::new(500.0, radius, MODULUS).peak_pressure();
+    assert_within(parabola.contact.peak_pressure, hertz(20.0), 1e-3);
+    assert_within(ellipse.contact.peak_pressure, hertz(20.0), 1e-3);
+    assert_within(flat.contact.peak_pressure, hertz(40.0), 1e-3);
+    assert_within(parabola.hertz.unwrap().peak_pressure, hertz(20.0), 1e-12);
+}
+
+/// A wedge whose tip is rounded: pressed lightly it is a cylinder, pressed hard a wedge.
+#[test]
+fn a_rounded_wedge_goes_from_cylinder_to_wedge() {
+    let (angle, radius) = (2.0_f64, 5.0);
+    let shape = json!({"type": "wedge", "angle": angle, "tip_radius": radius, "width": 20.0, "depth": 20.0});
+    let with =
+        |force: f64| step(&press("plane_strain", shape.clone(), json!({"force": force}), 400.0, Value::Null));
+    let hertz = brinell_solver::analytical::HertzLine::new(50.0, radius, MODULUS);
+    let light = with(50.0);
+    assert!(hertz.half_width() < radius * angle.to_radians().sin());
+    assert_within(light.contact.peak_pressure, hertz.peak_pressure(), 2e-3);
+    let indenter = PowerIndenter::wedge(angle.to_radians(), MODULUS);
+    let hard = with(indenter.line_force(4.0));
+    assert_half_width(&hard, 4.0);
+}
+
+#[test]
+fn a_sharp_flat_punch_ends_at_its_edge() {
+    let force = 4_615.384_615;
+    let punch = json!({"type": "punch", "width": 2.0, "depth": 5.0});
+    let plane = step(&press("plane_strain", punch.clone(), json!({"force": force}), 200.0, Value::Null));
+    assert_eq!(plane.contact.half_width, 1.0);
+    assert_within(pressure_at(&plane, 0.0), flat_punch_pressure(force, 1.0, 0.0), 5e-3);
+    assert_within(pressure_at(&plane, 0.5), flat_punch_pressure(force, 1.0, 0.5), 5e-3);
+    let round = step(&press("axisymmetric", punch, json!({"force": force}), 800.0, Value::Null));
+    assert_eq!(round.contact.half_width, 1.0);
+    assert_within(pressure_at(&round, 0.5), circular_punch_pressure(force, 1.0, 0.5), 1e-2);
+    assert_within(round.approach, force / (2.0 * MODULUS), 3e-3);
+}
+
+/// Rounded edges: Ciavarella, Hills & Monno's punch is the sharp one in the limit, and its contact ends on the arcs.
+#[test]
+fn a_rounded_punch_ends_on_its_arcs() {
+    let at = |radius: f64, force: f64| {
+        let shape = json!({"type": "punch", "width": 2.0, "edge_radius": radius, "depth": 5.0});
+        step(&press("plane_strain", shape, json!({"force": force}), 100.0, Value::Null))
+    };
+    let light = at(0.5, 100.0);
+    assert!(light.contact.half_width > 0.5 && light.contact.half_width < 0.6);
+    let hard = at(0.5, 5000.0);
+    assert!(hard.contact.half_width > light.contact.half_width && hard.contact.half_width < 1.0);
+}
+
+/// The force of a punch that is driven into a perfectly plastic block approaches Prandtl's from below.
+#[test]
+fn the_limit_load_of_a_flat_punch_is_prandtls() {
+    let yield_stress = 210.0;
+    let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0});
+    let punch = json!({"type": "punch", "width": 2.0, "depth": 5.0});
+    let job = press("plane_strain", punch, json!({"approaches": [0.01, 0.02, 0.04, 0.08]}), 20.0, law);
+    let report = report(&job);
+    let limit = 2.0 * prandtl_mean_pressure(shear_yield_von_mises(yield_stress));
+    let forces: Vec<f64> = report.steps.iter().map(|step| step.contact.force / limit).collect();
+    assert!(report.steps.iter().all(|step| step.status == SolveStatus::Converged), "{forces:?}");
+    assert!(
+        forces.windows(2).all(|pair| pair[1] > pair[0]) && forces[3] > 0.98 && forces[3] < 1.0,
+        "{forces:?}"
+    );
+}

@@ -1,0 +1,124 @@
+//! Faces given by points that are finer than the mesh, or have corners: spikes, rough traces, sharp profiles.
+
+use brinell_solver::analytical::PowerIndenter;
+use brinell_solver::report::StepReport;
+use brinell_solver::solver::{self, SolveError, SolveStatus, Unobserved, estimate};
+use serde_json::{Value, json};
+
+use crate::problems::{assert_within, parse, report, solve};
+
+fn steel() -> Value {
+    json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3})
+}
+
+fn on_block(points: &[[f64; 2]], force: f64, elements: u32) -> Value {
+    json!({"analysis": "plane_strain", "load": {"force": force}, "mesh": {"elements_per_half_width": elements},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 20.0}, "material": steel()},
+        "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel()}})
+}
+
+/// A gentle crest at `at`, on which a spike of half the given width stands 0.01 mm high.
+fn spike(at: f64, width: f64) -> Vec<[f64; 2]> {
+    let crest = |x: f64| -1e-6 * (x - at) * (x - at);
+    let even = (-40..=40).map(|k| 0.25 * f64::from(k)).filter(|x| (x - at).abs() > width);
+    let mut points: Vec<[f64; 2]> = even.map(|x| [x, crest(x)]).collect();
+    points.extend([[at - width, crest(at - width)], [at, 0.01], [at + width, crest(at + width)]]);
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    points
+}
+
+fn with_interpolation(mut job: Value, interpolation: &str) -> Value {
+    job["upper"]["shape"]["interpolation"] = json!(interpolation);
+    job
+}
+
+fn step(job: &Value) -> StepReport {
+    let step = report(job).steps.remove(0);
+    assert_eq!(step.status, SolveStatus::Converged);
+    step
+}
+
+/// Wherever a spike of 0.1 mm stands between the samples of a search, it is found, and the approach is the same to the
+/// error of the mesh.
+#[test]
+fn the_approach_does_not_depend_on_where_a_spike_stands() {
+    for interpolation in ["smooth", "linear"] {
+        let at = |x: f64| step(&with_interpolation(on_block(&spike(x, 0.1), 5.0, 10), interpolation));
+        let reference = at(3.0);
+        for x in [3.0025, 3.004, 3.001_23] {
+            let shifted = at(x);
+            assert_within(shifted.approach, reference.approach, 2e-3);
+            assert_within(shifted.contact.half_width, reference.contact.half_width, 2e-3);
+            assert!((shifted.contact.peak_position - x).abs() < 0.01);
+        }
+    }
+}
+
+#[test]
+fn a_corner_in_the_contact_is_asked_about() {
+    let points = [[0.0, 0.0], [10.0, -1.0]];
+    let mut job = on_block(&points, 1.0, 20);
+    job["upper"]["material"] = json!({"rigid": true});
+    job["lower"]["shape"] = json!({"type": "block", "width": 800.0, "depth": 400.0});
+    let modulus = 210_000.0 / 0.91;
+    let indenter = PowerIndenter::new(1.0, 0.1, modulus);
+    for (analysis, force) in
+        [("plane_strain", indenter.line_force(1.0)), ("axisymmetric", indenter.force(1.0))]
+    {
+        job["analysis"] = json!(analysis);
+        job["load"] = json!({"force": force});
+        let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
+        assert!(matches!(refused, SolveError::AmbiguousCorner { x, .. } if x == 0.0), "{refused}");
+        assert!(estimate(&parse(&job)).is_err());
+        let sharp = step(&with_interpolation(job.clone(), "linear"));
+        assert_within(sharp.contact.half_width, 1.0, 1e-2);
+        assert_within(sharp.contact.mean_pressure, 0.05 * modulus, 1e-2);
+    }
+}
+
+/// A spike as steep as 5 : 1 and more is no surface that small-displacement theory presses on.
+#[test]
+fn a_steep_spike_is_refused_with_its_slope() {
+    for width in [0.002, 0.0005] {
+        let job = with_interpolation(on_block(&spike(3.001_23, width), 5.0, 10), "linear");
+        let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err().to_string();
+        assert!(refused.contains("slope"), "{refused}");
+    }
+}
+
+/// A parabola with noise of an even spread between ±amplitude, by a linear congruential generator.
+fn rough(n: i32, amplitude: f64) -> Vec<[f64; 2]> {
+    let mut state = 12_345_u64;
+    (-n..=n)
+        .map(|k| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let noise = 2.0 * (state >> 11) as f64 / (1_u64 << 53) as f64 - 1.0;
+            let x = 10.0 * f64::from(k) / f64::from(n);
+            [x, -x * x / 100.0 + amplitude * noise]
+        })
+        .collect()
+}
+
+/// The cost of a rough trace is known before it is solved.
+#[test]
+fn a_rough_trace_costs_what_was_estimated() {
+    for (n, amplitude) in [(1000, 1e-4), (1000, 1e-6)] {
+        let job = with_interpolation(on_block(&rough(n, amplitude), 300.0, 10), "smooth");
+        let expected = estimate(&parse(&job)).unwrap().equations as f64;
+        let solution = solve(&job);
+        let found: usize = solution.steps[0].bodies.iter().flatten().map(|body| body.equations).sum();
+        assert!(found as f64 / expected < 1.3 && found as f64 / expected > 0.4, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
+    let points: Vec<[f64; 2]> = rough(5000, 1e-3).into_iter().filter(|[x, _]| x.abs() < 9.0).collect();
+    let job = with_interpolation(on_block(&points, 20_000.0, 20), "smooth");
+    let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
+    assert!(
+        matches!(refused, SolveError::TraceTooFine { spacing, finest, .. } if spacing < finest),
+        "{refused}"
+    );
+    assert!(refused.to_string().contains("elements of"), "{refused}");
+}
