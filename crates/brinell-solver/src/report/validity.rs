@@ -88,23 +88,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 .into(),
         );
     }
-    if step.energy.is_none() && falls(job) {
-        say(
-            "falling_loads",
-            "Deformation theory takes each load from rest, whatever went before; for unloading choose the theory \
-             `flow`."
-                .into(),
-        );
-    }
-    if step.energy.is_some()
-        && step.patch.is_none()
-        && matches!(step.load, ContactLoad::Approach(a) if a > 0.0)
-    {
-        say(
-            "no_contact",
-            "At this approach the bodies do not touch: what earlier loads have left of the dent is deeper."
-                .into(),
-        );
+    if let Some((code, message)) = history_remark(job, step) {
+        say(code, message.into());
     }
     if let (true, Some(x)) = (strain == 0.0, step.loaded_corners.first()) {
         say(
@@ -209,6 +194,22 @@ fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
     let is_large = radius.is_finite() && radius > LARGE_RADIUS;
     let is_tiny = half_width > 0.0 && half_width < TINY_CONTACT * radius;
     job.units == Units::Si && (is_soft || is_large && is_tiny)
+}
+
+/// What is said of loads that fall under deformation theory, and of approaches below what earlier loads have left.
+fn history_remark(job: &Job, step: &StepSolution) -> Option<(&'static str, &'static str)> {
+    if step.energy.is_none() {
+        return falls(job).then_some((
+            "falling_loads",
+            "Deformation theory takes each load from rest, whatever went before; for unloading choose the theory \
+             `flow`.",
+        ));
+    }
+    let is_pressed = matches!(step.load, ContactLoad::Approach(a) if a > 0.0);
+    (is_pressed && step.patch.is_none()).then_some((
+        "no_contact",
+        "At this approach the bodies do not touch: what earlier loads have left of the dent is deeper.",
+    ))
 }
 
 /// Whether the loads of a job ever fall.

@@ -1,7 +1,7 @@
 //! Faces given by points that are finer than the mesh, or have corners: spikes, rough traces, sharp profiles.
 
 use brinell_solver::analytical::PowerIndenter;
-use brinell_solver::report::StepReport;
+use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{self, SolveError, SolveStatus, Unobserved, estimate};
 use serde_json::{Value, json};
 
@@ -69,7 +69,8 @@ fn a_corner_in_the_contact_is_asked_about() {
         job["load"] = json!({"force": force});
         let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err();
         assert!(matches!(refused, SolveError::AmbiguousCorner { x, .. } if x == 0.0), "{refused}");
-        assert!(estimate(&parse(&job)).is_err());
+        let fault = report::preflight(&parse(&job)).unwrap_err().remove(0);
+        assert_eq!(fault.pointer, "/upper/shape/interpolation");
         let sharp = step(&with_interpolation(job.clone(), "linear"));
         assert_within(sharp.contact.half_width, 1.0, 1e-2);
         assert_within(sharp.contact.mean_pressure, 0.05 * modulus, 1e-2);
