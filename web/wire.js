@@ -53,6 +53,13 @@
  * @property {number} peak_pressure
  * @property {boolean} yields
  *
+ * @typedef {object} Cone
+ * @property {number} angle
+ * @property {number} depth
+ * @property {number | null} [tip_radius]
+ * @property {'cone'} type
+ * @property {number} width
+ *
  * @typedef {object} Contact
  * @property {number} force
  * @property {number} half_width
@@ -97,6 +104,11 @@
  * @property {number} poisson_ratio
  * @property {null} [rigid]
  * @property {number} young_modulus
+ *
+ * @typedef {object} Ellipse
+ * @property {number} semi_axis_x
+ * @property {number} semi_axis_y
+ * @property {'ellipse'} type
  *
  * @typedef {object} Energy
  * @property {number} dissipated
@@ -195,6 +207,8 @@
  * @property {(number)[]} half_width
  * @property {(number)[]} iterations
  * @property {(number)[]} peak_pressure
+ *
+ * @typedef {'smooth' | 'linear'} Interpolation
  *
  * @typedef {object} Iteration
  * @property {number} approach
@@ -302,6 +316,12 @@
  * @property {boolean | null} [fields]
  * @property {boolean | null} [subsurface]
  *
+ * @typedef {object} Parabola
+ * @property {number} depth
+ * @property {number} radius
+ * @property {'parabola'} type
+ * @property {number} width
+ *
  * @typedef {object} Patch
  * @property {number} left
  * @property {number} right
@@ -320,6 +340,13 @@
  * @property {PlasticZone | null} upper
  *
  * @typedef {Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce} Plasticity
+ *
+ * @typedef {object} Power
+ * @property {number} depth
+ * @property {number} exponent
+ * @property {number} scale
+ * @property {'power'} type
+ * @property {number} width
  *
  * @typedef {object} PrescribedApproach
  * @property {number} approach
@@ -341,12 +368,19 @@
  *
  * @typedef {object} Profile
  * @property {number} depth
+ * @property {Interpolation | null} [interpolation]
  * @property {([number, number])[]} points
  * @property {'profile'} type
  *
  * @typedef {object} Progress
  * @property {number} iterations
  * @property {Iteration | null} latest
+ *
+ * @typedef {object} Punch
+ * @property {number} depth
+ * @property {number | null} [edge_radius]
+ * @property {'punch'} type
+ * @property {number} width
  *
  * @typedef {object} Queue
  * @property {number} capacity
@@ -377,7 +411,7 @@
  * @property {true} rigid
  * @property {null} [young_modulus]
  *
- * @typedef {Cylinder | Block | Groove | Profile} Shape
+ * @typedef {Cylinder | Block | Groove | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power} Shape
  *
  * @typedef {'upper' | 'lower'} Side
  *
@@ -482,6 +516,13 @@
  * @property {number} rate
  * @property {number} saturation_stress
  * @property {number} yield_stress
+ *
+ * @typedef {object} Wedge
+ * @property {number} angle
+ * @property {number} depth
+ * @property {number | null} [tip_radius]
+ * @property {'wedge'} type
+ * @property {number} width
  *
  * @typedef {object} YieldOnset
  * @property {number} approach
