@@ -253,7 +253,7 @@ pub struct CapacityDocument {
     pub memory_bytes: u64,
     /// The queue, of all nodes that share it.
     pub queue: Queue,
-    /// Bounds on single requests.
+    /// What a single request may ask for.
     pub limits: Limits,
 }
 

@@ -48,6 +48,19 @@ fn not_json(text: &str) {
 }
 
 #[test]
+fn a_number_for_a_list_is_told_how_to_write_it() {
+    refused_everywhere(&spoilt(&[("/load", json!({"forces": 612.5}))]), |answer| {
+        let problem = answer.problem(422, "invalid-job");
+        let fault = json!({
+            "pointer": "#/load/forces",
+            "code": "wrong_type",
+            "detail": "must be an array, got a number; write [612.5] for a list of one",
+        });
+        assert_eq!(problem["errors"], json!([fault]));
+    });
+}
+
+#[test]
 fn nan_is_not_json() {
     for none in ["NaN", "Infinity", "-Infinity", "1e999"] {
         not_json(&spoilt(&[("/upper/shape/radius", json!(12.5))]).replace("12.5", none));

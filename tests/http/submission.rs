@@ -1,10 +1,8 @@
 //! Handing jobs in: waiting for the result, repeating a submission, urgency.
 
-use serde_json::json;
-
 use crate::curl::{Answer, curl};
 use crate::in_process::{InProcess, job};
-use crate::server::{Server, Target, example};
+use crate::server::Target;
 
 const JSON: &str = "Content-Type: application/json";
 
@@ -93,25 +91,48 @@ fn pages_of_a_named_origin_may_ask() {
     let preflight = ["-X", "OPTIONS", "-H", origin, "-H", "Access-Control-Request-Method: POST"];
     let preflight = curl(&[preflight.as_slice(), &[url.as_str()]].concat());
     assert_eq!((preflight.status, preflight.header("access-control-max-age")), (200, Some("3600")));
+    // `*` does not stand for this one.
+    let wanted =
+        ["-X", "OPTIONS", "-H", origin, "-H", "Access-Control-Request-Headers: authorization,prefer"];
+    let wanted = curl(&[wanted.as_slice(), &[url.as_str()]].concat());
+    assert_eq!(wanted.header("access-control-allow-headers"), Some("authorization,prefer"));
     let closed = InProcess::start(|_| ());
-    let answer = curl(&["-H", origin, &format!("{}/v1/capacity", closed.target.url)]);
-    assert_eq!(answer.header("access-control-allow-origin"), None);
+    let url = format!("{}/v1/capacity", closed.target.url);
+    let answer = curl(&["-H", origin, &url]);
+    assert_eq!(
+        (answer.header("access-control-allow-origin"), answer.header("vary")),
+        (None, Some("accept-encoding"))
+    );
+    curl(&["-X", "OPTIONS", "-H", origin, &url]).problem(405, "method-not-allowed");
 }
 
 #[test]
 fn the_same_key_and_body_are_the_same_job() {
-    let server = Server::start();
-    let (body, key) = (example().to_string(), "Idempotency-Key: press-7");
-    let first = submit(&server.target, "/v1/jobs", &body, &[key]);
+    let service = InProcess::start(|_| ());
+    let (body, key) = (job_of("slow"), "Idempotency-Key: press-7");
+    let first = submit(&service.target, "/v1/jobs", &body, &[key]);
     assert_eq!((first.status, first.header("idempotency-replayed")), (202, None));
-    let again = submit(&server.target, "/v1/jobs", &body, &[key]);
+    let address = first.header("location").unwrap();
+    let again = submit(&service.target, "/v1/jobs", &body, &[key]);
     assert_eq!((again.status, again.header("idempotency-replayed")), (202, Some("true")));
-    assert_eq!(again.header("location"), first.header("location"));
-    let mut other = example();
-    other["tags"] = json!({"other": "body"});
-    submit(&server.target, "/v1/jobs", &other.to_string(), &[key]).problem(422, "idempotency-key-reused");
-    submit(&server.target, "/v1/jobs", &body, &["Idempotency-Key: two words"]).problem(400, "invalid-header");
-    assert_eq!(server.target.get("/v1/jobs").json()["jobs"].as_array().unwrap().len(), 1);
+    assert_eq!(again.header("location"), Some(address));
+    submit(&service.target, "/v1/jobs", &job_of("quick"), &[key]).problem(422, "idempotency-key-reused");
+    submit(&service.target, "/v1/jobs", &body, &["Idempotency-Key: two words"])
+        .problem(400, "invalid-header");
+    assert_eq!(service.target.get("/v1/jobs").json()["jobs"].as_array().unwrap().len(), 1);
+
+    service.solver.open_gate();
+    service.target.wait_for(address, &["succeeded"]);
+    for (path, has_result) in [("/v1/jobs", false), ("/v1/jobs?wait=0", true), ("/v1/solve", true)] {
+        let done = submit(&service.target, path, &body, &[key]);
+        assert_eq!((done.status, done.header("idempotency-replayed")), (200, Some("true")), "{path}");
+        assert_eq!(
+            (done.header("content-location"), done.header("location")),
+            (Some(address), None),
+            "{path}"
+        );
+        assert_eq!(done.json()["result"].is_object(), has_result, "{path}");
+    }
 }
 
 #[test]

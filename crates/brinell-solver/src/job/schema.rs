@@ -274,7 +274,7 @@ impl Schemas<'_> {
         let sweep = |item: &Value| {
             json!({
                 "type": "array",
-                "description": "In the order in which they are applied. One number stands for a list of one.",
+                "description": "In the order in which they are applied.",
                 "items": item,
                 "minItems": 1,
                 "maxItems": Sweep::MAX_VALUES,

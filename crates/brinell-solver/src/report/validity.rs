@@ -264,6 +264,33 @@ mod tests {
     use super::*;
     use crate::solver::{Unobserved, run};
 
+    #[test]
+    fn millimetres_in_a_job_in_si_are_told() {
+        for (units, radius, force, modulus, is_told) in [
+            // Cylinders of 20 m, or of steel that is softer than jelly.
+            ("SI", "20", "612", "210e9", true),
+            ("SI", "20", "612", "210000", true),
+            ("SI", "0.02", "0.06", "210000", true),
+            ("SI", "0.02", "612e3", "210e9", false),
+            // Rollers of a bridge are large, and loaded accordingly.
+            ("SI", "20", "60e6", "210e9", false),
+            ("mm_N_MPa", "20", "612", "210000", false),
+        ] {
+            let body = format!(
+                r#"{{"shape": {{"type": "cylinder", "radius": {radius}}},
+                    "material": {{"young_modulus": {modulus}, "poisson_ratio": 0.3}}}}"#
+            );
+            let job = format!(
+                r#"{{"analysis": "plane_strain", "units": "{units}", "upper": {body}, "lower": {body},
+                    "load": {{"force": {force}}}, "mesh": {{"elements_per_half_width": 5}}}}"#
+            );
+            let report =
+                crate::report::run(&Job::from_json(job.as_bytes()).unwrap(), &mut Unobserved).unwrap();
+            let told = report.steps[0].validity.iter().any(|note| note.code == "suspicious_units");
+            assert_eq!(told, is_told, "{units} {radius} {force} {modulus}");
+        }
+    }
+
     /// Meshes grow with the contact, so no job is known that ends like this.
     #[test]
     fn a_contact_at_the_edge_is_told() {
