@@ -3,7 +3,7 @@
 
 usage: scripts/fair_share.py [--seconds 20] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
 With `-- --database-url postgres://…` on PostgreSQL. Two keys take turns with default jobs, one through POST /v1/solve, one through the
-queue, first alone, then while a third floods both with everything it may: its priority is 100. Prints the waits of the two, and
+queue, first alone, then while a third floods both with everything it may: default jobs and sweeps that take minutes, at priority 100. Prints the waits of the two, and
 their ratio, for each way.
 """
 import argparse, http.client, json, statistics, subprocess, sys, tempfile, threading, time
@@ -16,6 +16,10 @@ parser.add_argument("--connections", type=int, default=16, help="of the flood, e
 parser.add_argument("serve", nargs="*")
 args = parser.parse_args()
 JOB = Path("api/examples/two_cylinders.json").read_text()
+document = json.loads(JOB)
+document["mesh"] = {"elements_per_half_width": 60}
+document["load"] = {"forces": [400 + step for step in range(200)]}
+SWEEP = json.dumps(document)
 
 
 def ask(connection, token, method, path, body=None):
@@ -48,11 +52,13 @@ def client(host, token, way, until, waits):
         waits.append(time.monotonic() - begin)
 
 
-def flood(host, token, path, until):
+def flood(host, token, path, job, until):
     connection = http.client.HTTPConnection(host, timeout=120)
     try:
         while time.monotonic() < until:
-            ask(connection, token, "POST", path, JOB)
+            status, _ = ask(connection, token, "POST", path, job)
+            if status == 429:
+                time.sleep(0.1)  # The flood runs on the machine that it floods.
     except http.client.HTTPException:
         pass  # The service is ended while its last jobs are waited for.
 
@@ -67,8 +73,8 @@ def round_of(host, tokens, greedy):
     threads = [threading.Thread(target=client, args=(host, token, way, until, waits[way]))
                for token, way in zip(tokens, waits)]
     if greedy:
-        paths = ["/v1/jobs?priority=100", "/v1/solve"] * args.connections
-        threads += [threading.Thread(target=flood, args=(host, greedy, path, until), daemon=True) for path in paths]
+        flood_with = [(path, job) for job in (SWEEP, JOB) for path in ("/v1/jobs?priority=100", "/v1/solve")] * args.connections
+        threads += [threading.Thread(target=flood, args=(host, greedy, *what, until), daemon=True) for what in flood_with]
     for thread in threads:
         thread.start()
     for thread in threads[:2]:

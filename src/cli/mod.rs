@@ -101,8 +101,11 @@ pub fn main() -> ExitCode {
     {
         return settings::print(&command, &matches).unwrap_or_else(|fault| report_fault(&fault));
     }
-    let default_filter =
-        if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) { "info" } else { "warn" };
+    let default_filter = if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) {
+        "info"
+    } else {
+        "warn,brinell::audit=info"
+    };
     telemetry::start(&cli.log, default_filter);
     let done = match cli.command {
         Command::Serve(serve) => serve::serve(&serve.config),

@@ -123,7 +123,7 @@ impl ServeConfig {
     /// Bounds on what is taken in. What no solver here could take is refused, unless others solve.
     pub fn submission_limits(&self) -> SubmissionLimits {
         let job_bytes = u64::from(self.max_job_memory) << 20;
-        let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.memory() };
+        let solvable = if self.storage.is_shared() { u64::MAX } else { self.work.job_memory() };
         SubmissionLimits {
             job_bytes: job_bytes.min(solvable),
             result_bytes: u64::from(self.max_result) << 20,

@@ -8,7 +8,7 @@ use std::time::Duration;
 use clap::Args;
 
 use super::parse::hours;
-use crate::jobs::Retention;
+use crate::jobs::{KeyLimits, Retention};
 use crate::store::StoreLimits;
 
 /// The name of the data directory that stands for this process's memory.
@@ -60,7 +60,19 @@ pub struct StorageConfig {
 
     /// Most jobs of one API key that may wait in the queue [default: no bound but the queue's]
     #[arg(long, env = "BRINELL_QUEUE_CAPACITY_PER_KEY", value_name = "N")]
-    pub queue_capacity_per_key: Option<usize>,
+    pub queue_capacity_per_key: Option<u32>,
+
+    /// Most jobs of one API key that may be solved at the same time [default: no bound]
+    #[arg(long, env = "BRINELL_MAX_RUNNING_PER_KEY", value_name = "N")]
+    pub max_running_per_key: Option<u32>,
+
+    /// Room that the results of one API key may take [default: no bound]
+    #[arg(long, env = "BRINELL_MAX_STORED_PER_KEY", value_name = "MIB")]
+    pub max_stored_per_key: Option<u32>,
+
+    /// Highest priority of jobs of an API key [default: no bound]
+    #[arg(long, env = "BRINELL_MAX_PRIORITY_PER_KEY", value_name = "N", allow_hyphen_values = true)]
+    pub max_priority_per_key: Option<i16>,
 
     /// Time jobs with a result are kept for
     #[arg(long, env = "BRINELL_KEEP_RESULTS", value_name = "HOURS", default_value = "168", value_parser = hours)]
@@ -86,6 +98,9 @@ impl Default for StorageConfig {
             database_url: None,
             queue_capacity: 10_000,
             queue_capacity_per_key: None,
+            max_running_per_key: None,
+            max_stored_per_key: None,
+            max_priority_per_key: None,
             keep_results: Duration::from_hours(168),
             keep_failures: Duration::from_hours(72),
             min_free_disk: 256,
@@ -119,7 +134,12 @@ impl StorageConfig {
     pub fn limits(&self) -> StoreLimits {
         StoreLimits {
             queue_capacity: self.queue_capacity,
-            queued_by_key: self.queue_capacity_per_key,
+            by_key: KeyLimits {
+                queued: self.queue_capacity_per_key,
+                running: self.max_running_per_key,
+                stored_bytes: self.max_stored_per_key.map(|mebibytes| u64::from(mebibytes) << 20),
+                priority: self.max_priority_per_key,
+            },
             min_free_bytes: u64::from(self.min_free_disk) << 20,
         }
     }

@@ -20,6 +20,10 @@ const UNKNOWN_MEMORY: u64 = 4 << 30;
 const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
+/// Part of the jobs' memory that is for short jobs beside long ones, and the most of it \[bytes\] for each solver.
+const SHORT_PART: u64 = 8;
+const MAX_SHORT: u64 = 64 << 20;
+
 /// Settings of the solvers.
 #[derive(Debug, Clone, PartialEq, Args)]
 pub struct WorkConfig {
@@ -27,7 +31,7 @@ pub struct WorkConfig {
     #[arg(long, env = "BRINELL_WORKERS", value_name = "N")]
     pub workers: Option<NonZeroUsize>,
 
-    /// Memory that the jobs being solved may need together [default: 70 % of the machine's or the container's]
+    /// Memory that the jobs being solved may need together, an eighth of it (64 a worker at most) for short jobs beside long ones [default: 70 % of the machine's or the container's]
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
 
@@ -79,6 +83,16 @@ impl WorkConfig {
         self.memory_limit.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20)
     }
 
+    /// The part of [`Self::memory`] \[bytes\] for short jobs that run while long ones hold the solvers.
+    fn short_memory(&self) -> u64 {
+        (self.memory() / SHORT_PART).min(MAX_SHORT * self.slots() as u64)
+    }
+
+    /// Largest memory \[bytes\] that a job may need.
+    pub fn job_memory(&self) -> u64 {
+        self.memory() - self.short_memory()
+    }
+
     /// Memory \[bytes\] for what is kept from job to job, beside [`Self::memory`].
     pub fn factor_cache(&self) -> usize {
         let default = || (self.memory() / CACHE_PART).min(MAX_CACHE);
@@ -90,7 +104,8 @@ impl WorkConfig {
     pub fn worker(&self, durable: bool) -> WorkerSettings {
         WorkerSettings {
             slots: self.slots(),
-            memory: self.memory(),
+            memory: self.job_memory(),
+            short_memory: self.short_memory(),
             job_timeout: self.job_timeout,
             lease: self.lease,
             poll: Duration::from_secs(1),

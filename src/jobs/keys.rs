@@ -3,6 +3,8 @@
 //! A token is `brinell_<id>_<secret>`. The secret is random and long, so a plain SHA-256 of it is all that is kept:
 //! nobody can guess what would have to be guessed. The id finds the key; the digests are compared in constant time.
 
+use std::time::Duration;
+
 use async_trait::async_trait;
 use jiff::Timestamp;
 use serde::Serialize;
@@ -45,6 +47,41 @@ impl Scope {
     }
 }
 
+/// What an API key may take; `None` leaves it to the settings of the service.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KeyLimits {
+    /// Jobs waiting.
+    pub queued: Option<u32>,
+    /// Jobs being solved at the same time, by all workers together.
+    pub running: Option<u32>,
+    /// Bytes of results, those that unfinished jobs are estimated to have included.
+    pub stored_bytes: Option<u64>,
+    /// Highest priority of a job.
+    pub priority: Option<i16>,
+}
+
+impl KeyLimits {
+    /// These bounds, and where there is none those of `defaults`.
+    #[must_use]
+    pub fn or(self, defaults: Self) -> Self {
+        Self {
+            queued: self.queued.or(defaults.queued),
+            running: self.running.or(defaults.running),
+            stored_bytes: self.stored_bytes.or(defaults.stored_bytes),
+            priority: self.priority.or(defaults.priority),
+        }
+    }
+}
+
+/// A secret that another has replaced.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PreviousSecret {
+    /// SHA-256 of it.
+    pub digest: [u8; 32],
+    /// When it ceases to be good.
+    pub until: Timestamp,
+}
+
 /// A key as it is kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ApiKey {
@@ -56,8 +93,14 @@ pub struct ApiKey {
     pub scope: Scope,
     /// SHA-256 of the secret.
     pub digest: [u8; 32],
+    /// The secret before this one.
+    pub previous: Option<PreviousSecret>,
+    /// What it may take.
+    pub limits: KeyLimits,
     /// When it was made.
     pub created_at: Timestamp,
+    /// When it ceases to be good by itself.
+    pub expires_at: Option<Timestamp>,
     /// Since when it is no longer good.
     pub revoked_at: Option<Timestamp>,
 }
@@ -66,16 +109,41 @@ impl ApiKey {
     /// A new key and its token, which is never seen again.
     pub fn generate(name: String, scope: Scope, now: Timestamp) -> (Self, String) {
         let id = KeyId::generate();
-        // Two random UUIDs are 244 random bits.
-        let secret = format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
-        let token = format!("{PREFIX}{}_{secret}", id.uuid().simple());
-        (Self { id, name, scope, digest: digest(&secret), created_at: now, revoked_at: None }, token)
+        let (digest, token) = new_secret(id);
+        let key = Self {
+            id,
+            name,
+            scope,
+            digest,
+            previous: None,
+            limits: KeyLimits::default(),
+            created_at: now,
+            expires_at: None,
+            revoked_at: None,
+        };
+        (key, token)
     }
 
     /// Whether this is its secret, and it is still good.
-    pub fn accepts(&self, secret: &str) -> bool {
-        bool::from(self.digest.ct_eq(&digest(secret))) && self.revoked_at.is_none()
+    pub fn accepts(&self, secret: &str, now: Timestamp) -> bool {
+        let given = digest(secret);
+        let is_current = bool::from(self.digest.ct_eq(&given));
+        let is_previous =
+            self.previous.as_ref().is_some_and(|old| bool::from(old.digest.ct_eq(&given)) && now < old.until);
+        (is_current || is_previous) && self.is_good(now)
     }
+
+    /// Whether it is neither revoked nor expired.
+    pub fn is_good(&self, now: Timestamp) -> bool {
+        self.revoked_at.is_none() && self.expires_at.is_none_or(|end| now < end)
+    }
+}
+
+/// A new secret of a key: its digest, and the token with it.
+pub fn new_secret(id: KeyId) -> ([u8; 32], String) {
+    // Two random UUIDs are 244 random bits.
+    let secret = format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
+    (digest(&secret), format!("{PREFIX}{}_{secret}", id.uuid().simple()))
 }
 
 fn digest(secret: &str) -> [u8; 32] {
@@ -103,6 +171,23 @@ pub trait KeyStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`].
     async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError>;
 
+    /// Gives a key another secret; the one so far stays good for `overlap`. `false` if there is no such key, or it is revoked.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn rotate_key(&self, id: KeyId, digest: [u8; 32], overlap: Duration) -> Result<bool, StoreError>;
+
+    /// Sets what a key may take and when it expires; `false` if there is no such key, or it is revoked.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn limit_key(
+        &self,
+        id: KeyId,
+        limits: KeyLimits,
+        expires_at: Option<Timestamp>,
+    ) -> Result<bool, StoreError>;
+
     /// Makes a key no longer good; `false` if there is none, or it was revoked before.
     ///
     /// # Errors
@@ -115,15 +200,33 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_key_expires_and_so_does_a_secret_that_was_replaced() {
+        let at = |second| Timestamp::from_second(second).unwrap();
+        let (key, token) = ApiKey::generate("press".to_owned(), Scope::Write, at(0));
+        let (_, old) = read_token(&token).unwrap();
+        let (digest, token) = new_secret(key.id);
+        let (id, new) = read_token(&token).unwrap();
+        assert_eq!(id, key.id);
+        let previous = Some(PreviousSecret { digest: key.digest, until: at(10) });
+        let key = ApiKey { digest, previous, expires_at: Some(at(20)), ..key };
+        let good = |second| [old, new].map(|secret| key.accepts(secret, at(second)));
+        assert_eq!(
+            [good(9), good(10), good(19), good(20)],
+            [[true, true], [false, true], [false, true], [false, false]]
+        );
+        assert!(!ApiKey { revoked_at: Some(at(0)), ..key.clone() }.accepts(old, at(1)));
+    }
+
+    #[test]
     fn a_token_opens_its_key_and_no_other() {
         let now = Timestamp::UNIX_EPOCH;
         let (key, token) = ApiKey::generate("press".to_owned(), Scope::Write, now);
         let (id, secret) = read_token(&token).unwrap();
         assert_eq!(id, key.id);
-        assert!(key.accepts(secret));
+        assert!(key.accepts(secret, now));
         let (other, _) = ApiKey::generate("lathe".to_owned(), Scope::Write, now);
-        assert!(!other.accepts(secret) && !key.accepts(""));
-        assert!(!ApiKey { revoked_at: Some(now), ..key.clone() }.accepts(secret));
+        assert!(!other.accepts(secret, now) && !key.accepts("", now));
+        assert!(!ApiKey { revoked_at: Some(now), ..key.clone() }.accepts(secret, now));
         assert!(!format!("{key:?}").contains(secret));
         for noise in ["", "brinell_", "brinell_x_y", "token"] {
             assert_eq!(read_token(noise), None, "{noise:?}");

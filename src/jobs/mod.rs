@@ -37,7 +37,7 @@ pub use encode::{EncodeError, encode};
 pub use export::ExportFailure;
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use id::{JobId, KeyId, WorkerId};
-pub use keys::{ApiKey, KeyStore, Scope, read_token};
+pub use keys::{ApiKey, KeyLimits, KeyStore, PreviousSecret, Scope, new_secret, read_token};
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
 pub use result::{ResultHead, StepResult};
@@ -45,8 +45,8 @@ pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitErr
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{
-    Claim, ClaimRequest, Claims, Counts, Enqueued, JobFilter, JobPage, JobStore, Lease, LeaseStatus,
-    Retention, SWEEP, StoreError,
+    Claim, ClaimRequest, Claims, Counts, Enqueued, JobFilter, JobPage, JobStore, Lease, LeaseStatus, Quota,
+    Retention, SHORT_WORK, SWEEP, StoreError,
 };
 
 pub use brinell_solver::job::{FieldError, JobError};

@@ -22,6 +22,8 @@ pub struct NewJob {
     pub memory: u64,
     /// Work it is estimated to be, in units of its own: what it takes of its key's share.
     pub work: u64,
+    /// Bytes its result is estimated to take in the store.
+    pub result_bytes: u64,
     /// The API key it came under.
     pub submitter: Option<KeyId>,
     /// What makes a repeated submission recognisable.
@@ -41,6 +43,7 @@ impl NewJob {
             priority: 0,
             memory: 0,
             work: 1,
+            result_bytes: 0,
             submitter: None,
             idempotency: None,
             interactive: false,

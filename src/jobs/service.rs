@@ -13,9 +13,9 @@ use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ApiKey, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter, JobId,
-    JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead, StoreError,
-    Subscription, read_token,
+    ApiKey, Clock as _, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter,
+    JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
+    StoreError, Subscription, SystemClock, read_token,
 };
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
@@ -157,7 +157,7 @@ impl JobService {
     pub async fn authenticate(&self, token: &str) -> Result<Option<ApiKey>, StoreError> {
         let Some((id, secret)) = read_token(token) else { return Ok(None) };
         let keys = self.keys.keys(Some(id)).await?;
-        Ok(keys.into_iter().find(|key| key.accepts(secret)))
+        Ok(keys.into_iter().find(|key| key.accepts(secret, SystemClock.now())))
     }
 
     /// What theory answers to a job without a mesh.
@@ -188,6 +188,7 @@ impl JobService {
             priority: submission.priority,
             memory: estimate.bytes,
             work: estimate.work,
+            result_bytes: estimate.result_bytes,
             submitter: submission.submitter,
             idempotency,
             interactive: submission.interactive,

@@ -66,7 +66,11 @@ pub trait JobStore: Send + Sync + 'static {
     /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones. API keys share the solvers by
     /// the work of their jobs (start-time fair queueing), and so do the jobs of one key that somebody waits for, three parts
     /// in four, and its others. Within such a flow the highest priority goes first, and the oldest among equals. It stops at
-    /// the first job that does not fit into the free memory, so that large jobs are not overtaken for ever.
+    /// the first job that does not fit into the free memory, so that large jobs are not overtaken for ever. A key that has as
+    /// many jobs running as it may is passed over.
+    ///
+    /// Then it hands out up to `request.short_slots` of the jobs whose work is [`SHORT_WORK`] at most, by the same rules, as if
+    /// there were no others.
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
@@ -160,6 +164,9 @@ pub trait JobStore: Send + Sync + 'static {
     async fn ping(&self) -> Result<(), StoreError>;
 }
 
+/// Most work of a job that is short: several default jobs' worth, well under a second on one core.
+pub const SHORT_WORK: u64 = 4096;
+
 /// Most jobs one [`JobStore::sweep`] removes.
 pub const SWEEP: usize = 500;
 
@@ -208,6 +215,10 @@ pub struct ClaimRequest {
     pub owner: WorkerId,
     /// How many solvers are free; never ask for more.
     pub slots: usize,
+    /// How many further jobs may be handed out if they are short.
+    pub short_slots: usize,
+    /// Memory \[bytes\] that these may need in all, by their estimates.
+    pub short_memory: u64,
     /// Whether the worker does nothing else, and may be given a job that must run by itself.
     pub exclusive: bool,
     /// Memory \[bytes\] that the jobs may need in all, by their estimates.
@@ -247,6 +258,10 @@ pub struct Claim {
     pub lease: Lease,
     /// It must run by itself.
     pub exclusive: bool,
+    /// It takes one of the places for short jobs.
+    pub beside: bool,
+    /// Work it is estimated to be.
+    pub work: u64,
     /// Memory \[bytes\] it is estimated to need.
     pub memory: u64,
     /// The job as it was submitted (JSON).
@@ -302,12 +317,10 @@ pub enum StoreError {
         queued: usize,
     },
     /// The API key has as much as it may.
-    #[error("this API key may have {limit} {what}, and has them")]
+    #[error("{quota}")]
     QuotaExceeded {
-        /// What is bounded.
-        what: &'static str,
-        /// How many it may have.
-        limit: usize,
+        /// Of what.
+        quota: Quota,
     },
     /// The idempotency key came with another body before.
     #[error("the idempotency key was used with another body before")]
@@ -324,6 +337,46 @@ pub enum StoreError {
     /// The storage does not answer.
     #[error("storage is unavailable")]
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
+}
+
+/// What an API key has as much of as it may.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum Quota {
+    /// Jobs waiting.
+    #[error("this API key may have {limit} jobs waiting, and has them")]
+    Queued {
+        /// How many it may have.
+        limit: u32,
+    },
+    /// Results.
+    #[error(
+        "the results of this API key may take {limit} bytes; they take {used}, and that of this job may take {needed} more"
+    )]
+    Stored {
+        /// How many bytes they may take.
+        limit: u64,
+        /// Bytes they take, those that unfinished jobs are estimated to take included.
+        used: u64,
+        /// Bytes that the result of the job is estimated to take.
+        needed: u64,
+    },
+    /// Priority.
+    #[error("jobs of this API key may have priority {limit} at most")]
+    Priority {
+        /// The highest it may ask for.
+        limit: i16,
+    },
+}
+
+impl Quota {
+    /// The name used in the wire format.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Queued { .. } => "queued_jobs",
+            Self::Stored { .. } => "stored_bytes",
+            Self::Priority { .. } => "priority",
+        }
+    }
 }
 
 impl StoreError {

@@ -16,13 +16,15 @@ pub trait Store: crate::jobs::JobStore + crate::jobs::KeyStore {}
 
 impl<T: crate::jobs::JobStore + crate::jobs::KeyStore> Store for T {}
 
+use crate::jobs::KeyLimits;
+
 /// Bounds of a store.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct StoreLimits {
     /// Most jobs that may wait.
     pub queue_capacity: usize,
-    /// Most jobs that may wait under one API key; `None` is no bound but the queue's.
-    pub queued_by_key: Option<usize>,
+    /// What an API key may take that has no bound of its own.
+    pub by_key: KeyLimits,
     /// Room \[bytes\] on the disk below which no job is accepted. Only of a file: the disk of a server is its own
     /// matter.
     pub min_free_bytes: u64,

@@ -29,6 +29,7 @@ const STEPS: &[Step] = &[
         name: "fair share",
         sql: include_str!("../../migrations/postgres/0004_fair_share.sql"),
     },
+    Step { version: 5, name: "quotas", sql: include_str!("../../migrations/postgres/0005_quotas.sql") },
 ];
 
 /// Connections of one process.

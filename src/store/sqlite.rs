@@ -35,6 +35,7 @@ const STEPS: &[Step] = &[
     Step { version: 2, name: "requests", sql: include_str!("../../migrations/sqlite/0002_requests.sql") },
     Step { version: 3, name: "results", sql: include_str!("../../migrations/sqlite/0003_results.sql") },
     Step { version: 4, name: "fair share", sql: include_str!("../../migrations/sqlite/0004_fair_share.sql") },
+    Step { version: 5, name: "quotas", sql: include_str!("../../migrations/sqlite/0005_quotas.sql") },
 ];
 
 /// Readers beside the writer.

@@ -9,6 +9,9 @@ use tracing_subscriber::EnvFilter;
 
 pub use metrics::collect;
 
+/// Target of what is logged about changes: who did what.
+pub const AUDIT: &str = "brinell::audit";
+
 /// Settings of the log.
 #[derive(Debug, Clone, Args)]
 pub struct LogConfig {

@@ -23,7 +23,7 @@ use tokio_util::task::TaskTracker;
 use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
 use pool::SolverPool;
 use running::Running;
-use slots::{Reservation, Slots};
+use slots::{Memory, Reservation, Slots};
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
@@ -35,6 +35,8 @@ pub struct WorkerSettings {
     pub slots: usize,
     /// Memory \[bytes\] they may need together, by their estimates.
     pub memory: u64,
+    /// Memory \[bytes\] beside it of short jobs that run while long ones hold the solvers.
+    pub short_memory: u64,
     /// Longest time a job may be solved for.
     pub job_timeout: Duration,
     /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as often.
@@ -79,14 +81,16 @@ impl Worker {
         solver: Arc<dyn JobSolver>,
         settings: WorkerSettings,
     ) -> io::Result<Self> {
+        let memory = Memory { solvers: settings.memory, beside: settings.short_memory };
         let state = Arc::new(WorkerState {
             id: WorkerId::generate(),
             settings,
             store,
             notifier,
             solver,
-            pool: SolverPool::new(settings.slots)?,
-            slots: Arc::new(Slots::new(settings.slots, settings.memory)),
+            // Short jobs have as many places again beside long ones.
+            pool: SolverPool::new(2 * settings.slots, settings.slots)?,
+            slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),
             drain: CancellationToken::new(),
@@ -120,7 +124,8 @@ impl WorkerState {
         let mut exclusive_pending = false;
         loop {
             let reservation = tokio::select! {
-                reservation = self.slots.take(exclusive_pending) => reservation,
+                reservation = self.slots.take(), if !exclusive_pending => reservation,
+                reservation = self.slots.take_all(), if exclusive_pending => reservation,
                 () = self.halt.cancelled() => return,
             };
             if self.drain.is_cancelled() && !self.settings.empties_queue {
@@ -149,12 +154,15 @@ impl WorkerState {
     }
 
     fn request(&self, reservation: &Reservation) -> ClaimRequest {
+        let free = self.slots.free_memory();
         ClaimRequest {
             owner: self.id,
             slots: reservation.len(),
             exclusive: reservation.all,
-            free_memory: self.slots.free_memory(),
-            memory: self.slots.memory(),
+            free_memory: free.solvers,
+            memory: self.slots.memory().solvers,
+            short_slots: reservation.len_beside(),
+            short_memory: free.beside,
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,
         }
@@ -162,7 +170,7 @@ impl WorkerState {
 
     fn start(self: &Arc<Self>, claims: Vec<Claim>, mut reservation: Reservation) {
         for claim in claims {
-            if let Some(slot) = reservation.assign(&self.slots, claim.exclusive, claim.memory) {
+            if let Some(slot) = reservation.assign(&self.slots, &claim) {
                 self.tasks.spawn(Arc::clone(self).supervise(claim, slot));
             }
         }

@@ -12,7 +12,8 @@ use super::message::Message;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult, StoreError, metrics,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, SHORT_WORK, StepResult,
+    StoreError, metrics,
 };
 
 /// Most messages taken at once.
@@ -102,7 +103,8 @@ impl WorkerState {
         let (step_sender, steps) = mpsc::channel(1);
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
-        self.pool.run(move || {
+        let long = claim.work > SHORT_WORK;
+        self.pool.run(long, move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone());
             let outcome =
                 attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);

@@ -100,6 +100,41 @@ fn jobs_are_visible_to_their_key_and_to_administrators() {
 }
 
 #[test]
+fn a_key_has_quotas_and_an_end() {
+    let guarded = Guarded::start();
+    let token = guarded.key(&["create", "press", "--max-queued", "0", "--max-priority", "3"]);
+    let problem = guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
+    assert_eq!(problem["detail"], "this API key may have 0 jobs waiting, and has them");
+    let problem = guarded.post(&token, "/v1/jobs?priority=4").problem(429, "quota-exceeded");
+    assert_eq!(problem["detail"], "jobs of this API key may have priority 3 at most");
+    let listed = guarded.key(&["list"]);
+    assert!(listed.ends_with("press, queued <= 0, priority <= 3"), "{listed}");
+    let id = listed.split(' ').next().unwrap();
+    guarded.key(&["limit", id, "--max-stored", "0"]);
+    let problem = guarded.post(&token, "/v1/solve").problem(429, "quota-exceeded");
+    assert!(problem["detail"].as_str().unwrap().starts_with("the results of this API key may take 0 bytes"));
+
+    let next = guarded.key(&["rotate", id]);
+    for token in [&token, &next] {
+        assert_eq!(guarded.ask(token, "GET", "/v1/jobs").status, 200);
+    }
+    let last = guarded.key(&["rotate", id, "--overlap", "0"]);
+    for token in [&token, &next] {
+        guarded.ask(token, "GET", "/v1/jobs").problem(401, "unauthorized");
+    }
+    guarded.key(&["limit", id]);
+    let job = guarded.post(&last, "/v1/jobs");
+    assert_eq!(job.status, 202, "its limits are those of the service again");
+    // The key ends, its job does not.
+    guarded.key(&["limit", id, "--expires", "2001-01-01T00:00:00Z"]);
+    guarded.ask(&last, "GET", "/v1/jobs").problem(401, "unauthorized");
+    assert!(guarded.key(&["list"]).contains("expired"));
+    let admin = guarded.key(&["create", "admin", "--scope", "admin"]);
+    let finished = format!("{}?wait=30", job.header("location").unwrap());
+    assert_eq!(guarded.ask(&admin, "GET", &finished).json()["status"], "succeeded");
+}
+
+#[test]
 fn a_head_of_any_size_is_not_read() {
     let server = Server::start();
     let mut stream = TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();

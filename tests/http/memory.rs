@@ -9,18 +9,35 @@ use crate::server::{Server, example};
 
 #[test]
 fn a_job_above_the_budget_is_refused_with_its_estimate() {
+    // An eighth is for short jobs beside long ones.
     let server = Server::start_with(&["--memory-limit", "8"]);
     assert_eq!(server.target.get("/v1/capacity").json()["memory_bytes"], 8 << 20);
     let mut large = example();
     large["mesh"] = json!({"elements_per_half_width": 80});
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate"] {
         let problem = server.target.post(path, large.to_string()).problem(422, "job-too-large");
-        assert_eq!(problem["limit_bytes"], 8 << 20, "the budget binds where --max-job-memory would not");
-        assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 8 << 20));
+        assert_eq!(problem["limit_bytes"], 7 << 20, "the budget binds where --max-job-memory would not");
+        assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 7 << 20));
     }
     let mut small = example();
     small["mesh"] = json!({"elements_per_half_width": 4});
     assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["result"]["status"], "converged");
+}
+
+#[test]
+fn a_short_job_does_not_wait_for_a_long_one() {
+    let service = InProcess::start(|config| config.work.memory_limit = Some(16 << 10));
+    let target = &service.target;
+    let mut long = job("slow");
+    long["mesh"] = json!({"elements_per_half_width": 100});
+    let [first, second] = [(); 2].map(|()| target.submit(&long));
+    target.wait_for(&first, &["running"]);
+    let short = target.submit(&job("quick"));
+    target.wait_for(&short, &["succeeded"]);
+    assert_eq!(target.post("/v1/solve", job("quick").to_string()).status, 200);
+    assert_eq!(target.get(&second).json()["status"], "queued", "long ones take their turns");
+    service.solver.open_gate();
+    target.wait_for(&second, &["succeeded"]);
 }
 
 /// A service with three solvers, and room for so many tenths of a job of ordinary size.

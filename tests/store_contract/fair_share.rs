@@ -1,6 +1,6 @@
 //! Keys share the solvers by the work of their jobs, whatever they submit.
 
-use brinell::jobs::{JobId, KeyId, NewJob, StoreError};
+use brinell::jobs::{ClaimRequest, JobId, KeyId, NewJob, Quota, SHORT_WORK, StoreError};
 
 use crate::subject::{QUEUE_CAPACITY, Subject, ids, job};
 
@@ -53,7 +53,8 @@ pub async fn keys_share_by_work_and_not_by_number(subject: &Subject) {
 }
 
 pub async fn waiting_clients_do_not_starve_the_queue(subject: &Subject) {
-    let (solve, queue) = (Client::new(true), Client::new(false));
+    let solve = Client::new(true);
+    let queue = Client { interactive: false, ..solve };
     let mut served = [0, 0];
     let mut waiting = [solve.submit(subject, 10, 1).await, queue.submit(subject, 10, 0).await];
     for _ in 0..40 {
@@ -64,6 +65,20 @@ pub async fn waiting_clients_do_not_starve_the_queue(subject: &Subject) {
         waiting[which] = client.submit(subject, 10, 0).await;
     }
     assert!((29..=31).contains(&served[0]), "{served:?}: three parts in four");
+}
+
+pub async fn keys_share_alike_whichever_way_they_submit(subject: &Subject) {
+    let (solve, queue) = (Client::new(true), Client::new(false));
+    let mut served = [0, 0];
+    let mut waiting = [solve.submit(subject, 10, 1).await, queue.submit(subject, 10, 0).await];
+    for _ in 0..20 {
+        let id = next(subject).await;
+        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
+        served[which] += 1;
+        let client = if which == 0 { &solve } else { &queue };
+        waiting[which] = client.submit(subject, 10, 0).await;
+    }
+    assert_eq!(served, [10, 10]);
 }
 
 pub async fn an_idle_key_does_not_save_up_its_share(subject: &Subject) {
@@ -87,6 +102,25 @@ pub async fn a_key_has_its_places_in_the_queue_and_no_more(subject: &Subject) {
         greedy.submit(subject, 1, 0).await;
     }
     let refused = subject.submit(NewJob { submitter: Some(greedy.key), ..job("x") }).await;
-    assert!(matches!(refused, Err(StoreError::QuotaExceeded { what: "queued jobs", limit: 3 })));
+    assert!(matches!(refused, Err(StoreError::QuotaExceeded { quota: Quota::Queued { limit: 3 } })));
     modest.submit(subject, 1, 0).await;
+}
+
+pub async fn short_jobs_are_handed_out_beside_long_ones(subject: &Subject) {
+    let (first, other) = (Client::new(false), Client::new(false));
+    let long = first.submit(subject, SHORT_WORK + 1, 100).await;
+    let short = first.submit(subject, SHORT_WORK, 0).await;
+    let second = other.submit(subject, SHORT_WORK, 0).await;
+    let beside = ClaimRequest { slots: 0, short_slots: 3, exclusive: false, ..Subject::request(0) };
+    let claims = subject.claims(beside).await.jobs;
+    assert_eq!(ids(&claims), [short, second]);
+    assert!(claims.iter().all(|claim| claim.beside && claim.work == SHORT_WORK));
+    let claims = subject.claim(1).await;
+    assert_eq!((ids(&claims), claims[0].beside), (vec![long], false));
+    let large = NewJob { memory: 11, ..job("x") };
+    subject.submit(large).await.unwrap();
+    assert!(
+        subject.claims(ClaimRequest { short_memory: 10, ..beside }).await.jobs.is_empty(),
+        "it does not fit"
+    );
 }

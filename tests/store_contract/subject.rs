@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use brinell::jobs::{
     Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobRecord,
-    Lease, NewJob, Outcome, StoreError, WorkerId,
+    KeyLimits, Lease, NewJob, Outcome, StoreError, WorkerId,
 };
 use brinell::store::{Store, StoreLimits, open_postgres, open_sqlite, open_sqlite_in_memory};
 use brinell_solver::solver::SolveStatus;
@@ -20,7 +20,7 @@ use crate::cluster::Cluster;
 pub const QUEUE_CAPACITY: usize = 4;
 pub const LIMITS: StoreLimits = StoreLimits {
     queue_capacity: QUEUE_CAPACITY,
-    queued_by_key: Some(QUEUE_CAPACITY - 1),
+    by_key: KeyLimits { queued: Some(3), running: None, stored_bytes: Some(1000), priority: Some(100) },
     min_free_bytes: 0,
 };
 /// Bytes that a store in memory may take.
@@ -129,6 +129,8 @@ impl Subject {
         ClaimRequest {
             owner: WorkerId::generate(),
             slots,
+            short_slots: 0,
+            short_memory: MEMORY,
             exclusive: true,
             free_memory: MEMORY,
             memory: MEMORY,

@@ -6,18 +6,39 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{count, failure_json, unpack};
 use crate::jobs::{Claim, ClaimRequest, Claims, JobFailure, JobId, JobState, Lease, StoreError};
+use crate::store::StoreLimits;
 
-/// How much of the solvers jobs that somebody waits for get for each part of the others of the same key.
-const INTERACTIVE_WEIGHT: f64 = 3.0;
+/// The part of its key's share that jobs that somebody waits for get while others of the key wait too.
+const INTERACTIVE_PART: f64 = 0.75;
 
-/// The head of a flow's queue: flow, whether it is interactive, its virtual time; job, memory, losses so far less one, work.
-type Head = (i64, bool, f64, Uuid, i64, i32, i64);
+/// The head of a flow's queue: flow, whether it is interactive, whether the other flow of its key has jobs waiting, its virtual
+/// time; job, memory, losses so far less one, work.
+type Head = (i64, bool, bool, f64, Uuid, i64, i32, i64);
+
+/// What is free for jobs from the heads of the queues.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::store) struct Room {
+    slots: usize,
+    free: u64,
+    /// Memory that a job may need at most.
+    memory: i64,
+    /// Only short jobs, beside those that hold the solvers.
+    beside: bool,
+}
 
 const SERVED: &str = "UPDATE flows SET virtual_time = $2 WHERE id = $1";
 const CLOCK: &str = "UPDATE scheduler SET virtual_time = $1";
 
-/// A job that might be handed out: name, estimated memory, losses so far.
-type Candidate = (Uuid, i64, i32);
+/// A job that might be handed out: name, estimated memory, losses so far, estimated work.
+type Candidate = (Uuid, i64, i32, i64);
+
+/// How a job is handed out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::store) enum Place {
+    Solver,
+    Exclusive,
+    Beside,
+}
 
 const END: &str =
     "UPDATE jobs SET state = $2, failure = $3, finished_at = $4, owner = NULL, leased_until = NULL
@@ -45,15 +66,33 @@ pub(in crate::store) trait Claiming: Send {
     fn claim(
         &mut self,
         request: &ClaimRequest,
+        limits: StoreLimits,
         now: i64,
     ) -> impl Future<Output = Result<Claims, StoreError>> + Send;
+    /// Hands out heads of queues for as long as there is room.
+    fn claim_heads(
+        &mut self,
+        room: Room,
+        request: &ClaimRequest,
+        limits: StoreLimits,
+        now: i64,
+    ) -> impl Future<Output = Result<Vec<Claim>, StoreError>> + Send;
     fn lease_job(
         &mut self,
         job: Candidate,
-        exclusive: bool,
+        place: Place,
         request: &ClaimRequest,
         now: i64,
     ) -> impl Future<Output = Result<Claim, StoreError>> + Send;
+}
+
+/// The part of the share of its key that a flow has.
+fn part_of_share(interactive: bool, shares: bool) -> f64 {
+    match (shares, interactive) {
+        (false, _) => 1.0,
+        (true, true) => INTERACTIVE_PART,
+        (true, false) => 1.0 - INTERACTIVE_PART,
+    }
 }
 
 /// The moment a lease that begins now runs out.
@@ -62,7 +101,7 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
 }
 
 macro_rules! claiming {
-    ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr) => {
+    ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr, $short_head:expr) => {
         impl Claiming for $connection {
             async fn expire(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
                 let lost = sqlx::query_as::<$database, (Uuid, i32, bool)>(concat!(
@@ -87,20 +126,25 @@ macro_rules! claiming {
                 Ok(ended)
             }
 
-            async fn claim(&mut self, request: &ClaimRequest, now: i64) -> Result<Claims, StoreError> {
+            async fn claim(
+                &mut self,
+                request: &ClaimRequest,
+                limits: StoreLimits,
+                now: i64,
+            ) -> Result<Claims, StoreError> {
                 let memory = i64::try_from(request.memory).unwrap_or(i64::MAX);
                 let slots = i64::try_from(request.slots).unwrap_or(i64::MAX);
                 let lost = sqlx::query_as::<$database, Candidate>(concat!(
-                    "SELECT id, memory, losses FROM jobs WHERE state = 'running' AND leased_until <= $1
+                    "SELECT id, memory, losses, work FROM jobs WHERE state = 'running' AND leased_until <= $1
                        AND memory <= $2 ORDER BY losses, id LIMIT $3",
                     $lock
                 ));
                 let lost = lost.bind(now).bind(memory).bind(slots.saturating_add(1)).fetch_all(&mut *self).await?;
                 let (exclusive, candidates): (Vec<Candidate>, Vec<Candidate>) = lost
                     .into_iter()
-                    .partition(|(_, _, losses)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
+                    .partition(|(_, _, losses, _)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
                 if let (Some(job), true) = (exclusive.first(), request.exclusive) {
-                    let jobs = vec![self.lease_job(*job, true, request, now).await?];
+                    let jobs = vec![self.lease_job(*job, Place::Exclusive, request, now).await?];
                     return Ok(Claims { jobs, exclusive_pending: false });
                 }
                 let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
@@ -108,19 +152,40 @@ macro_rules! claiming {
                 for job in candidates.into_iter().take(request.slots) {
                     let Some(rest) = free.checked_sub(count(job.1)?) else { return Ok(claims) };
                     free = rest;
-                    claims.jobs.push(self.lease_job(job, false, request, now).await?);
+                    claims.jobs.push(self.lease_job(job, Place::Solver, request, now).await?);
                 }
                 let turn = sqlx::query::<$database>(concat!("SELECT virtual_time FROM scheduler", $turn));
                 turn.fetch_optional(&mut *self).await?;
-                while claims.jobs.len() < request.slots {
-                    let head = sqlx::query_as::<$database, Head>($head).bind(memory);
-                    let Some(head) = head.fetch_optional(&mut *self).await? else { break };
-                    let (flow, interactive, time, id, memory, losses, work) = head;
+                let slots = request.slots - claims.jobs.len();
+                let solvers = Room { slots, free, memory, beside: false };
+                claims.jobs.extend(self.claim_heads(solvers, request, limits, now).await?);
+                let memory = i64::try_from(request.short_memory).unwrap_or(i64::MAX);
+                let (slots, free) = (request.short_slots, request.short_memory);
+                let beside = Room { slots, free, memory, beside: true };
+                claims.jobs.extend(self.claim_heads(beside, request, limits, now).await?);
+                Ok(claims)
+            }
+
+            async fn claim_heads(
+                &mut self,
+                room: Room,
+                request: &ClaimRequest,
+                limits: StoreLimits,
+                now: i64,
+            ) -> Result<Vec<Claim>, StoreError> {
+                let Room { slots, mut free, memory, beside } = room;
+                let (select, place) =
+                    if beside { ($short_head, Place::Beside) } else { ($head, Place::Solver) };
+                let running_by_key = limits.by_key.running.map_or(i64::MAX, i64::from);
+                let mut claims = Vec::new();
+                while claims.len() < slots {
+                    let head = sqlx::query_as::<$database, Head>(select).bind(memory).bind(running_by_key);
+                    let head = head.bind(Uuid::nil()).fetch_optional(&mut *self).await?;
+                    let Some((flow, interactive, shares, time, id, memory, losses, work)) = head else { break };
                     let Some(rest) = free.checked_sub(count(memory)?) else { break };
                     free = rest;
-                    claims.jobs.push(self.lease_job((id, memory, losses), false, request, now).await?);
-                    let weight = if interactive { INTERACTIVE_WEIGHT } else { 1.0 };
-                    let next = time + work as f64 / weight;
+                    claims.push(self.lease_job((id, memory, losses, work), place, request, now).await?);
+                    let next = time + work as f64 / part_of_share(interactive, shares);
                     sqlx::query::<$database>(SERVED).bind(flow).bind(next).execute(&mut *self).await?;
                     sqlx::query::<$database>(CLOCK).bind(time).execute(&mut *self).await?;
                 }
@@ -130,11 +195,11 @@ macro_rules! claiming {
             async fn lease_job(
                 &mut self,
                 job: Candidate,
-                exclusive: bool,
+                place: Place,
                 request: &ClaimRequest,
                 now: i64,
             ) -> Result<Claim, StoreError> {
-                let (id, memory, losses) = job;
+                let (id, memory, losses, work) = job;
                 let attempt = sqlx::query_scalar::<$database, i32>(LEASE_JOB)
                     .bind(id)
                     .bind(request.owner.uuid())
@@ -151,35 +216,49 @@ macro_rules! claiming {
                 let text = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id);
                 let text = text.fetch_one(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
-                Ok(Claim { lease, exclusive, memory: count(memory)?, request: unpack(text)? })
+                Ok(Claim {
+                    lease,
+                    exclusive: place == Place::Exclusive,
+                    beside: place == Place::Beside,
+                    work: count(work)?,
+                    memory: count(memory)?,
+                    request: unpack(text)?,
+                })
             }
         }
     };
 }
 
 /// The job that goes next: the first of the flow whose virtual time is the least. A flow that has had nothing to do does not
-/// make up for it: its time is that of the job handed out last.
+/// make up for it: its time is that of the job handed out last. A key with as many jobs running as it may is passed over.
 macro_rules! head_of_queue {
-    ($lock:literal) => {
+    ($which:literal, $lock:literal) => {
         concat!(
             "SELECT f.id, f.interactive,
+                 EXISTS (SELECT 1 FROM flows g JOIN jobs w ON w.flow = g.id AND w.state = 'queued'
+                     WHERE g.submitter = f.submitter AND g.id <> f.id),
                  CASE WHEN f.virtual_time > s.virtual_time THEN f.virtual_time ELSE s.virtual_time END,
                  j.id, j.memory, j.losses - 1, j.work
              FROM scheduler s CROSS JOIN flows f
-             JOIN jobs j ON j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1
-                 ORDER BY q.priority DESC, q.id LIMIT 1) AND j.state = 'queued'
-             ORDER BY 3, j.id LIMIT 1",
+             JOIN jobs j ON j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1",
+            $which,
+            "    ORDER BY q.priority DESC, q.id LIMIT 1) AND j.state = 'queued'
+             WHERE f.submitter = $3
+                 OR (SELECT count(*) FROM jobs r JOIN flows g ON g.id = r.flow WHERE r.state = 'running' AND g.submitter = f.submitter)
+                     < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = f.submitter), $2)
+             ORDER BY 4, j.id LIMIT 1",
             $lock
         )
     };
 }
 
-claiming!(Sqlite, SqliteConnection, "", "", head_of_queue!(""));
+claiming!(Sqlite, SqliteConnection, "", "", head_of_queue!("", ""), head_of_queue!(" AND q.short", ""));
 // Claims of several workers take turns on the one row of `scheduler`; a job that is just being cancelled is passed over.
 claiming!(
     Postgres,
     PgConnection,
     " FOR UPDATE SKIP LOCKED",
     " FOR UPDATE",
-    head_of_queue!(" FOR UPDATE OF j SKIP LOCKED")
+    head_of_queue!("", " FOR UPDATE OF j SKIP LOCKED"),
+    head_of_queue!(" AND q.short", " FOR UPDATE OF j SKIP LOCKED")
 );

@@ -6,19 +6,27 @@ use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{count, pack, to_json};
+use super::keys::Keys;
 use super::reading::Reading;
-use crate::jobs::{Enqueued, Idempotency, JobId, JobRecord, JobState, NewJob, Retention, SWEEP, StoreError};
+use crate::jobs::{
+    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SHORT_WORK,
+    SWEEP, StoreError,
+};
 use crate::store::StoreLimits;
 
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, flow)
-     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, (SELECT id FROM flows WHERE submitter = $8 AND interactive = $9))";
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, short, reserved_bytes, flow)
+     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9,
+         (SELECT id FROM flows WHERE submitter = $10 AND interactive = $11))";
 const FLOW: &str = "INSERT INTO flows (submitter, interactive) VALUES ($1, $2) ON CONFLICT DO NOTHING";
 const QUEUED_BY: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'
      AND flow IN (SELECT id FROM flows WHERE submitter = $1)";
+const STORED_BY: &str =
+    "SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
+         THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT) FROM jobs WHERE submitter = $1";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
@@ -32,13 +40,20 @@ const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE
      ORDER BY finished_at LIMIT $3)";
 
 /// Changes from outside.
-pub(in crate::store) trait Intake: Reading {
+pub(in crate::store) trait Intake: Reading + Keys {
     fn enqueue(
         &mut self,
         job: NewJob,
         limits: StoreLimits,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
+    /// Checks that an API key may submit a job.
+    fn check_quotas(
+        &mut self,
+        key: Uuid,
+        job: &NewJob,
+        defaults: KeyLimits,
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn label(
         &mut self,
         job: JobId,
@@ -88,12 +103,8 @@ macro_rules! intake {
                     return Err(StoreError::QueueFull { queued });
                 }
                 let owner = submitter.unwrap_or_default();
-                if let Some(most) = limits.queued_by_key.filter(|_| submitter.is_some()) {
-                    let queued = sqlx::query_scalar::<$database, i64>(QUEUED_BY).bind(owner);
-                    let queued: usize = count(queued.fetch_one(&mut *self).await?)?;
-                    if queued >= most {
-                        return Err(StoreError::QuotaExceeded { what: "queued jobs", limit: most });
-                    }
+                if let Some(key) = submitter {
+                    self.check_quotas(key, &job, limits.by_key).await?;
                 }
                 let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
                 flow.execute(&mut *self).await?;
@@ -105,6 +116,8 @@ macro_rules! intake {
                     .bind(submitter)
                     .bind(now)
                     .bind(i64::try_from(job.work).unwrap_or(i64::MAX))
+                    .bind(job.work <= SHORT_WORK)
+                    .bind(i64::try_from(job.result_bytes).unwrap_or(i64::MAX))
                     .bind(owner)
                     .bind(job.interactive)
                     .execute(&mut *self)
@@ -113,6 +126,38 @@ macro_rules! intake {
                 request.execute(&mut *self).await?;
                 self.label(job.id, job.tags).await?;
                 Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
+            }
+
+            async fn check_quotas(
+                &mut self,
+                key: Uuid,
+                job: &NewJob,
+                defaults: KeyLimits,
+            ) -> Result<(), StoreError> {
+                let limits = self.lock_limits(key).await?.or(defaults);
+                let refuse = |quota| Err(StoreError::QuotaExceeded { quota });
+                if let Some(limit) = limits.priority
+                    && !job.interactive
+                    && job.priority > limit
+                {
+                    return refuse(Quota::Priority { limit });
+                }
+                if let Some(limit) = limits.queued {
+                    let queued = sqlx::query_scalar::<$database, i64>(QUEUED_BY).bind(key);
+                    let queued: u64 = count(queued.fetch_one(&mut *self).await?)?;
+                    if queued >= u64::from(limit) {
+                        return refuse(Quota::Queued { limit });
+                    }
+                }
+                if let Some(limit) = limits.stored_bytes {
+                    let used = sqlx::query_scalar::<$database, i64>(STORED_BY).bind(key);
+                    let used: u64 = count(used.fetch_one(&mut *self).await?)?;
+                    let needed = job.result_bytes;
+                    if used.saturating_add(needed) > limit {
+                        return refuse(Quota::Stored { limit, used, needed });
+                    }
+                }
+                Ok(())
             }
 
             async fn label(&mut self, job: JobId, tags: BTreeMap<String, String>) -> Result<(), StoreError> {

@@ -1,47 +1,140 @@
 //! Statements about API keys.
 
+use jiff::Timestamp;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::codec::{damaged, time};
-use crate::jobs::{ApiKey, KeyId, Scope, StoreError};
+use super::codec::{count, damaged, time};
+use crate::jobs::{ApiKey, KeyId, KeyLimits, PreviousSecret, Scope, StoreError};
 
-const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at) VALUES ($1, $2, $3, $4, $5)";
-const ALL: &str = "SELECT id, name, scope, digest, created_at, revoked_at FROM api_keys ORDER BY id";
-const ONE: &str = "SELECT id, name, scope, digest, created_at, revoked_at FROM api_keys WHERE id = $1";
+const ADD: &str = "INSERT INTO api_keys (id, name, scope, digest, created_at, expires_at, max_queued, max_running, max_stored,
+         max_priority)
+     VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10)";
 const REVOKE: &str = "UPDATE api_keys SET revoked_at = $2 WHERE id = $1 AND revoked_at IS NULL";
+const ROTATE: &str = "UPDATE api_keys SET previous_digest = digest, previous_until = $3, digest = $2
+     WHERE id = $1 AND revoked_at IS NULL";
+const LIMIT: &str = "UPDATE api_keys SET expires_at = $2, max_queued = $3, max_running = $4, max_stored = $5, max_priority = $6
+     WHERE id = $1 AND revoked_at IS NULL";
 
-type KeyRow = (Uuid, String, String, Vec<u8>, i64, Option<i64>);
+/// The columns of [`KeyRow`] of the table of keys.
+macro_rules! select_keys {
+    ($rest:literal) => {
+        concat!(
+            "SELECT id, name, scope, digest, previous_digest, previous_until, max_queued, max_running, max_stored, \
+             max_priority, created_at, expires_at, revoked_at FROM api_keys ",
+            $rest
+        )
+    };
+}
+
+/// Most jobs waiting, most running, most bytes, highest priority.
+type LimitsRow = (Option<i64>, Option<i64>, Option<i64>, Option<i32>);
+
+/// A key as selected by [`select_keys`].
+type KeyRow = (
+    Uuid,
+    String,
+    String,
+    Vec<u8>,
+    Option<Vec<u8>>,
+    Option<i64>,
+    Option<i64>,
+    Option<i64>,
+    Option<i64>,
+    Option<i32>,
+    i64,
+    Option<i64>,
+    Option<i64>,
+);
 
 fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
-    let (id, name, scope, digest, created, revoked) = row;
+    let (
+        id,
+        name,
+        scope,
+        digest,
+        previous,
+        until,
+        queued,
+        running,
+        bytes,
+        priority,
+        created,
+        expires,
+        revoked,
+    ) = row;
+    let digest_of = |bytes: Vec<u8>| bytes.try_into().map_err(|_| damaged("the length of a digest"));
+    let previous = match (previous, until) {
+        (Some(digest), Some(until)) => {
+            Some(PreviousSecret { digest: digest_of(digest)?, until: time(until)? })
+        }
+        _ => None,
+    };
     Ok(ApiKey {
         id: KeyId::from(id),
         name,
         scope: Scope::by_name(&scope).ok_or_else(|| damaged(format!("scope {scope:?}")))?,
-        digest: digest.try_into().map_err(|_| damaged("the length of a digest"))?,
+        digest: digest_of(digest)?,
+        previous,
+        limits: key_limits((queued, running, bytes, priority))?,
         created_at: time(created)?,
+        expires_at: expires.map(time).transpose()?,
         revoked_at: revoked.map(time).transpose()?,
     })
+}
+
+fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits, StoreError> {
+    Ok(KeyLimits {
+        queued: queued.map(count).transpose()?,
+        running: running.map(count).transpose()?,
+        stored_bytes: bytes.map(count).transpose()?,
+        priority: priority.map(count).transpose()?,
+    })
+}
+
+fn limits_row(limits: KeyLimits) -> LimitsRow {
+    let bytes = limits.stored_bytes.map(|bytes| i64::try_from(bytes).unwrap_or(i64::MAX));
+    (limits.queued.map(i64::from), limits.running.map(i64::from), bytes, limits.priority.map(i32::from))
 }
 
 /// Keys to a connection.
 pub(in crate::store) trait Keys: Send {
     fn add_key(&mut self, key: ApiKey) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn keys(&mut self, id: Option<KeyId>) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
+    /// What a key may take by its own row, which stays locked until the end of the transaction, so that submissions under one
+    /// key are counted one after the other.
+    fn lock_limits(&mut self, id: Uuid) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
+    fn rotate_key(
+        &mut self,
+        id: KeyId,
+        digest: [u8; 32],
+        previous_until: i64,
+    ) -> impl Future<Output = Result<bool, StoreError>> + Send;
+    fn limit_key(
+        &mut self,
+        id: KeyId,
+        limits: KeyLimits,
+        expires_at: Option<Timestamp>,
+    ) -> impl Future<Output = Result<bool, StoreError>> + Send;
     fn revoke_key(&mut self, id: KeyId, now: i64) -> impl Future<Output = Result<bool, StoreError>> + Send;
 }
 
 macro_rules! keys {
-    ($database:ty, $connection:ty) => {
+    ($database:ty, $connection:ty, $limits:expr) => {
         impl Keys for $connection {
             async fn add_key(&mut self, key: ApiKey) -> Result<(), StoreError> {
+                let (queued, running, bytes, priority) = limits_row(key.limits);
                 sqlx::query::<$database>(ADD)
                     .bind(key.id.uuid())
                     .bind(key.name)
                     .bind(key.scope.name())
                     .bind(key.digest.to_vec())
                     .bind(key.created_at.as_microsecond())
+                    .bind(key.expires_at.map(Timestamp::as_microsecond))
+                    .bind(queued)
+                    .bind(running)
+                    .bind(bytes)
+                    .bind(priority)
                     .execute(self)
                     .await?;
                 Ok(())
@@ -49,10 +142,45 @@ macro_rules! keys {
 
             async fn keys(&mut self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError> {
                 let rows = match id {
-                    Some(id) => sqlx::query_as::<$database, KeyRow>(ONE).bind(id.uuid()),
-                    None => sqlx::query_as::<$database, KeyRow>(ALL),
+                    Some(id) => {
+                        sqlx::query_as::<$database, KeyRow>(select_keys!("WHERE id = $1")).bind(id.uuid())
+                    }
+                    None => sqlx::query_as::<$database, KeyRow>(select_keys!("ORDER BY id")),
                 };
                 rows.fetch_all(self).await?.into_iter().map(api_key).collect()
+            }
+
+            async fn lock_limits(&mut self, id: Uuid) -> Result<KeyLimits, StoreError> {
+                let row =
+                    sqlx::query_as::<$database, LimitsRow>($limits).bind(id).fetch_optional(self).await?;
+                row.map_or(Ok(KeyLimits::default()), key_limits)
+            }
+
+            async fn rotate_key(
+                &mut self,
+                id: KeyId,
+                digest: [u8; 32],
+                previous_until: i64,
+            ) -> Result<bool, StoreError> {
+                let rotate = sqlx::query::<$database>(ROTATE).bind(id.uuid()).bind(digest.to_vec());
+                Ok(rotate.bind(previous_until).execute(self).await?.rows_affected() == 1)
+            }
+
+            async fn limit_key(
+                &mut self,
+                id: KeyId,
+                limits: KeyLimits,
+                expires_at: Option<Timestamp>,
+            ) -> Result<bool, StoreError> {
+                let (queued, running, bytes, priority) = limits_row(limits);
+                let limit = sqlx::query::<$database>(LIMIT)
+                    .bind(id.uuid())
+                    .bind(expires_at.map(Timestamp::as_microsecond))
+                    .bind(queued)
+                    .bind(running)
+                    .bind(bytes)
+                    .bind(priority);
+                Ok(limit.execute(self).await?.rows_affected() == 1)
             }
 
             async fn revoke_key(&mut self, id: KeyId, now: i64) -> Result<bool, StoreError> {
@@ -63,5 +191,11 @@ macro_rules! keys {
     };
 }
 
-keys!(Sqlite, SqliteConnection);
-keys!(Postgres, PgConnection);
+macro_rules! limits_of_key {
+    ($lock:literal) => {
+        concat!("SELECT max_queued, max_running, max_stored, max_priority FROM api_keys WHERE id = $1", $lock)
+    };
+}
+
+keys!(Sqlite, SqliteConnection, limits_of_key!(""));
+keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"));

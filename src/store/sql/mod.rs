@@ -112,7 +112,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
         let ended = transaction.expire(request.max_attempts, now).await?;
-        let claims = Claiming::claim(&mut *transaction, request, now).await?;
+        let claims = Claiming::claim(&mut *transaction, request, self.limits, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
         let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
         self.commit(transaction, Written, &changes).await?;
