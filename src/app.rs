@@ -2,6 +2,7 @@
 
 use std::io;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -16,7 +17,8 @@ use crate::config::{MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
 use crate::http::{AllowedHosts, HttpSettings, HttpState, Metrics, metrics_router, router, serve};
 use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
 use crate::store::{
-    PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory, open_sqlite_keys,
+    DATABASE, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory,
+    open_sqlite_keys,
 };
 use crate::telemetry::collect;
 use crate::worker::{STOP_TIMEOUT, Worker};
@@ -55,6 +57,9 @@ pub enum AppError {
          (BRINELL_DATABASE_URL)"
     )]
     NotShared,
+    /// No database where one is expected.
+    #[error("there is no database in {}", .0.display())]
+    NoStore(PathBuf),
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
     System(#[from] io::Error),
@@ -105,6 +110,8 @@ impl Service {
             store,
             config.submission_limits(),
         ));
+        let checked = Arc::clone(&jobs);
+        background.spawn(async move { checked.check_store().await });
         let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
         let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
         let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
@@ -231,6 +238,17 @@ pub async fn open_keys(config: &StorageConfig) -> Result<Arc<dyn Store>, AppErro
         None => open_sqlite_keys(&config.data_dir, Arc::new(SystemClock)).await?,
         Some(_) => open_store(config, &JobNotifier::new()).await?,
     })
+}
+
+/// Opens a store that exists, to look at it beside the service that owns it.
+///
+/// # Errors
+/// [`AppError`].
+pub async fn open_existing(config: &StorageConfig) -> Result<Arc<dyn Store>, AppError> {
+    if config.database_url.is_none() && !config.data_dir.join(DATABASE).exists() {
+        return Err(AppError::NoStore(config.data_dir.clone()));
+    }
+    open_keys(config).await
 }
 
 /// Removes old jobs, for ever.

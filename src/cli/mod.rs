@@ -3,6 +3,7 @@
 //! Exit codes: 0 done (and, for `solve`, converged), 1 the program or its surroundings are at fault, 2 bad input
 //! or usage, 3 not converged.
 
+mod backup;
 mod client;
 mod demo;
 mod fault;
@@ -26,6 +27,7 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::config::{ServeConfig, WorkerConfig};
 use crate::telemetry::{self, LogConfig};
+use backup::{BackupArgs, CheckArgs, RestoreArgs};
 use demo::DemoArgs;
 use fault::{Fault, report_fault};
 use healthcheck::HealthcheckArgs;
@@ -64,6 +66,12 @@ enum Command {
     Openapi(OpenapiArgs),
     /// Make, list and revoke API keys
     Key(KeyArgs),
+    /// Look for damage in everything that is stored, also beside a running service: exit code 0 if there is none
+    Check(CheckArgs),
+    /// Write a consistent copy of the embedded database to a file, also beside a running service
+    Backup(BackupArgs),
+    /// Put a backup into a data directory that has no database
+    Restore(RestoreArgs),
     /// Start the service, send it the reference problem over HTTP and show the answer
     Demo(DemoArgs),
 }
@@ -115,6 +123,9 @@ pub fn main() -> ExitCode {
         Command::Healthcheck(args) => healthcheck::healthcheck(&args),
         Command::Openapi(args) => openapi::openapi(&args),
         Command::Key(args) => key::key(&args),
+        Command::Check(args) => backup::check(&args),
+        Command::Backup(args) => backup::backup(&args),
+        Command::Restore(args) => backup::restore(&args),
         Command::Demo(args) => demo::demo(&args),
     };
     done.unwrap_or_else(|fault| report_fault(&fault))

@@ -256,6 +256,13 @@ impl From<StoreError> for Problem {
                 tracing::error!("the disk is full");
                 ProblemType::InsufficientStorage
             }
+            StoreError::Damaged(source) => {
+                tracing::error!(
+                    error = source.as_ref() as &dyn std::error::Error,
+                    "what is stored is damaged"
+                );
+                ProblemType::Damaged
+            }
             StoreError::Unavailable(source) => {
                 tracing::error!(
                     error = source.as_ref() as &dyn std::error::Error,

@@ -123,6 +123,10 @@ problem_types! {
     /// The store does not answer.
     StoreUnavailable, "store-unavailable", SERVICE_UNAVAILABLE, "The job store does not answer",
         "The place where jobs are kept cannot be reached. Try again.";
+    /// What is stored cannot be read.
+    Damaged, "damaged-record", INTERNAL_SERVER_ERROR, "What is stored is damaged",
+        "The row of the job, or the file of the store, cannot be read, and asking again does not help. `brinell check` lists \
+         what is damaged; docs/operations.md tells how to restore a backup.";
     /// The disk is full.
     InsufficientStorage, "insufficient-storage", INSUFFICIENT_STORAGE, "There is no room for another job",
         "The disk where jobs are kept is full, or has less room left than is reserved for the jobs that are accepted \

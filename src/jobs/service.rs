@@ -11,12 +11,14 @@ use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
+use tracing::field::display;
 
 use super::{
     ApiKey, Clock as _, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter,
     JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
     StoreError, Subscription, SystemClock, read_token,
 };
+use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
 use brinell_solver::report::JobEstimate;
 
@@ -108,6 +110,8 @@ pub struct JobService {
     closed: AtomicBool,
     waits_end: CancellationToken,
     decoders: Arc<Semaphore>,
+    /// Damage was found in the file of the store.
+    damaged: AtomicBool,
     /// Until when the store is taken to be well.
     healthy_until: Mutex<Option<Instant>>,
 }
@@ -130,6 +134,7 @@ impl JobService {
             closed: AtomicBool::new(false),
             waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
+            damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
         }
     }
@@ -194,7 +199,8 @@ impl JobService {
             interactive: submission.interactive,
         };
         let enqueued = self.store.enqueue(new).await?;
-        tracing::info!(job = %enqueued.job.id, replayed = enqueued.replayed, "queued");
+        let key = submission.submitter.map(display);
+        tracing::info!(target: AUDIT, job = %enqueued.job.id, key, replayed = enqueued.replayed, "queued");
         Ok(enqueued)
     }
 
@@ -284,13 +290,13 @@ impl JobService {
         Arc::clone(&self.decoders).acquire_owned().await.ok()
     }
 
-    /// Asks a job to stop.
+    /// Asks a job to stop, in the name of a key.
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError> {
+    pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
         let record = self.store.cancel(id).await?;
-        tracing::info!(job = %id, state = %record.state, "asked to stop");
+        tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
         Ok(record)
     }
 
@@ -302,13 +308,13 @@ impl JobService {
         self.store.list(filter).await
     }
 
-    /// Removes a finished job.
+    /// Removes a finished job, in the name of a key.
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn delete(&self, id: JobId) -> Result<(), StoreError> {
+    pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
         self.store.delete(id).await?;
-        tracing::info!(job = %id, "removed");
+        tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
         Ok(())
     }
 
@@ -317,6 +323,9 @@ impl JobService {
     /// # Errors
     /// [`StoreError`].
     pub async fn ping(&self) -> Result<(), StoreError> {
+        if self.damaged.load(Ordering::Relaxed) {
+            return Err(StoreError::damaged("the check at the start found damage"));
+        }
         let mut healthy_until = self.healthy_until.lock().await;
         if healthy_until.is_none_or(|until| until <= Instant::now()) {
             *healthy_until = None;
@@ -324,6 +333,20 @@ impl JobService {
             *healthy_until = Some(Instant::now() + PING_INTERVAL);
         }
         Ok(())
+    }
+
+    /// Looks for damage in the file of the store. Where there is some, the service is not ready from then on.
+    pub async fn check_store(&self) {
+        match self.store.check(false).await {
+            Ok(found) if found.is_empty() => tracing::info!("the store is sound"),
+            Ok(found) => {
+                self.damaged.store(true, Ordering::Relaxed);
+                tracing::error!(?found, "the store is damaged");
+            }
+            Err(error) => {
+                tracing::error!(error = &error as &dyn std::error::Error, "the store cannot be checked");
+            }
+        }
     }
 
     /// Bounds on what is taken in.

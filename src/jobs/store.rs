@@ -1,6 +1,7 @@
 //! The only door to storage.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::time::Duration;
 
 use async_trait::async_trait;
@@ -156,6 +157,18 @@ pub trait JobStore: Send + Sync + 'static {
     /// # Errors
     /// [`StoreError::Unavailable`].
     async fn sync(&self) -> Result<(), StoreError>;
+
+    /// Looks for damage in the store's own file, and in every job if `jobs`; returns one line for each damage found.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`].
+    async fn check(&self, jobs: bool) -> Result<Vec<String>, StoreError>;
+
+    /// Writes a consistent copy of everything to a new file. `false` if the store has means of its own for that.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
+    async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
     /// Shows that the store can be written to and has room for another job.
     ///
@@ -334,6 +347,9 @@ pub enum StoreError {
     /// The disk is full, or has less room left than is reserved for jobs that are accepted already.
     #[error("the disk is full")]
     DiskFull,
+    /// What is stored cannot be read, now or later.
+    #[error("what is stored is damaged")]
+    Damaged(#[source] Box<dyn std::error::Error + Send + Sync>),
     /// The storage does not answer.
     #[error("storage is unavailable")]
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
@@ -383,5 +399,10 @@ impl StoreError {
     /// Wraps whatever made the storage fail.
     pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Unavailable(source.into())
+    }
+
+    /// Wraps whatever is wrong with what is stored.
+    pub fn damaged(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+        Self::Damaged(source.into())
     }
 }

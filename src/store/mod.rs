@@ -31,4 +31,6 @@ pub struct StoreLimits {
 }
 
 pub use postgres::{PostgresError, open_postgres};
-pub use sqlite::{SqliteError, open_sqlite, open_sqlite_in_memory, open_sqlite_keys};
+pub use sqlite::{
+    DATABASE, SqliteError, open_sqlite, open_sqlite_in_memory, open_sqlite_keys, restore_sqlite,
+};

@@ -7,6 +7,7 @@
 //! directory, by a lock on a file in it; therefore whatever is marked as running at the start was interrupted, and runs
 //! again at once.
 
+mod restore;
 mod space;
 mod wal;
 
@@ -23,6 +24,7 @@ use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, S
 use sqlx::{Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
 
+pub use self::restore::restore_sqlite;
 use self::space::FreeSpace;
 use self::wal::WalSync;
 use super::migration::{self, Step};
@@ -37,6 +39,9 @@ const STEPS: &[Step] = &[
     Step { version: 4, name: "fair share", sql: include_str!("../../migrations/sqlite/0004_fair_share.sql") },
     Step { version: 5, name: "quotas", sql: include_str!("../../migrations/sqlite/0005_quotas.sql") },
 ];
+
+/// Name of the database in its directory.
+pub const DATABASE: &str = "brinell.db";
 
 /// Readers beside the writer.
 const READERS: u32 = 4;
@@ -70,6 +75,17 @@ pub enum SqliteError {
          --database-url", .0.display()
     )]
     InUse(PathBuf),
+    /// The directory has a database already.
+    #[error("{} exists; a backup is restored into a directory without a database", .0.display())]
+    Exists(PathBuf),
+    /// The file is no backup, or is damaged.
+    #[error("{} cannot be restored: {reason}", .path.display())]
+    NotRestorable {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// The file cannot be opened or brought up to date.
     #[error("the database {}: {source}", .path.display())]
     Database {
@@ -151,7 +167,7 @@ async fn open(
     clock: Arc<dyn Clock>,
     lock: Option<File>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
-    let path = directory.join("brinell.db");
+    let path = directory.join(DATABASE);
     let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
     let backend = backend.map_err(|source| SqliteError::Database { path, source })?;
     Ok(Arc::new(SqlStore { backend, notifier, limits }))
@@ -271,6 +287,24 @@ impl Backend for SqliteDatabase {
             }
         };
         if is_low { Err(StoreError::DiskFull) } else { Ok(()) }
+    }
+
+    async fn check(&self) -> Result<Vec<String>, StoreError> {
+        let found = sqlx::query_scalar::<_, String>("PRAGMA quick_check(100)").fetch_all(&self.readers).await;
+        match found.map_err(StoreError::from) {
+            Ok(lines) => Ok(lines.into_iter().filter(|line| line != "ok").collect()),
+            Err(StoreError::Damaged(source)) => Ok(vec![source.to_string()]),
+            Err(error) => Err(error),
+        }
+    }
+
+    async fn backup(&self, file: &Path) -> Result<bool, StoreError> {
+        let name =
+            file.to_str().ok_or_else(|| StoreError::unavailable("the name of the file is not UTF-8"))?;
+        // One read transaction: what is committed meanwhile is not in the copy.
+        let mut connection = self.writer.acquire().await?;
+        sqlx::query("VACUUM INTO $1").bind(name).execute(&mut *connection).await?;
+        Ok(true)
     }
 
     async fn notify(&self, _: &mut SqliteConnection, _: &[Change]) -> Result<(), StoreError> {

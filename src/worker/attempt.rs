@@ -35,6 +35,9 @@ fn solve(
     observer: &mut JobObserver,
     steps: &Sender<StepResult>,
 ) -> Outcome {
+    if request.is_empty() {
+        return Outcome::Failed(JobFailure::internal("what is stored of this job is damaged"));
+    }
     let job = match Job::from_json(request) {
         Ok(job) => job,
         Err(JobError::Fields(errors)) => return Outcome::Failed(JobFailure::input(errors)),

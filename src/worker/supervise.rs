@@ -208,6 +208,12 @@ impl WorkerState {
         }
     }
 
+    /// Whether the outcome of this attempt is in the store.
+    async fn is_written(&self, lease: &Lease, outcome: &Outcome) -> bool {
+        let record = self.store.get(lease.job).await;
+        record.is_ok_and(|record| record.attempts == lease.attempt && record.state == outcome.state())
+    }
+
     async fn write_outcome(
         &self,
         lease: &Lease,
@@ -215,11 +221,17 @@ impl WorkerState {
         steps: &[StepResult],
         outcome: Outcome,
     ) -> Result<(), StoreError> {
+        let mut tried = false;
         for wait in RETRIES {
             match self.store.finish(lease, records, steps, outcome.clone()).await {
+                // The connection can break after the commit and before the answer.
+                Err(StoreError::LeaseLost) if tried && self.is_written(lease, &outcome).await => {
+                    return Ok(());
+                }
                 Err(error @ (StoreError::Unavailable(_) | StoreError::DiskFull)) => {
                     tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "retrying");
                     drop(error);
+                    tried = true;
                     sleep(wait).await;
                 }
                 answer => return answer,

@@ -3,6 +3,7 @@
 
 #[path = "../support/cluster.rs"]
 mod cluster;
+mod damage;
 mod durable;
 mod fair_share;
 mod in_memory;

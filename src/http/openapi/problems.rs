@@ -18,7 +18,11 @@ pub(super) fn declare(document: &mut Value, guarded: &Paths) {
             let Some(operation) = item.get_mut(method).and_then(Value::as_object_mut) else { continue };
             let mut kinds = implied(path, method, operation);
             if is_guarded {
-                kinds.extend([ProblemType::Unauthorized, ProblemType::StoreUnavailable]);
+                kinds.extend([
+                    ProblemType::Unauthorized,
+                    ProblemType::StoreUnavailable,
+                    ProblemType::Damaged,
+                ]);
                 operation.insert("security".to_owned(), json!([{}, {"api_key": []}]));
             } else {
                 operation.insert("security".to_owned(), json!([]));

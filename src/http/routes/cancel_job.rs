@@ -2,6 +2,7 @@
 
 use axum::extract::State;
 
+use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
@@ -21,6 +22,7 @@ pub(in crate::http) async fn cancel_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     prefix: Prefix,
+    caller: Caller,
 ) -> Result<JobDocument, Problem> {
-    Ok(JobDocument::of(&state, state.jobs.cancel(id).await?, &prefix).await?)
+    Ok(JobDocument::of(&state, state.jobs.cancel(id, caller.key()).await?, &prefix).await?)
 }

@@ -3,6 +3,7 @@
 use axum::extract::State;
 use axum::http::StatusCode;
 
+use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
@@ -16,7 +17,8 @@ use crate::jobs::JobId;
 pub(in crate::http) async fn delete_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
+    caller: Caller,
 ) -> Result<StatusCode, Problem> {
-    state.jobs.delete(id).await?;
+    state.jobs.delete(id, caller.key()).await?;
     Ok(StatusCode::NO_CONTENT)
 }

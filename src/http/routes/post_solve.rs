@@ -23,7 +23,7 @@ use crate::http::preference::IdempotencyKey;
 use crate::http::query::{Wait, WaitQuery};
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
-use crate::jobs::{JobId, JobService, Submission};
+use crate::jobs::{JobId, JobService, KeyId, Submission};
 
 /// Somebody waits: these jobs go before queued ones of ordinary priority.
 const URGENT: i16 = 1;
@@ -83,8 +83,11 @@ pub(in crate::http) async fn post_solve(
     };
     let enqueued = state.jobs.submit(submission).await?;
     let id = enqueued.job.id;
-    let mut cancel_on_drop =
-        CancelOnDrop { jobs: Arc::clone(&state.jobs), job: Some(id).filter(|_| !enqueued.replayed) };
+    let mut cancel_on_drop = CancelOnDrop {
+        jobs: Arc::clone(&state.jobs),
+        job: Some(id).filter(|_| !enqueued.replayed),
+        key: caller.key(),
+    };
     let record = state.jobs.wait(id, timeout).await?;
     if !record.state.is_finished() {
         state.jobs.sync().await?;
@@ -101,14 +104,15 @@ pub(in crate::http) async fn post_solve(
 struct CancelOnDrop {
     jobs: Arc<JobService>,
     job: Option<JobId>,
+    key: Option<KeyId>,
 }
 
 impl Drop for CancelOnDrop {
     fn drop(&mut self) {
         let (Some(id), Ok(runtime)) = (self.job, Handle::try_current()) else { return };
-        let jobs = Arc::clone(&self.jobs);
+        let (jobs, key) = (Arc::clone(&self.jobs), self.key);
         runtime.spawn(async move {
-            if let Err(error) = jobs.cancel(id).await {
+            if let Err(error) = jobs.cancel(id, key).await {
                 tracing::warn!(job = %id, %error, "cannot cancel the job of a client that hung up");
             }
         });

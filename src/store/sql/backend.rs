@@ -1,6 +1,7 @@
 //! What tells one database from another.
 
 use std::ops::DerefMut;
+use std::path::Path;
 
 use async_trait::async_trait;
 use sqlx::Database;
@@ -40,6 +41,12 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// # Errors
     /// [`StoreError::DiskFull`] below the reserve.
     async fn check_space(&self) -> Result<(), StoreError>;
+
+    /// Looks for damage below the tables; one line for each damage.
+    async fn check(&self) -> Result<Vec<String>, StoreError>;
+
+    /// Writes a copy to a new file; `false` if the database has means of its own for that.
+    async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
     /// Notifies other processes of changes, once the transaction is committed.
     async fn notify(

@@ -1,10 +1,11 @@
 //! Statements that hand jobs out. They run in one transaction; what they read stays locked until its end, and what
 //! another worker has locked is passed over.
 
+use bytes::Bytes;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::codec::{count, failure_json, unpack};
+use super::codec::{count, damaged, failure_json, unpack};
 use crate::jobs::{Claim, ClaimRequest, Claims, JobFailure, JobId, JobState, Lease, StoreError};
 use crate::store::StoreLimits;
 
@@ -84,6 +85,15 @@ pub(in crate::store) trait Claiming: Send {
         request: &ClaimRequest,
         now: i64,
     ) -> impl Future<Output = Result<Claim, StoreError>> + Send;
+}
+
+/// The text of a job. Without one, the job fails where it is read; the queue behind it goes on.
+fn readable_text(id: JobId, packed: Option<Vec<u8>>) -> Bytes {
+    let text = packed.map_or_else(|| Err(damaged("no text")), unpack);
+    text.unwrap_or_else(|error| {
+        tracing::error!(job = %id, error = &error as &dyn std::error::Error, "the text of a job is damaged");
+        Bytes::new()
+    })
 }
 
 /// The part of the share of its key that a flow has.
@@ -214,7 +224,7 @@ macro_rules! claiming {
                     }
                 }
                 let text = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id);
-                let text = text.fetch_one(&mut *self).await?;
+                let text = text.fetch_optional(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
                 Ok(Claim {
                     lease,
@@ -222,7 +232,7 @@ macro_rules! claiming {
                     beside: place == Place::Beside,
                     work: count(work)?,
                     memory: count(memory)?,
-                    request: unpack(text)?,
+                    request: readable_text(JobId::from(id), text),
                 })
             }
         }

@@ -26,7 +26,7 @@ pub(super) struct Damaged(String);
 
 #[expect(clippy::needless_pass_by_value, reason = "for map_err")]
 pub(super) fn damaged(what: impl ToString) -> StoreError {
-    StoreError::unavailable(Damaged(what.to_string()))
+    StoreError::damaged(Damaged(what.to_string()))
 }
 
 /// The columns of [`JobRow`], of a table `jobs j`, without the place in the queue.

@@ -12,11 +12,14 @@ mod keys;
 mod leasing;
 mod reading;
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
 use async_trait::async_trait;
+use brinell_solver::report::FieldArrays;
 use bytes::Bytes;
+use sqlx::types::Uuid;
 
 use super::StoreLimits;
 use crate::jobs::{
@@ -34,6 +37,9 @@ use reading::Reading;
 /// SQLite's code for a full disk or a database at its largest size, and PostgreSQL's for a full disk.
 const DISK_FULL: [&str; 2] = ["13", "53100"];
 
+/// SQLite's codes for a file that is damaged or none of its own, and PostgreSQL's for damaged data and indices.
+const DAMAGED: [&str; 7] = ["11", "26", "267", "523", "779", "XX001", "XX002"];
+
 /// SQLite's code for a write that the system refused, which includes the process's limit on the size of a file.
 const WRITE_REFUSED: &str = "778";
 
@@ -42,10 +48,14 @@ impl From<sqlx::Error> for StoreError {
         let code = error.as_database_error().and_then(sqlx::error::DatabaseError::code);
         match code.as_deref() {
             Some(code) if DISK_FULL.contains(&code) || code == WRITE_REFUSED => Self::DiskFull,
+            Some(code) if DAMAGED.contains(&code) => Self::damaged(error),
             _ => Self::unavailable(error),
         }
     }
 }
+
+/// Jobs that are checked for damage at a time.
+const CHECKED: i64 = 500;
 
 /// A [`JobStore`] in a database.
 pub(super) struct SqlStore<B> {
@@ -55,6 +65,23 @@ pub(super) struct SqlStore<B> {
 }
 
 impl<B: Backend> SqlStore<B> {
+    /// Reads everything of a job.
+    async fn check_job(&self, id: JobId) -> Result<(), StoreError> {
+        let mut connection = self.backend.read().await?;
+        connection.find(id).await?;
+        Reading::request(&mut *connection, id).await?;
+        Reading::history(&mut *connection, id, 0).await?;
+        let Some(head) = Reading::result(&mut *connection, id).await? else { return Ok(()) };
+        for step in 0..head.steps {
+            let report = Reading::step(&mut *connection, id, step).await?;
+            report.text().map_err(StoreError::damaged)?;
+            if let Some(fields) = Reading::fields(&mut *connection, id, step).await? {
+                FieldArrays::read(&fields).map_err(|error| StoreError::damaged(error.to_string()))?;
+            }
+        }
+        Ok(())
+    }
+
     /// Commits a transaction and announces what it changed.
     async fn commit(
         &self,
@@ -196,6 +223,31 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let swept = Intake::sweep(&mut *transaction, retention, now).await?;
         self.commit(transaction, Written, &[]).await?;
         Ok(swept)
+    }
+
+    async fn check(&self, jobs: bool) -> Result<Vec<String>, StoreError> {
+        let mut found = self.backend.check().await?;
+        if !jobs {
+            return Ok(found);
+        }
+        let mut after = JobId::from(Uuid::nil());
+        loop {
+            let page = self.backend.read().await?.ids_after(after, CHECKED).await?;
+            let Some(last) = page.last() else { return Ok(found) };
+            after = *last;
+            for id in page {
+                match self.check_job(id).await {
+                    // Removed meanwhile.
+                    Ok(()) | Err(StoreError::NotFound) => {}
+                    Err(StoreError::Damaged(source)) => found.push(format!("job {id}: {source}")),
+                    Err(error) => return Err(error),
+                }
+            }
+        }
+    }
+
+    async fn backup(&self, file: &Path) -> Result<bool, StoreError> {
+        self.backend.backup(file).await
     }
 
     async fn ping(&self) -> Result<(), StoreError> {

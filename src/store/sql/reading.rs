@@ -22,6 +22,7 @@ const FIND: &str = concat!(
 const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE TRUE");
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
+const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2";
 const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
 const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
 const RESULT: &str = "SELECT r.body, j.steps, j.attempts, EXISTS (SELECT 1 FROM result_fields f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
@@ -30,6 +31,16 @@ const FIELDS: &str =
     "SELECT f.body FROM result_steps s LEFT JOIN result_fields f ON f.job = s.job AND f.step = s.step
      WHERE s.job = $1 AND s.step = $2";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
+
+/// The job of a row. One damaged row does not hide the others of a list.
+fn readable(row: JobRow) -> Option<JobRecord> {
+    let id = JobId::from(row.0);
+    let record = job_record(row);
+    if let Err(error) = &record {
+        tracing::error!(job = %id, error = error as &dyn std::error::Error, "left out of a list");
+    }
+    record.ok()
+}
 
 /// Questions to a connection.
 pub(in crate::store) trait Reading: Send {
@@ -48,6 +59,12 @@ pub(in crate::store) trait Reading: Send {
         step: usize,
     ) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
     fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
+    /// Names of jobs in order, those after `id`.
+    fn ids_after(
+        &mut self,
+        id: JobId,
+        limit: i64,
+    ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
 }
 
@@ -120,10 +137,15 @@ macro_rules! reading {
                 query.push(" ORDER BY j.id DESC LIMIT ").push_bind(one_more);
                 let rows: Vec<JobRow> = query.build_query_as().fetch_all(self).await?;
                 let is_last = rows.len() <= filter.limit;
-                let jobs: Vec<JobRecord> =
-                    rows.into_iter().take(filter.limit).map(job_record).collect::<Result<_, _>>()?;
-                let next = if is_last { None } else { jobs.last().map(|job| job.id) };
+                let last = rows.get(filter.limit.saturating_sub(1)).map(|row| JobId::from(row.0));
+                let next = if is_last { None } else { last };
+                let jobs = rows.into_iter().take(filter.limit).filter_map(readable).collect();
                 Ok(JobPage { jobs, next })
+            }
+
+            async fn ids_after(&mut self, id: JobId, limit: i64) -> Result<Vec<JobId>, StoreError> {
+                let ids = sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
+                Ok(ids.fetch_all(self).await?.into_iter().map(JobId::from).collect())
             }
 
             async fn counts(&mut self) -> Result<Counts, StoreError> {

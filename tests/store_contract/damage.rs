@@ -1,0 +1,86 @@
+//! What is damaged is told as such, and holds nothing else up.
+
+use brinell::jobs::{JobId, StepResult, StoreError};
+use brinell_solver::solver::SolveStatus;
+use sqlx::{Connection, PgConnection, SqliteConnection};
+
+use crate::subject::{ALL, Place, Subject, reported};
+
+/// Changes rows behind the back of the store.
+async fn execute(place: &Place, statement: &'static str, id: JobId) {
+    match place {
+        Place::Memory => panic!("memory is not shared"),
+        Place::Directory(directory) => {
+            let url = format!("sqlite://{}/brinell.db", directory.0.display());
+            let mut database = SqliteConnection::connect(&url).await.unwrap();
+            sqlx::query(statement).bind(id.uuid()).execute(&mut database).await.unwrap();
+        }
+        Place::Database(url) => {
+            let mut database = PgConnection::connect(url).await.unwrap();
+            sqlx::query(statement).bind(id.uuid()).execute(&mut database).await.unwrap();
+        }
+    }
+}
+
+#[tokio::test]
+async fn damaged_rows_of_sqlite_are_told() {
+    damaged_rows_are_told(&Subject::sqlite().await).await;
+}
+
+#[tokio::test]
+async fn damaged_rows_of_postgres_are_told() {
+    damaged_rows_are_told(&Subject::postgres().await).await;
+}
+
+async fn damaged_rows_are_told(subject: &Subject) {
+    let store = &subject.store;
+    let [text, tags, sound] =
+        [subject.enqueue("a").await, subject.enqueue("b").await, subject.enqueue("c").await];
+    assert_eq!(store.check(true).await.unwrap(), Vec::<String>::new());
+    execute(&subject.place, "UPDATE requests SET body = substr(body, 1, 9) WHERE job = $1", text).await;
+    execute(&subject.place, "UPDATE jobs SET tags = '{' WHERE id = $1", tags).await;
+    assert!(matches!(store.request(text).await, Err(StoreError::Damaged(_))));
+    assert!(matches!(store.get(tags).await, Err(StoreError::Damaged(_))));
+    let found = store.check(true).await.unwrap();
+    assert!(found.len() == 2 && found[0].starts_with(&format!("job {text}: ")), "{found:?}");
+    assert!(found[1].starts_with(&format!("job {tags}: ")), "{found:?}");
+    let (listed, _) = subject.page(ALL).await;
+    assert_eq!(listed, [sound, text], "one damaged row does not hide the others");
+
+    let claims = subject.claim(3).await;
+    assert_eq!(claims.len(), 3, "the queue goes on");
+    assert!(claims[0].request.is_empty() && !claims[2].request.is_empty());
+    let step = |fields: &'static [u8]| StepResult {
+        report: brinell::jobs::Deflated::compress(b"{}").unwrap(),
+        fields: Some(fields.into()),
+    };
+    let steps = [step(b"no arrays")];
+    store.finish(&claims[2].lease, &[], &steps, reported(SolveStatus::Converged)).await.unwrap();
+    let found = store.check(true).await.unwrap();
+    assert!(found[2].starts_with(&format!("job {sound}: ")), "{found:?}");
+}
+
+#[tokio::test]
+async fn a_damaged_file_is_found() {
+    let subject = Subject::sqlite().await;
+    subject.enqueue("x").await;
+    let lease = subject.claim_one().await;
+    let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
+    let step = StepResult { report, fields: Some(vec![7; 400_000].into()) };
+    subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+    let Subject { store, clock, place, .. } = subject;
+    drop(store);
+    let Place::Directory(directory) = &place else { panic!("a directory") };
+    let file = directory.0.join("brinell.db");
+    // The last connection empties the log into the database when it closes, on a thread of its own.
+    let mut bytes = std::fs::read(&file).unwrap();
+    while bytes.len() < 400_000 {
+        tokio::task::yield_now().await;
+        bytes = std::fs::read(&file).unwrap();
+    }
+    let end = bytes.len();
+    bytes[end - 100 * 4096..].fill(0xff);
+    std::fs::write(&file, bytes).unwrap();
+    let after = Subject::again(place.clone(), clock).await;
+    assert!(!after.store.check(false).await.unwrap().is_empty());
+}
