@@ -32,7 +32,7 @@ pub async fn a_secret_is_replaced_and_limits_are_changed(subject: &Subject) {
     assert_eq!(store.keys(Some(key.id)).await.unwrap(), std::slice::from_ref(&key));
 
     let (digest, new) = new_secret(key.id);
-    assert!(store.rotate_key(key.id, digest, Duration::from_secs(60)).await.unwrap());
+    assert!(store.rotate_key(key.id, digest, Duration::from_mins(1)).await.unwrap());
     let rotated = store.keys(Some(key.id)).await.unwrap().remove(0);
     let start = brinell::jobs::Clock::now(subject.clock.as_ref());
     for (after, good) in [(59, [true, true]), (61, [false, true])] {
