@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example outcomes`; a contact whose elastic peak pressure is 3, 4 and 5 yield stresses, ten
 //! elements over the half-width, tolerance 1e-6. A number is the count of iterations, a word why there is no answer.
+//! `cargo run --release --example outcomes flow` prints what flow theory makes of the same cylinders and spheres, up to the
+//! force and back to none, beside deformation theory.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
@@ -9,8 +11,9 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
+use brinell_solver::report;
 use brinell_solver::solver::{Interrupt, Observer, SolveStatus, run};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 #[path = "../tests/support/contacts.rs"]
 mod contacts;
@@ -22,11 +25,12 @@ const COUPLINGS: [&str; 4] = ["accelerated", "strong", "weak", "secant_stiffness
 /// Ends a combination that takes longer than this.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-struct Patience(Instant);
+/// When it began, and for how long it may go on.
+struct Patience(Instant, Duration);
 
 impl Observer for Patience {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        if self.0.elapsed() > PATIENCE {
+        if self.0.elapsed() > self.1 {
             return ControlFlow::Break(Interrupt::TimedOut);
         }
         ControlFlow::Continue(())
@@ -38,7 +42,7 @@ fn outcome(job: &Value) -> String {
         Ok(job) => job,
         Err(error) => return format!("**{error:?}**"),
     };
-    match run(&job, &mut Patience(Instant::now())) {
+    match run(&job, &mut Patience(Instant::now(), PATIENCE)) {
         Ok(solution) => match solution.steps.first() {
             Some(step) => match step.status {
                 SolveStatus::Converged => step.history.len().to_string(),
@@ -76,7 +80,64 @@ fn by_shape() {
     }
 }
 
+/// Up to the force and back to none by flow theory: increments and iterations, by how much deformation theory differs, and
+/// what is left of the approach.
+fn flow() {
+    let [cylinder, ..] = surfaces();
+    println!(
+        "| analysis | law | p0/σ_y | increments | iterations up | back | peak of deformation theory | its approach \
+         | approach left | largest plastic strain | reverse yield |\n|---|---|---|---|---|---|---|---|---|---|---|"
+    );
+    for analysis in ANALYSES {
+        for (name, law) in &laws() {
+            for ratio in [3.0, 4.0, 5.0] {
+                let asked = job(analysis, "accelerated", law, [&cylinder, &cylinder], ratio);
+                println!("| {analysis} | {name} | {ratio} | {} |", up_and_back(&asked));
+            }
+        }
+    }
+}
+
+fn up_and_back(asked: &Value) -> String {
+    let mut history = asked.clone();
+    let force = asked["load"]["force"].clone();
+    history["load"] = json!({"history": [{"force": force}, {"force": 0}]});
+    history["solver"]["theory"] = json!("flow");
+    let solved = |job: &Value| {
+        let job = Job::from_value(job).map_err(|error| format!("{error:?}"))?;
+        report::run(&job, &mut Patience(Instant::now(), 10 * PATIENCE)).map_err(|error| error.to_string())
+    };
+    let (flow, deformation) = match (solved(&history), solved(asked)) {
+        (Ok(flow), Ok(deformation)) => (flow, deformation),
+        (Err(error), _) | (_, Err(error)) => return format!("**{error}**"),
+    };
+    let ([up, back], [other]) = (flow.steps.as_slice(), deformation.steps.as_slice()) else {
+        return "**no step**".to_owned();
+    };
+    if flow.status != SolveStatus::Converged {
+        return format!("**{:?}, {:?}**", up.status, back.status);
+    }
+    let increments = up.flow.as_ref().map_or(0, |flow| flow.increments.force.len());
+    let dents = back.flow.as_ref().and_then(|flow| flow.surfaces.upper.as_ref());
+    let strain = up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.max_equivalent_plastic_strain);
+    let differs = |a: f64, b: f64| 100.0 * (a / b - 1.0);
+    format!(
+        "{increments} | {} | {} | {:+.1} % | {:+.1} % | {:.1} % | {:.2} % | {}",
+        up.history.len(),
+        back.history.len(),
+        differs(other.contact.peak_pressure, up.contact.peak_pressure),
+        differs(other.approach, up.approach),
+        100.0 * back.approach / up.approach,
+        100.0 * strain,
+        if dents.is_some_and(|dent| dent.yielded_in_reverse) { "yes" } else { "no" },
+    )
+}
+
 fn main() {
+    if std::env::args().nth(1).is_some_and(|which| which == "flow") {
+        flow();
+        return;
+    }
     by_law();
     by_shape();
 }

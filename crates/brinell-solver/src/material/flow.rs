@@ -612,6 +612,35 @@ mod tests {
         }
     }
 
+    /// Pulled they answer alike; relieved and pressed, Prager's law yields 2 σ_y below the stress it had, isotropic hardening
+    /// at the same stress with the other sign.
+    #[test]
+    fn prager_and_isotropic_hardening_differ_only_by_reverse_yield() {
+        let isotropic = model(straight(300.0, 20_000.0), []);
+        let prager = model(constant(300.0), [(20_000.0, 0.0)]);
+        let (mut one, mut other) = (FlowState::default(), FlowState::default());
+        for k in 1..=20 {
+            let strain = axial(3e-4 * f64::from(k));
+            let (a, b) = (isotropic.update(strain, &one), prager.update(strain, &other));
+            (one, other) = (a.1, b.1);
+            assert!((a.0.stress[0] - b.0.stress[0]).abs() < 1e-9 * 300.0);
+        }
+        let stress = 1.5 * isotropic.update(one.strain, &one).0.stress[0];
+        assert!(stress > 380.0);
+        let yields = |from: f64, to: f64| {
+            let after = |change: f64| axial(one.strain[0] - change / TRIPLE_SHEAR);
+            let reverse = |change: f64| {
+                let gained = isotropic.update(after(change), &one).1.accumulated - one.accumulated;
+                (gained, prager.update(after(change), &other).1.accumulated - other.accumulated)
+            };
+            [reverse(from), reverse(to)]
+        };
+        let [(before, _), (after, _)] = yields(2.0 * stress - 0.1, 2.0 * stress + 0.1);
+        assert!(before == 0.0 && after > 0.0);
+        let [(_, before), (_, after)] = yields(600.0 - 0.1, 600.0 + 0.1);
+        assert!(before == 0.0 && after > 0.0);
+    }
+
     /// Perfectly plastic, pulled to yield and then sheared: the stress turns, and its error falls like the parts.
     #[test]
     fn a_turning_path_is_first_order_in_the_parts() {

@@ -107,7 +107,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 .into(),
         );
     }
-    if half_width > 0.0 && half_width < COARSE_MESH * step.spacing {
+    if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
         say(
             "coarse_mesh",
             format!(

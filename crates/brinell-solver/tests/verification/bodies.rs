@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, Restraint, StiffnessAssembler, StressField, out_of_plane,
+    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, out_of_plane,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh};
 use brinell_solver::job::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
-use brinell_solver::material::DeformationPlasticity;
+use brinell_solver::material::{DeformationPlasticity, ElasticModuli};
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
 
 pub fn positive(value: f64) -> PositiveF64 {
@@ -46,7 +46,88 @@ pub struct Loaded {
     pub iterations: usize,
 }
 
-/// Solves `∫Bᵀσ dV = force` by the plain initial-stress iteration, until displacements change by less than 1e-11.
+/// A body that is held, and takes nodal forces one after the other.
+pub struct Specimen {
+    mesh: Mesh,
+    equations: Equations,
+    factor: Cholesky,
+    model: Arc<dyn MaterialModel>,
+    stress_state: StressState,
+    region: Option<Box<dyn PlasticPoints>>,
+    /// Displacements by equation under the last forces.
+    u: Vec<f64>,
+}
+
+impl Specimen {
+    pub fn new(
+        mesh: &Mesh,
+        stress_state: StressState,
+        model: Arc<dyn MaterialModel>,
+        held: Vec<[bool; 2]>,
+    ) -> Self {
+        let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
+        let order = EliminationOrder::new(&graph, &mesh.lattice, &[]);
+        let equations = Equations::new(&order, &Restraint::from(held), 0);
+        let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
+        let assembler =
+            StiffnessAssembler { mesh, stress_state, equations: &equations, pattern: symbolic.pattern() };
+        let ElasticModuli { bulk, shear } = model.elastic();
+        let values = assembler.assemble(|_, quad| element_stiffness(quad, bulk, &[shear; QUADRATURE_POINTS]));
+        let factor = Cholesky::factor(&symbolic, &values).unwrap();
+        let everywhere = vec![true; mesh.elements.len()];
+        let region =
+            model.hardening().map(|_| Arc::clone(&model).points(mesh, stress_state, &equations, &everywhere));
+        let u = vec![0.0; equations.len() + 1];
+        Self { mesh: mesh.clone(), equations, factor, model, stress_state, region, u }
+    }
+
+    /// Solves `∫Bᵀσ dV = force` from the accepted states by the plain initial-stress iteration, until displacements change by
+    /// less than 1e-11.
+    pub fn load(&mut self, force: &[[f64; 2]], max_iterations: usize) -> Loaded {
+        let equations = &self.equations;
+        let mut external = vec![0.0; equations.len() + 1];
+        for (node, f) in (0u32..).zip(force) {
+            for (&k, f) in equations.of_node(node).iter().zip(f) {
+                external[k as usize] += f;
+            }
+        }
+        external[equations.len()] = 0.0;
+        let mut u = external.clone();
+        self.factor.solve(&mut u);
+        let mut iterations = 1;
+        let mut plastic = vec![0.0; u.len()];
+        while let Some(region) = self.region.as_ref().filter(|_| iterations < max_iterations) {
+            region.evaluate(&u, &mut plastic);
+            let mut next: Vec<f64> = external.iter().zip(&plastic).map(|(r, p)| r + p).collect();
+            self.factor.solve(&mut next);
+            let change: f64 = next.iter().zip(&u).map(|(a, b)| (a - b).powi(2)).sum();
+            let size: f64 = next.iter().map(|v| v * v).sum();
+            u = next;
+            iterations += 1;
+            if change <= 1e-22 * size {
+                break;
+            }
+        }
+        let nodes = (0u32..).take(self.mesh.nodes.len());
+        let displacement: Vec<[f64; 2]> =
+            nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
+        self.u = u;
+        let field = match &self.region {
+            Some(region) => region.stress_field(&self.mesh, &displacement),
+            None => self.model.stress_field(&self.mesh, self.stress_state, &displacement),
+        };
+        Loaded { displacement, field, iterations }
+    }
+
+    /// Accepts the states under the last forces.
+    pub fn commit(&mut self) {
+        if let Some(region) = &mut self.region {
+            region.commit(&self.u);
+        }
+    }
+}
+
+/// A body at rest under forces, by deformation theory.
 pub fn load(
     mesh: &Mesh,
     stress_state: StressState,
@@ -55,48 +136,6 @@ pub fn load(
     force: &[[f64; 2]],
     max_iterations: usize,
 ) -> Loaded {
-    let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
-    let order = EliminationOrder::new(&graph, &mesh.lattice, &[]);
-    let equations = Equations::new(&order, &Restraint::from(held), 0);
-    let symbolic = SymbolicCholesky::new(equations.pattern(&graph)).unwrap();
-    let assembler =
-        StiffnessAssembler { mesh, stress_state, equations: &equations, pattern: symbolic.pattern() };
-    let shear = material.elastic().shear_modulus();
-    let values = assembler.assemble(|_, quad| {
-        element_stiffness(quad, material.elastic().bulk_modulus(), &[shear; QUADRATURE_POINTS])
-    });
-    let factor = Cholesky::factor(&symbolic, &values).unwrap();
-    let model: Arc<dyn MaterialModel> =
-        Arc::new(DeformationPlasticity::new(material, out_of_plane(stress_state)));
-    let everywhere = vec![true; mesh.elements.len()];
-    let region =
-        model.hardening().map(|_| Arc::clone(&model).points(mesh, stress_state, &equations, &everywhere));
-
-    let mut external = vec![0.0; equations.len() + 1];
-    for (node, f) in (0u32..).zip(force) {
-        for (&k, f) in equations.of_node(node).iter().zip(f) {
-            external[k as usize] += f;
-        }
-    }
-    external[equations.len()] = 0.0;
-    let mut u = external.clone();
-    factor.solve(&mut u);
-    let mut iterations = 1;
-    let mut plastic = vec![0.0; u.len()];
-    while let Some(region) = region.as_ref().filter(|_| iterations < max_iterations) {
-        region.evaluate(&u, &mut plastic);
-        let mut next: Vec<f64> = external.iter().zip(&plastic).map(|(r, p)| r + p).collect();
-        factor.solve(&mut next);
-        let change: f64 = next.iter().zip(&u).map(|(a, b)| (a - b).powi(2)).sum();
-        let size: f64 = next.iter().map(|v| v * v).sum();
-        u = next;
-        iterations += 1;
-        if change <= 1e-22 * size {
-            break;
-        }
-    }
-    let displacement: Vec<[f64; 2]> =
-        (0u32..).take(mesh.nodes.len()).map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
-    let field = model.stress_field(mesh, stress_state, &displacement);
-    Loaded { displacement, field, iterations }
+    let model = Arc::new(DeformationPlasticity::new(material, out_of_plane(stress_state)));
+    Specimen::new(mesh, stress_state, model, held).load(force, max_iterations)
 }

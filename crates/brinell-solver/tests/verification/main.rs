@@ -4,6 +4,7 @@
 #![expect(clippy::float_cmp, reason = "what is set to zero is exactly zero")]
 
 mod approach;
+mod autofrettage;
 mod bodies;
 mod bodies_of_revolution;
 mod contact_solvers;
@@ -11,6 +12,7 @@ mod contact_solvers;
 mod contacts;
 mod error_bars;
 mod factor_cache;
+mod flow_references;
 mod flow_theory;
 mod indenters;
 mod independent_program;

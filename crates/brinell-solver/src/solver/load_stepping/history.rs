@@ -36,9 +36,13 @@ use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{CoarseFigures, IncrementRecord, Solution, StepSolution};
 use crate::solver::{Observer, SolveError, SolveStatus, couplings, final_check};
 
-/// Relative difference of the figures of two divisions that ends the search for increments. With the finer one the error is
-/// about a third of it.
-const INCREMENT_TOLERANCE: f64 = 4e-3;
+/// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
+/// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
+const PEAK_TOLERANCE: f64 = 4e-3;
+const APPROACH_TOLERANCE: f64 = 1.5e-3;
+/// Part of the difference before that a difference may be while it still falls like an error of first order, with room for
+/// scatter. Above it what is left is the discrete edge of the contact, which no increment makes smaller.
+const FALLING: f64 = 0.7;
 /// Finest level of division that is tried.
 const MAX_LEVEL: u32 = 5;
 /// How far beyond its last extent plastic flow is looked for.
@@ -138,6 +142,7 @@ fn choose_increments(
 ) -> Result<(Found, Division, Vec<Option<CoarseFigures>>), SolveError> {
     let mut division = request.increments.map_or(Division::Level(0), Division::Fixed);
     let mut last: Option<Found> = None;
+    let mut worst_before = f64::INFINITY;
     loop {
         let guide = last.as_ref().map(|last| &last.path);
         let run = MeshHistory { request, mesh: mesh.clone(), size, division, guide };
@@ -156,10 +161,12 @@ fn choose_increments(
                 Division::Fixed(_) => {
                     return Ok((before, Division::Fixed(request.increments.unwrap_or(1)), errors));
                 }
-                Division::Level(level) if worst <= INCREMENT_TOLERANCE || level >= MAX_LEVEL => {
+                Division::Level(level)
+                    if worst <= 1.0 || worst > FALLING * worst_before || level >= MAX_LEVEL =>
+                {
                     return Ok((now, division, errors));
                 }
-                Division::Level(_) => {}
+                Division::Level(_) => worst_before = worst,
             }
         }
         last = Some(now);
@@ -167,7 +174,7 @@ fn choose_increments(
     }
 }
 
-/// Relative differences of figures at the end of each load, and the worst of peak pressure and approach.
+/// Relative differences of figures at the end of each load, and the worst of peak pressure and approach over its tolerance.
 fn differences(
     before: &[Option<CoarseFigures>],
     now: &[Option<CoarseFigures>],
@@ -186,7 +193,7 @@ fn differences(
             approach: relative(before.approach, now.approach, approach),
             force: relative(before.force, now.force, largest(|f| f.force)),
         };
-        worst = worst.max(errors.peak_pressure).max(errors.approach);
+        worst = worst.max(errors.peak_pressure / PEAK_TOLERANCE).max(errors.approach / APPROACH_TOLERANCE);
         Some(errors)
     });
     (pairs.collect(), worst)
