@@ -155,8 +155,8 @@ impl<const N: usize> FlowPlasticity<N> {
             *s += elastic_part * d;
         }
         let part = (1.0 - elastic_part) / f64::from(self.substeps);
-        for _ in 0..self.substeps {
-            self.flow(step.map(|d| part * d), &mut now);
+        for k in 1..=self.substeps {
+            self.flow(step.map(|d| part * d), &mut now, k == self.substeps);
         }
         let end = deviator(strain);
         let [x, y, z, t] = now.stress.map(|s| s / double_shear);
@@ -169,14 +169,15 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One backward Euler step for an elastic change of the stress deviator.
+    /// One backward Euler step for an elastic change of the stress deviator, on the way or the last.
     #[inline]
-    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>) {
+    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>, is_last: bool) {
         let triple_shear = 3.0 * self.elastic.shear;
         let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
         if N == 0 {
             let q_trial = equivalent_stress(trial);
-            let q = self.mapping.stress(q_trial / triple_shear + now.accumulated);
+            let strain = q_trial / triple_shear + now.accumulated;
+            let q = if is_last { self.mapping.stress(strain) } else { self.mapping.nearby_stress(strain) };
             let dp = (q_trial - q) / triple_shear;
             if dp <= 0.0 {
                 now.stress = trial;
@@ -297,11 +298,11 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// σ_zz rises with ε_zz, by no less than K and no more than `K + 4/3 G`: so the zero is bracketed by two steps of these
-    /// slopes from the elastic answer. Regula falsi of Illinois ends in it.
+    /// σ_zz rises with ε_zz, by no less than K and no more than `K + 4/3 G`, which brackets the zero from any one point. The
+    /// secant of the last two ends in it.
     fn in_plane_stress(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         let ElasticModuli { bulk, shear } = self.elastic;
-        let lame = self.elastic.lame();
+        let (lame, stiffest) = (self.elastic.lame(), bulk + 4.0 / 3.0 * shear);
         let change = strain[0] - state.strain[0] + strain[1] - state.strain[1];
         let start = state.strain[2] - lame / (lame + 2.0 * shear) * change;
         let at = |zz: f64| {
@@ -309,36 +310,25 @@ impl<const N: usize> FlowPlasticity<N> {
             let stress = self.stress(&end)[2];
             (zz, stress, end)
         };
-        let first = at(start);
+        let mut now = at(start);
         let scale = 1e-14 * shear * (strain[0].abs() + strain[1].abs() + start.abs() + strain[3].abs());
-        if first.1.abs() <= scale {
-            return first.2;
-        }
-        let mut near = at(start - first.1 / (bulk + 4.0 / 3.0 * shear));
-        let mut far = at(start - 1.000_001 * first.1 / bulk);
-        let (mut at_near, mut at_far) = (near.1, far.1);
-        let mut last_side = 0;
+        let (mut low, mut high, mut slope) = (f64::NEG_INFINITY, f64::INFINITY, stiffest);
         for _ in 0..60 {
-            if near.1.abs() <= scale {
-                return near.2;
+            let (zz, stress, _) = now;
+            if stress.abs() <= scale {
+                break;
             }
-            if far.1.abs() <= scale {
-                return far.2;
-            }
-            let next = at((near.0 * at_far - far.0 * at_near) / (at_far - at_near));
-            if (next.1 > 0.0) == (near.1 > 0.0) {
-                at_near = next.1;
-                at_far *= if last_side == 1 { 0.5 } else { 1.0 };
-                near = next;
-                last_side = 1;
+            let farthest = zz - 1.000_001 * stress / bulk;
+            if stress > 0.0 {
+                (low, high) = (low.max(farthest), zz);
             } else {
-                at_far = next.1;
-                at_near *= if last_side == -1 { 0.5 } else { 1.0 };
-                far = next;
-                last_side = -1;
+                (low, high) = (zz, high.min(farthest));
             }
+            let secant = zz - stress / slope;
+            now = at(if secant > low && secant < high { secant } else { 0.5 * (low + high) });
+            slope = ((now.1 - stress) / (now.0 - zz)).clamp(bulk, stiffest);
         }
-        if near.1.abs() < far.1.abs() { near.2 } else { far.2 }
+        now.2
     }
 
     fn stress(&self, state: &FlowState<N>) -> [f64; 4] {

@@ -38,6 +38,13 @@ enum Form {
 #[derive(Debug, Clone, Copy)]
 struct Cubic([f64; 4]);
 
+impl Cubic {
+    fn at(self, t: f64) -> f64 {
+        let [c0, c1, c2, c3] = self.0;
+        c0 + t * (c1 + t * (c2 + t * c3))
+    }
+}
+
 /// Pieces of the curve for each doubling of `ε - σ_y/(3G)`, as a power of two.
 const PIECES_LOG2: u32 = 4;
 /// Binary exponents of the smallest and largest of these strains; beyond them the equation is solved from scratch.
@@ -100,12 +107,24 @@ impl ReturnMapping {
         }
     }
 
+    /// As [`Self::stress`], right to about 1e-8: for steps on the way, whose errors do not add up, because what one of them
+    /// leaves of `q + 3G ε_p` the next one finds.
+    #[inline]
+    pub fn nearby_stress(&self, strain: f64) -> f64 {
+        if let Form::Curve(pieces) = &self.form
+            && let Some(pieces) = pieces.get()
+            && let Some((piece, t)) = find(pieces, strain - self.yield_stress / self.triple_shear)
+        {
+            return piece.at(t).min(self.triple_shear * strain);
+        }
+        self.stress(strain)
+    }
+
     #[inline(never)]
     fn on_curve(&self, pieces: &[Cubic], strain: f64) -> f64 {
         let beyond = strain - self.yield_stress / self.triple_shear;
         let Some((piece, t)) = find(pieces, beyond) else { return self.solve(strain, None) };
-        let [c0, c1, c2, c3] = piece.0;
-        self.solve(strain, Some(c0 + t * (c1 + t * (c2 + t * c3))))
+        self.solve(strain, Some(piece.at(t)))
     }
 
     /// Newton's method from a stress nearby, if one is known.

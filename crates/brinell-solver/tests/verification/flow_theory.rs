@@ -325,7 +325,7 @@ fn a_history_ends_where_a_body_collapses() {
     let loads = [0.5 * force, 0.0, 1.3 * force, 0.0].map(|force| serde_json::json!({"force": force}));
     job["load"] = serde_json::json!({"history": loads});
     job["upper"]["shape"] = serde_json::json!({"type": "punch", "width": 2.0, "depth": 5.0});
-    job["solver"] = serde_json::json!({"theory": "flow"});
+    job["solver"] = serde_json::json!({"theory": "flow", "increments": 8});
     job["mesh"] = serde_json::json!({"elements_per_half_width": 8});
     let report = report(&Job::from_json(job.to_string().as_bytes()).unwrap());
     let status: Vec<_> = report.steps.iter().map(|step| step.status).collect();
