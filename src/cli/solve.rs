@@ -30,7 +30,7 @@ pub(super) struct SolveArgs {
     #[arg(long, value_enum)]
     format: Option<ResultFormat>,
 
-    /// Which step of a sweep vtu, svg and depth-svg show, counted from 1 [default: the last]
+    /// Which step of a sweep vtu, svg, depth-svg and surface-svg show, counted from 1 [default: the last]
     #[arg(long, value_name = "N")]
     step: Option<NonZeroUsize>,
 
@@ -61,12 +61,20 @@ enum ResultFormat {
     Csv,
     /// Stresses over depth of all steps
     SubsurfaceCsv,
+    /// Every increment of a history
+    IncrementsCsv,
+    /// Surfaces of all steps, the dent among them
+    SurfaceCsv,
     /// Mesh, displacements and stresses, for ParaView
     Vtu,
     /// Contact pressure, drawn
     Svg,
     /// Stresses over depth, drawn
     DepthSvg,
+    /// Force over approach, drawn
+    LoadApproachSvg,
+    /// Surfaces: the dent and its pile-up, drawn
+    SurfaceSvg,
 }
 
 impl ResultFormat {
@@ -76,9 +84,13 @@ impl ResultFormat {
             Self::Json | Self::Table => None,
             Self::Csv => Some(Export::PressureCsv),
             Self::SubsurfaceCsv => Some(Export::SubsurfaceCsv),
+            Self::IncrementsCsv => Some(Export::IncrementsCsv),
+            Self::SurfaceCsv => Some(Export::SurfaceCsv),
             Self::Vtu => Some(Export::FieldVtu),
             Self::Svg => Some(Export::PressureSvg),
             Self::DepthSvg => Some(Export::DepthSvg),
+            Self::LoadApproachSvg => Some(Export::LoadApproachSvg),
+            Self::SurfaceSvg => Some(Export::SurfaceSvg),
         }
     }
 }

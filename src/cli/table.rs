@@ -9,7 +9,9 @@ use std::fmt::Write;
 
 use super::style::Style;
 use brinell_solver::job::{Analysis, Job, Quantity};
-use brinell_solver::report::{HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings};
+use brinell_solver::report::{
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings,
+};
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
 
@@ -99,6 +101,9 @@ impl Page {
         self.line("");
         self.plastic_zone("upper", step.plasticity.upper.as_ref());
         self.plastic_zone("lower", step.plasticity.lower.as_ref());
+        if let Some(flow) = &step.flow {
+            self.flow(flow);
+        }
         for note in &step.validity {
             let label = style.yellow("note ");
             let text = wrapped("note   ", &words(&note.message), " ");
@@ -170,6 +175,36 @@ impl Page {
             ),
         };
         self.line(&format!("{name}  {text}"));
+    }
+
+    /// What flow theory knows: the dents, the work, and how the contact unloads.
+    fn flow(&mut self, flow: &FlowReport) {
+        let units = self.units;
+        let surfaces = &flow.surfaces;
+        for (name, surface) in [("upper", &surfaces.upper), ("lower", &surfaces.lower)] {
+            let Some(surface) = surface else { continue };
+            let reverse = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
+            self.line(&format!(
+                "{name}  surface {} {} deep, pile-up {} at |x| {}{reverse}",
+                significant(surface.depth, 4),
+                units.length,
+                significant(surface.pile_up, 3),
+                significant(surface.pile_up_position, 3),
+            ));
+        }
+        let energy = &flow.energy;
+        let work = format!("{} {}", units.force, units.length);
+        self.line(&format!(
+            "work   {} {work}: elastic {}, dissipated {}, stored by backstress {}",
+            significant(energy.work, 4),
+            significant(energy.elastic, 3),
+            significant(energy.dissipated, 3),
+            significant(energy.stored, 3),
+        ));
+        if flow.unloading_stiffness > 0.0 {
+            let stiffness = significant(flow.unloading_stiffness, 4);
+            self.line(&format!("unloading stiffness {stiffness} {}/{}", units.force, units.length));
+        }
     }
 
     fn line(&mut self, text: &str) {

@@ -29,7 +29,7 @@ pub(super) async fn export(
 /// A file as it is sent, with a name to keep it under.
 pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
     // Figures are looked at, the rest is for other programs.
-    let is_figure = matches!(form, Export::PressureSvg | Export::DepthSvg);
+    let is_figure = form.media_type().starts_with("image/");
     let disposition = if is_figure { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
     let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
@@ -39,7 +39,9 @@ pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
 fn unavailable(error: &ExportError) -> Problem {
     let kind = match error {
         ExportError::NoStep(_) => ProblemType::StepNotFound,
-        ExportError::NoSubsurface | ExportError::NoFields => ProblemType::NotInResult,
+        ExportError::NoSubsurface | ExportError::NoFields | ExportError::NoFlow | ExportError::NoCurve => {
+            ProblemType::NotInResult
+        }
         ExportError::Drawing(_) => ProblemType::Internal,
     };
     Problem::new(kind, error.to_string())

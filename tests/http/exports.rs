@@ -38,6 +38,31 @@ fn every_form_of_a_result_is_served_under_its_name() {
 }
 
 #[test]
+fn a_history_is_served_as_tables_and_figures() {
+    let server = Server::start();
+    let mut asked = example();
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    asked["load"] = json!({"history": [{"force": 700.0}, {"force": 0.0}]});
+    asked["solver"] = json!({"theory": "flow"});
+    let job = server.target.submit(&asked);
+    server.target.wait_for(&job, &["succeeded"]);
+    for (file, beginning) in [
+        ("increments.csv", "step,increment,force [N/mm],"),
+        ("surface.csv", "step,body,x [mm],height [mm]"),
+        ("surface.svg", "<svg "),
+        ("load_approach.svg", "<svg "),
+    ] {
+        let answer = server.target.get(&format!("{job}/{file}"));
+        assert_eq!(answer.status, 200, "{file}");
+        assert!(String::from_utf8(answer.body).unwrap().starts_with(beginning), "{file}");
+    }
+    let other = solved(&server.target, &json!({"force": 600.0}), &json!({}));
+    for file in ["increments.csv", "surface.csv", "surface.svg", "load_approach.svg"] {
+        server.target.get(&format!("{other}/{file}")).problem(409, "not-in-result");
+    }
+}
+
+#[test]
 fn a_step_of_a_sweep_is_chosen() {
     let server = Server::start();
     let job = solved(&server.target, &json!({"forces": [200.0, 600.0]}), &json!({}));

@@ -10,28 +10,36 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields'][]} */
+/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'flow'][]} */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
   ['Job, JSON', 'request', 'job.json', 'nothing'],
   ['Pressure, CSV', 'pressure.csv', 'pressure.csv', 'nothing'],
   ['Depth profiles, CSV', 'subsurface.csv', 'subsurface.csv', 'subsurface'],
+  ['Increments, CSV', 'increments.csv', 'increments.csv', 'flow'],
+  ['Surfaces, CSV', 'surface.csv', 'surface.csv', 'flow'],
   ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
   ['Pressure, SVG', 'pressure.svg', 'pressure.svg', 'nothing'],
   ['Depth profiles, SVG', 'depth.svg', 'depth.svg', 'subsurface'],
+  ['Force over approach, SVG', 'load_approach.svg', 'load_approach.svg', 'flow'],
+  ['Surfaces, SVG', 'surface.svg', 'surface.svg', 'flow'],
 ];
 
 /** Files of one step: those of a sweep are of the step that is shown. */
-const OF_STEP = /\.(svg|vtu)$/;
+const OF_STEP = /^(?!load_approach).*\.(svg|vtu)$/;
 
 /** @param {string} id @param {import('../types.js').Report} report @param {boolean} fields whether the job asked for them @param {() => number} shown step, counted from 0 */
 export function downloads(id, report, fields, shown) {
   const step = report.steps[0];
   const items = FILES.map(([name, path, file, needs]) => {
-    const there = needs === 'nothing' || (needs === 'fields' ? fields : step?.subsurface !== undefined);
-    const title = there
-      ? ''
-      : `The job did not ask for ${needs === 'fields' ? 'the stress field' : 'stresses over depth'}`;
+    const there = {
+      nothing: true,
+      fields,
+      subsurface: step?.subsurface !== undefined,
+      flow: step?.flow !== undefined,
+    }[needs];
+    const missing = { nothing: '', fields: 'the stress field', subsurface: 'stresses over depth', flow: 'flow theory' };
+    const title = there ? '' : `The job did not ask for ${missing[needs]}`;
     return h(
       'li',
       {},

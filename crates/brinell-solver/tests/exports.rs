@@ -247,3 +247,41 @@ fn tables_hold_every_step() {
     assert_eq!(last, Export::PressureSvg.write(&job, &report, Some(1)).unwrap());
     assert_ne!(last, Export::PressureSvg.write(&job, &report, Some(0)).unwrap());
 }
+
+/// Line by line what the report has: every increment, every node of the surfaces.
+#[test]
+fn a_history_is_written_as_tables_and_figures() {
+    let mut asked = paper();
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    asked["load"] = json!({"history": [{"force": 700}, {"force": 0}]});
+    asked["solver"] = json!({"theory": "flow"});
+    let (job, report) = solve(&asked);
+    let written = |form: Export| form.write(&job, &report, None).unwrap();
+    let flow = report.steps[0].flow.as_ref().unwrap();
+    let increments = written(Export::IncrementsCsv);
+    let rows: Vec<&str> = increments.lines().skip(1).collect();
+    assert_eq!(rows.len(), flow.increments.force.len() + 1);
+    assert!(rows[rows.len() - 1].starts_with("2,1,0,"), "{}", rows[rows.len() - 1]);
+    let surfaces = written(Export::SurfaceCsv);
+    let dent = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap();
+    let last = format!("2,lower,{},{}", dent.x[dent.x.len() - 1], dent.height[dent.height.len() - 1]);
+    assert_eq!(surfaces.lines().last(), Some(last.as_str()));
+    for (form, texts) in [
+        (Export::LoadApproachSvg, ["approach [mm]", "force [N/mm]"]),
+        (Export::SurfaceSvg, ["Residual profile", "height over the undeformed surface [mm]"]),
+        (Export::DepthSvg, ["Residual stresses", "plastic"]),
+    ] {
+        let figure = written(form);
+        assert!(texts.iter().all(|text| figure.contains(text)), "{form:?}");
+    }
+    let vtu = Grid::of(&{
+        asked["output"] = json!({"fields": true});
+        asked
+    });
+    let largest = vtu.0.stress.iter().map(|stress| stress[0].abs()).fold(0.0, f64::max);
+    assert!(largest > 20.0, "stresses are left: {largest}");
+    let (job, report) = solve(&paper());
+    assert_eq!(Export::IncrementsCsv.write(&job, &report, None), Err(ExportError::NoFlow));
+    assert_eq!(Export::SurfaceSvg.write(&job, &report, None), Err(ExportError::NoFlow));
+    assert_eq!(Export::LoadApproachSvg.write(&job, &report, None), Err(ExportError::NoCurve));
+}

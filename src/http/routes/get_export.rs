@@ -1,4 +1,4 @@
-//! `GET /v1/jobs/{id}/summary.csv`, `pressure.csv`, `subsurface.csv`, `field.vtu`, `pressure.svg`, `depth.svg`: the result in the
+//! `GET /v1/jobs/{id}/summary.csv`, `pressure.csv`, `subsurface.csv`, `increments.csv`, …: the result in the
 //! forms that other programs read.
 //!
 //! The tables hold every step of a sweep and name it in a column. The others show one step, the last one
@@ -36,9 +36,17 @@ fn operation(form: Export) -> Operation {
         Export::SummaryCsv => ("One row of figures for each step, as a table", None),
         Export::PressureCsv => ("Contact pressure of all steps, as a table", None),
         Export::SubsurfaceCsv => ("Stresses over depth of all steps, as a table", Some("not-in-result")),
+        Export::IncrementsCsv => ("Every increment of a history, as a table", Some("not-in-result")),
+        Export::SurfaceCsv => {
+            ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))
+        }
         Export::FieldVtu => ("Mesh and fields of both bodies, for ParaView", Some("not-in-result")),
         Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),
         Export::DepthSvg => ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result")),
+        Export::LoadApproachSvg => ("Force over approach of all increments, drawn", Some("not-in-result")),
+        Export::SurfaceSvg => {
+            ("Surfaces of both bodies: the dent and its pile-up, drawn", Some("not-in-result"))
+        }
     };
     let problems = ["invalid-query", "job-unfinished", "no-result"]
         .into_iter()

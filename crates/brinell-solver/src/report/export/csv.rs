@@ -83,6 +83,53 @@ pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
     Ok(text)
 }
 
+/// `step, increment, force, approach, peak_pressure, half_width, iterations` of every increment.
+///
+/// # Errors
+/// [`ExportError::NoFlow`] of deformation theory.
+pub fn increments_csv(report: &Report) -> Result<String, ExportError> {
+    if report.steps.iter().all(|step| step.flow.is_none()) {
+        return Err(ExportError::NoFlow);
+    }
+    let units = units(report);
+    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
+    let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
+    let mut text = format!(
+        "step,increment,force [{}],approach [{length}],peak_pressure [{stress}],half_width [{length}],iterations\n",
+        force.symbol(units)
+    );
+    for (k, step) in report.steps.iter().enumerate() {
+        let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { continue };
+        let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
+        let columns = columns.zip(&ends.half_width).zip(&ends.iterations);
+        for (n, ((((force, approach), peak), half_width), iterations)) in columns.enumerate() {
+            let _ = writeln!(text, "{},{},{force},{approach},{peak},{half_width},{iterations}", k + 1, n + 1);
+        }
+    }
+    Ok(text)
+}
+
+/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the dent and its pile-up.
+///
+/// # Errors
+/// [`ExportError::NoFlow`] of deformation theory.
+pub fn surface_csv(report: &Report) -> Result<String, ExportError> {
+    if report.steps.iter().all(|step| step.flow.is_none()) {
+        return Err(ExportError::NoFlow);
+    }
+    let length = Quantity::Length.symbol(units(report));
+    let mut text = format!("step,body,x [{length}],height [{length}]\n");
+    for (k, step) in report.steps.iter().enumerate() {
+        let Some(flow) = &step.flow else { continue };
+        for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
+            for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height)) {
+                let _ = writeln!(text, "{},{name},{x},{height}", k + 1);
+            }
+        }
+    }
+    Ok(text)
+}
+
 fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport) {
     for (k, depth) in body.depth.iter().enumerate() {
         let columns = [

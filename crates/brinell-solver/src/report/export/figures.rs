@@ -97,7 +97,8 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     let margin = 0.06 * (highest - lowest).max(f64::MIN_POSITIVE);
     let (length, stress) = (Quantity::Length.symbol(job.units), Quantity::Stress.symbol(job.units));
     Chart {
-        title: "Stresses below the contact".to_owned(),
+        title: if step.contact.force > 0.0 { "Stresses below the contact" } else { "Residual stresses" }
+            .to_owned(),
         x_label: format!("depth [{length}]"),
         y_label: format!("stress, tension positive [{stress}]"),
         x_range: (0.0, reach),
@@ -109,10 +110,81 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     .svg()
 }
 
-/// Four half-widths, or what there is.
+/// Four half-widths or, where nothing touches, half as deep again as the plastic zone; at most what there is.
 fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     let deepest = profile.depth.last().copied().unwrap_or(1.0);
-    if step.contact.half_width > 0.0 { deepest.min(4.0 * step.contact.half_width) } else { deepest }
+    let half_width = step.contact.half_width;
+    let wanted = if half_width > 0.0 {
+        Some(4.0 * half_width)
+    } else {
+        plastic_band(profile).map(|band| 1.5 * band.1)
+    };
+    wanted.filter(|wanted| *wanted > 0.0).map_or(deepest, |wanted| deepest.min(wanted))
+}
+
+/// Force over approach of all increments or loads in their order: a loop where the load comes back.
+///
+/// # Errors
+/// [`ExportError::NoCurve`] of fewer than two converged loads.
+pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportError> {
+    let curve = report.load_approach.as_ref().ok_or(ExportError::NoCurve)?;
+    let points: Vec<(f64, f64)> = curve.approach.iter().copied().zip(curve.force.iter().copied()).collect();
+    let (x_range, y_range) = (range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)));
+    let force = job.analysis.force().symbol(job.units);
+    Chart {
+        title: "Force over approach".to_owned(),
+        x_label: format!("approach [{}]", Quantity::Length.symbol(job.units)),
+        y_label: format!("force [{force}]"),
+        x_range,
+        y_range,
+        curves: vec![Curve { name: "this contact".to_owned(), points, colour: BLUE, stroke: Stroke::Solid }],
+        legend_below: true,
+        band: None,
+    }
+    .svg()
+}
+
+/// The surface of each body over x, outward from the undeformed one; steps are counted from 0. Without force it is the dent
+/// and the pile-up beside it.
+///
+/// # Errors
+/// [`ExportError::NoStep`]; [`ExportError::NoFlow`] of deformation theory.
+pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, ExportError> {
+    let step = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    let surfaces = &step.flow.as_ref().ok_or(ExportError::NoFlow)?.surfaces;
+    let curves: Vec<Curve> =
+        [("upper body", &surfaces.upper, VERMILION), ("lower body", &surfaces.lower, BLUE)]
+            .into_iter()
+            .filter_map(|(name, surface, colour)| {
+                let surface = surface.as_ref()?;
+                let points = surface.x.iter().copied().zip(surface.height.iter().copied()).collect();
+                // Equal bodies have equal surfaces: the second is drawn over the first.
+                let stroke = if name == "lower body" { Stroke::Dashed } else { Stroke::Solid };
+                Some(Curve { name: name.to_owned(), points, colour, stroke })
+            })
+            .collect();
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let (x_range, y_range) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
+    let length = Quantity::Length.symbol(job.units);
+    let is_dent = step.contact.force == 0.0;
+    Chart {
+        title: if is_dent { "Residual profile" } else { "Surfaces under load" }.to_owned(),
+        x_label: format!("x [{length}]"),
+        y_label: format!("height over the undeformed surface [{length}]"),
+        x_range,
+        y_range,
+        curves,
+        legend_below: true,
+        band: None,
+    }
+    .svg()
+}
+
+/// From the least to the largest of values and zero, with a margin.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = values.fold((0.0, 0.0), |(low, high), v| (f64::min(low, v), f64::max(high, v)));
+    let margin = 0.06 * (high - low);
+    if margin > 0.0 { (low - margin, high + margin) } else { (-1.0, 1.0) }
 }
 
 /// First and last depth with plastic strain.

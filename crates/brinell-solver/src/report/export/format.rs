@@ -2,7 +2,10 @@
 
 use thiserror::Error;
 
-use super::{depth_svg, field_vtu, pressure_csv, pressure_svg, subsurface_csv, summary_csv};
+use super::{
+    depth_svg, field_vtu, increments_csv, load_approach_svg, pressure_csv, pressure_svg, subsurface_csv,
+    summary_csv, surface_csv, surface_svg,
+};
 use crate::job::Job;
 use crate::report::Report;
 
@@ -18,6 +21,14 @@ pub enum ExportError {
     /// Fields were not asked for.
     #[error("the result has no mesh fields; solve the job with \"output\": {{\"fields\": true}}")]
     NoFields,
+    /// Deformation theory has no increments and follows no surface.
+    #[error(
+        "the result has no increments and no surfaces; solve the job with \"solver\": {{\"theory\": \"flow\"}}"
+    )]
+    NoFlow,
+    /// One converged load makes no curve.
+    #[error("the result has no curve of force over approach; it takes two different loads that converge")]
+    NoCurve,
     /// The drawing library failed.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
@@ -32,23 +43,35 @@ pub enum Export {
     PressureCsv,
     /// Stresses over depth of all steps.
     SubsurfaceCsv,
+    /// Every increment of a history: force, approach, pressure.
+    IncrementsCsv,
+    /// The surfaces of all steps: the dent and the pile-up beside it.
+    SurfaceCsv,
     /// Fields of both bodies.
     FieldVtu,
     /// Contact pressure with Hertz beside it.
     PressureSvg,
     /// Stresses over depth with McEwen beside them.
     DepthSvg,
+    /// Force over approach, a loop where the load comes back.
+    LoadApproachSvg,
+    /// The surfaces: the dent and the pile-up beside it.
+    SurfaceSvg,
 }
 
 impl Export {
     /// Every form.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 10] = [
         Self::SummaryCsv,
         Self::PressureCsv,
         Self::SubsurfaceCsv,
+        Self::IncrementsCsv,
+        Self::SurfaceCsv,
         Self::FieldVtu,
         Self::PressureSvg,
         Self::DepthSvg,
+        Self::LoadApproachSvg,
+        Self::SurfaceSvg,
     ];
 
     /// What a file of it is called.
@@ -57,26 +80,32 @@ impl Export {
             Self::SummaryCsv => "summary.csv",
             Self::PressureCsv => "pressure.csv",
             Self::SubsurfaceCsv => "subsurface.csv",
+            Self::IncrementsCsv => "increments.csv",
+            Self::SurfaceCsv => "surface.csv",
             Self::FieldVtu => "field.vtu",
             Self::PressureSvg => "pressure.svg",
             Self::DepthSvg => "depth.svg",
+            Self::LoadApproachSvg => "load_approach.svg",
+            Self::SurfaceSvg => "surface.svg",
         }
     }
 
     /// Its media type.
     pub const fn media_type(self) -> &'static str {
         match self {
-            Self::SummaryCsv | Self::PressureCsv | Self::SubsurfaceCsv => {
-                "text/csv; charset=utf-8; header=present"
-            }
+            Self::SummaryCsv
+            | Self::PressureCsv
+            | Self::SubsurfaceCsv
+            | Self::IncrementsCsv
+            | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
             Self::FieldVtu => "application/xml",
-            Self::PressureSvg | Self::DepthSvg => "image/svg+xml",
+            Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => "image/svg+xml",
         }
     }
 
     /// Whether it shows one step; the others have a column for it.
     pub const fn shows_one_step(self) -> bool {
-        !matches!(self, Self::SummaryCsv | Self::PressureCsv | Self::SubsurfaceCsv)
+        matches!(self, Self::FieldVtu | Self::PressureSvg | Self::DepthSvg | Self::SurfaceSvg)
     }
 
     /// Has a job's output contain what this form shows.
@@ -84,7 +113,13 @@ impl Export {
         match self {
             Self::FieldVtu => job.output.fields = true,
             Self::SubsurfaceCsv | Self::DepthSvg => job.output.subsurface = true,
-            Self::SummaryCsv | Self::PressureCsv | Self::PressureSvg => {}
+            Self::SummaryCsv
+            | Self::PressureCsv
+            | Self::IncrementsCsv
+            | Self::SurfaceCsv
+            | Self::PressureSvg
+            | Self::LoadApproachSvg
+            | Self::SurfaceSvg => {}
         }
     }
 
@@ -98,9 +133,13 @@ impl Export {
             Self::SummaryCsv => Ok(summary_csv(report)),
             Self::PressureCsv => Ok(pressure_csv(report)),
             Self::SubsurfaceCsv => subsurface_csv(report),
+            Self::IncrementsCsv => increments_csv(report),
+            Self::SurfaceCsv => surface_csv(report),
             Self::FieldVtu => field_vtu(report, step),
             Self::PressureSvg => pressure_svg(job, report, step),
             Self::DepthSvg => depth_svg(job, report, step),
+            Self::LoadApproachSvg => load_approach_svg(job, report),
+            Self::SurfaceSvg => surface_svg(job, report, step),
         }
     }
 }

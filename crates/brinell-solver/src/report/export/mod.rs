@@ -7,7 +7,7 @@ mod format;
 mod section;
 mod vtu;
 
-pub use csv::{pressure_csv, subsurface_csv, summary_csv};
-pub use figures::{depth_svg, pressure_svg};
+pub use csv::{increments_csv, pressure_csv, subsurface_csv, summary_csv, surface_csv};
+pub use figures::{depth_svg, load_approach_svg, pressure_svg, surface_svg};
 pub use format::{Export, ExportError};
 pub use vtu::field_vtu;
