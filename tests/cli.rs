@@ -82,6 +82,7 @@ fn solve_writes_every_format() {
         ("vtu", "<?xml version=\"1.0\"?>"),
         ("svg", "<svg "),
         ("depth-svg", "<svg "),
+        ("load-approach-svg", "<svg "),
     ] {
         let output = brinell(&["solve", "-", "--format", format], &sweep.to_string());
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));

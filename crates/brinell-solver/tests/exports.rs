@@ -224,7 +224,18 @@ fn what_the_result_lacks_is_named() {
     };
     assert_eq!(
         Export::ALL.map(needed),
-        [(false, false), (false, false), (false, true), (true, false), (false, false), (false, true)]
+        [
+            (false, false),
+            (false, false),
+            (false, true),
+            (false, false),
+            (false, false),
+            (true, false),
+            (false, false),
+            (false, true),
+            (false, false),
+            (false, false)
+        ]
     );
 }
 
