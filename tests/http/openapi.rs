@@ -111,9 +111,7 @@ fn answers_are_as_documented() {
     assert_eq!(service.get(id, &path).json()["status"], "succeeded");
     assert_eq!(service.get(id, &format!("{path}?wait=soon")).status, 400);
     assert_eq!(service.get(&format!("{id}/result"), &format!("{path}/result")).status, 200);
-    for form in
-        ["summary.csv", "pressure.csv", "subsurface.csv", "pressure.svg", "depth.svg", "load_approach.svg"]
-    {
+    for form in ["summary.csv", "pressure.csv", "subsurface.csv", "pressure.svg", "depth.svg"] {
         assert_eq!(service.get(&format!("{id}/{form}"), &format!("{path}/{form}")).status, 200);
     }
     for form in ["field.vtu", "surface.svg", "load_approach.svg"] {
