@@ -26,6 +26,9 @@ use crate::worker::{STOP_TIMEOUT, Worker};
 /// Time for clients to take their last answers, once all jobs are done.
 const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
 
+/// Most connections to the port of the metrics.
+const METRICS_CONNECTIONS: usize = 100;
+
 /// Time between two sweeps.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(30);
 
@@ -133,7 +136,8 @@ impl Service {
     pub async fn run(self, stop: CancellationToken) -> Result<(), AppError> {
         let close = self.state.closing.clone();
         let (router, timeouts) = (router(self.state.clone()), self.state.settings.timeouts);
-        let mut server = tokio::spawn(serve(self.listener, router, timeouts, close.clone()));
+        let most = self.state.settings.connections;
+        let mut server = tokio::spawn(serve(self.listener, router, timeouts, most, close.clone()));
         stop.cancelled().await;
         self.state.jobs.close();
         if let Some(worker) = self.worker {
@@ -194,7 +198,7 @@ async fn start_metrics(
         let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
         tracing::info!(address = %listener.local_addr()?, "metrics");
         let (router, timeouts) = (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
-        background.spawn(serve(listener, router, timeouts, CancellationToken::new()));
+        background.spawn(serve(listener, router, timeouts, METRICS_CONNECTIONS, CancellationToken::new()));
     }
     Ok(metrics)
 }

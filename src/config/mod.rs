@@ -14,7 +14,7 @@ use clap::Args;
 
 use crate::http::{Capacity, ConnectionTimeouts, HttpSettings};
 use crate::jobs::SubmissionLimits;
-use parse::{origin, rate, seconds};
+use parse::{connections, origin, rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
 
@@ -52,6 +52,10 @@ pub struct ServeConfig {
     /// Longest time a client may take nothing of its answer
     #[arg(long, env = "BRINELL_WRITE_TIMEOUT", value_name = "SECONDS", default_value = "30", value_parser = seconds)]
     pub write_timeout: Duration,
+
+    /// Most connections at a time; further clients wait
+    #[arg(long, env = "BRINELL_MAX_CONNECTIONS", value_name = "N", default_value = "4000", value_parser = connections)]
+    pub max_connections: usize,
 
     /// Most event streams open at a time
     #[arg(long, env = "BRINELL_MAX_EVENT_STREAMS", value_name = "N", default_value = "1000")]
@@ -105,6 +109,7 @@ impl Default for ServeConfig {
             header_timeout: Duration::from_secs(30),
             body_timeout: Duration::from_secs(30),
             write_timeout: Duration::from_secs(30),
+            max_connections: 4000,
             max_event_streams: 1000,
             max_job_memory: 4096,
             max_result: 4096,
@@ -141,6 +146,7 @@ impl ServeConfig {
             max_body_bytes: self.max_body,
             body_timeout: self.body_timeout,
             timeouts: ConnectionTimeouts { head: self.header_timeout, write: self.write_timeout },
+            connections: self.max_connections,
             event_streams: self.max_event_streams,
             solve_limit: self.solve_limit,
             jobs_per_second: self.rate_limit,

@@ -14,6 +14,12 @@ pub(super) fn hours(text: &str) -> Result<Duration, String> {
     time(text, 3600.0, "hours")
 }
 
+/// Reads a number of connections, at least one.
+pub(super) fn connections(text: &str) -> Result<usize, String> {
+    let value: Option<usize> = text.parse().ok();
+    value.filter(|value| *value > 0).ok_or_else(|| "must be a whole number greater than 0".to_owned())
+}
+
 /// Reads a positive rate.
 pub(super) fn rate(text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.parse().ok();

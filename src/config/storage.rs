@@ -82,6 +82,10 @@ pub struct StorageConfig {
     #[arg(long, env = "BRINELL_KEEP_FAILURES", value_name = "HOURS", default_value = "72", value_parser = hours)]
     pub keep_failures: Duration,
 
+    /// Room for results above which the jobs that finished first are removed before their time [default: no bound]
+    #[arg(long, env = "BRINELL_KEEP_STORED", value_name = "MIB")]
+    pub keep_stored: Option<u32>,
+
     /// Room on the disk of --data-dir below which no job is accepted
     #[arg(long, env = "BRINELL_MIN_FREE_DISK", value_name = "MIB", default_value = "256")]
     pub min_free_disk: u32,
@@ -103,6 +107,7 @@ impl Default for StorageConfig {
             max_priority_per_key: None,
             keep_results: Duration::from_hours(168),
             keep_failures: Duration::from_hours(72),
+            keep_stored: None,
             min_free_disk: 256,
             keep_memory: 256,
         }
@@ -126,8 +131,12 @@ impl StorageConfig {
     }
 
     /// How long finished jobs are kept.
-    pub const fn retention(&self) -> Retention {
-        Retention { succeeded: self.keep_results, failed: self.keep_failures }
+    pub fn retention(&self) -> Retention {
+        Retention {
+            succeeded: self.keep_results,
+            failed: self.keep_failures,
+            stored_bytes: self.keep_stored.map(|mebibytes| u64::from(mebibytes) << 20),
+        }
     }
 
     /// Bounds of the store.

@@ -9,9 +9,9 @@ use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_TYPE, EXPECT}
 use http_body_util::BodyExt;
 use tokio::time::timeout;
 
+use super::HttpState;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use super::{HttpSettings, HttpState};
 
 /// How long, and how much of, a refused body is read and thrown away, so that a client still sending sees the
 /// answer instead of a broken connection.
@@ -31,7 +31,7 @@ impl FromRequest<HttpState> for JobBody {
             check_content_type(&parts.headers)?;
             check_not_compressed(&parts.headers)?;
             check_declared_length(&parts.headers, state.settings.max_body_bytes)?;
-            read(&mut body, &state.settings).await
+            read(&mut body, state).await
         };
         match read.await {
             Ok(text) => Ok(Self(text)),
@@ -71,10 +71,13 @@ fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Proble
     if declared.is_some_and(|length| length > limit as u64) { Err(too_large(limit)) } else { Ok(()) }
 }
 
-async fn read(body: &mut Body, settings: &HttpSettings) -> Result<Bytes, Problem> {
+/// Reads a body. What has arrived counts towards the bytes that all unfinished bodies may take.
+async fn read(body: &mut Body, state: &HttpState) -> Result<Bytes, Problem> {
+    let settings = &state.settings;
     let limit = settings.max_body_bytes;
     let read = async {
         let mut text = Vec::new();
+        let mut room = Vec::new();
         while let Some(frame) = body.frame().await {
             let broken = |error| {
                 Problem::new(ProblemType::InvalidJson, format!("the body could not be read: {error}"))
@@ -83,6 +86,14 @@ async fn read(body: &mut Body, settings: &HttpSettings) -> Result<Bytes, Problem
             if text.len() + data.len() > limit {
                 return Err(too_large(limit));
             }
+            let more = u32::try_from(data.len()).unwrap_or(u32::MAX);
+            let more = state.bodies.try_acquire_many(more).map_err(|_| {
+                Problem::new(
+                    ProblemType::TooManyBodies,
+                    "too much of other bodies is arriving at this moment",
+                )
+            })?;
+            room.push(more);
             text.extend_from_slice(&data);
         }
         Ok(Bytes::from(text))

@@ -12,6 +12,7 @@ use axum::middleware::Next;
 use axum::response::Response;
 
 use super::HttpState;
+use super::listen::HEAD_BYTES;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 
@@ -65,12 +66,16 @@ pub(super) async fn drop_unusable_request_id(mut request: Request, next: Next) -
     next.run(request).await
 }
 
-/// Refuses requests that do not say, or say wrongly, which host they are for.
+/// Refuses requests with heads that are too large, and those that do not say, or say wrongly, which host they are for.
 pub(super) async fn check_host(
     State(state): State<HttpState>,
     request: Request,
     next: Next,
 ) -> Result<Response, Problem> {
+    if head_bytes(&request) > HEAD_BYTES {
+        let detail = format!("the head of a request may have {HEAD_BYTES} bytes at most");
+        return Err(Problem::new(ProblemType::HeadTooLarge, detail));
+    }
     let mut hosts = request.headers().get_all(HOST).iter();
     let (Some(host), None) = (hosts.next(), hosts.next()) else {
         return Err(Problem::new(ProblemType::InvalidHeader, "Host must come once"));
@@ -80,6 +85,12 @@ pub(super) async fn check_host(
         return Err(Problem::new(ProblemType::UnknownHost, detail));
     }
     Ok(next.run(request).await)
+}
+
+/// Bytes of a head on the wire, about: its address and its lines.
+fn head_bytes(request: &Request) -> usize {
+    let address = request.uri().path_and_query().map_or(0, |path| path.as_str().len());
+    request.headers().iter().fold(address, |sum, (name, value)| sum + name.as_str().len() + value.len() + 4)
 }
 
 /// Adds the headers that every answer has, unless it has its own.

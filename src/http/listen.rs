@@ -1,5 +1,6 @@
 //! Takes connections: HTTP/1.1, with bounds on heads and on the patience with slow clients.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
@@ -8,12 +9,14 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::server::graceful::GracefulShutdown;
 use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::sleep;
 use tokio_io_timeout::TimeoutStream;
 use tokio_util::sync::CancellationToken;
 
-/// Most bytes of a head: a longer one is answered by 431.
-const HEAD_BYTES: usize = 64 << 10;
+/// Most bytes of a head: a longer one is answered by 431, here where it does not fit into the buffer, which may take
+/// somewhat more, or else with a problem.
+pub(super) const HEAD_BYTES: usize = 64 << 10;
 
 /// Most headers in it.
 const HEADERS: usize = 100;
@@ -30,21 +33,28 @@ pub struct ConnectionTimeouts {
     pub write: Duration,
 }
 
-/// Serves until `close`, then lets every connection finish the request it is in.
+/// Serves at most `most` connections at a time until `close`, then lets every connection finish the request it is in.
 pub async fn serve(
     listener: TcpListener,
     router: Router,
     timeouts: ConnectionTimeouts,
+    most: usize,
     close: CancellationToken,
 ) {
     let connections = GracefulShutdown::new();
+    let places = Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS)));
     loop {
-        let accepted = tokio::select! {
-            accepted = listener.accept() => accepted,
+        // Without a place, further clients wait in the system's own queue.
+        let next = async {
+            let place = Arc::clone(&places).acquire_owned().await;
+            (listener.accept().await, place)
+        };
+        let (accepted, place) = tokio::select! {
+            next = next => next,
             () = close.cancelled() => break,
         };
         match accepted {
-            Ok((stream, _)) => attend(stream, router.clone(), timeouts, &connections),
+            Ok((stream, _)) => attend(stream, router.clone(), timeouts, &connections, place.ok()),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be taken");
                 sleep(PAUSE).await;
@@ -55,7 +65,13 @@ pub async fn serve(
     connections.shutdown().await;
 }
 
-fn attend(stream: TcpStream, router: Router, timeouts: ConnectionTimeouts, connections: &GracefulShutdown) {
+fn attend(
+    stream: TcpStream,
+    router: Router,
+    timeouts: ConnectionTimeouts,
+    connections: &GracefulShutdown,
+    place: Option<OwnedSemaphorePermit>,
+) {
     // Answers are single writes; waiting to fill a packet would only delay them.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
@@ -71,5 +87,6 @@ fn attend(stream: TcpStream, router: Router, timeouts: ConnectionTimeouts, conne
         if let Err(error) = connection.await {
             tracing::debug!(%error, "a connection ended early");
         }
+        drop(place);
     });
 }

@@ -37,6 +37,7 @@ use axum::http::{HeaderValue, Method, Uri};
 use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use tokio::sync::Semaphore;
 use tokio_util::sync::CancellationToken;
 use tower_http::CompressionLevel;
 use tower_http::catch_panic::CatchPanicLayer;
@@ -69,6 +70,9 @@ pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
 
+/// How many bodies of the largest size may be arriving at the same time; of smaller ones more.
+const BODIES: usize = 64;
+
 /// Bounds on a single request.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HttpSettings {
@@ -78,6 +82,8 @@ pub struct HttpSettings {
     pub body_timeout: Duration,
     /// Timeouts of slow connections.
     pub timeouts: ConnectionTimeouts,
+    /// Most connections at a time.
+    pub connections: usize,
     /// Most event streams open at a time.
     pub event_streams: usize,
     /// Longest time `POST /v1/solve` waits for its result.
@@ -115,6 +121,7 @@ impl Default for HttpSettings {
             max_body_bytes: 1 << 20,
             body_timeout: Duration::from_secs(30),
             timeouts: ConnectionTimeouts { head: Duration::from_secs(30), write: Duration::from_secs(30) },
+            connections: 4000,
             event_streams: 1000,
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
@@ -140,6 +147,8 @@ pub struct HttpState {
     pub closing: CancellationToken,
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
+    /// Bytes that bodies may take while they arrive.
+    bodies: Arc<Semaphore>,
     metrics: Option<Metrics>,
 }
 
@@ -148,9 +157,11 @@ impl HttpState {
     pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
         let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
+        let bodies = Arc::new(Semaphore::new((BODIES * settings.max_body_bytes).min(Semaphore::MAX_PERMITS)));
         Self {
             jobs,
             settings,
+            bodies,
             hosts: Arc::default(),
             closing: CancellationToken::new(),
             rates,

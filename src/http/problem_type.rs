@@ -90,6 +90,9 @@ problem_types! {
     NotInResult, "not-in-result", CONFLICT, "The result does not have this",
         "The job was solved without this part of the output. Submit it again with `output.fields` or \
          `output.subsurface` set to true.";
+    /// The head is too large.
+    HeadTooLarge, "head-too-large", REQUEST_HEADER_FIELDS_TOO_LARGE, "The head of the request is too large",
+        "The address and the headers of the request are above the limit of this service.";
     /// The body is too large.
     BodyTooLarge, "body-too-large", PAYLOAD_TOO_LARGE, "The body is too large",
         "The request's body is above the limit of this service and was not read.";
@@ -114,6 +117,10 @@ problem_types! {
     TooManyStreams, "too-many-streams", SERVICE_UNAVAILABLE, "Too many event streams are open",
         "As many event streams are open as may be. Try again after the seconds in the `Retry-After` header, or ask \
          for /v1/jobs/{id}?wait=30.";
+    /// Too many unfinished bodies.
+    TooManyBodies, "too-many-bodies", SERVICE_UNAVAILABLE, "Too many bodies are arriving",
+        "Bodies of other requests that have not arrived yet take all the room there is for them. Try again after the seconds in \
+         the `Retry-After` header.";
     /// The solver gave up.
     SolveFailed, "solve-failed", INTERNAL_SERVER_ERROR, "The job could not be solved",
         "The job is valid, but the solver could not produce a result for it.";

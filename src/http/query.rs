@@ -9,6 +9,7 @@ use std::time::Duration;
 use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
 use brinell_solver::job::{FaultCode, Named};
+use jiff::Timestamp;
 use serde::Deserialize;
 use utoipa::{IntoParams, ToSchema};
 
@@ -21,6 +22,13 @@ use crate::jobs::{JobFilter, JobId, JobState};
 /// Jobs on a page, unless asked otherwise, and at most.
 const PAGE: usize = 20;
 const MAX_PAGE: usize = 100;
+
+/// Most states and labels that a list is filtered by.
+const MAX_STATES: usize = JobState::ALL.len();
+const MAX_TAGS: usize = 8;
+
+/// What a time is written like.
+const MOMENT: &str = "a time such as 2027-01-31T12:00:00Z";
 
 /// Bounds of `?priority=`.
 const MAX_PRIORITY: i16 = 100;
@@ -73,6 +81,32 @@ impl Reader {
             self.fault(name, FaultCode::OutOfRange, format!("must be {expected}, got {shown:?}"));
         }
         value
+    }
+
+    /// The values of a parameter that may be given several times.
+    fn values<T: FromStr>(
+        &mut self,
+        name: &str,
+        most: usize,
+        expected: &str,
+        accept: impl Fn(&T) -> bool,
+    ) -> Vec<T> {
+        let given: Vec<String> =
+            self.pairs.iter().filter(|(key, _)| key == name).map(|(_, value)| value.clone()).collect();
+        if given.len() > most {
+            self.fault(name, FaultCode::OutOfRange, format!("may be given {most} times"));
+            return Vec::new();
+        }
+        let mut values = Vec::with_capacity(given.len());
+        for text in given {
+            if let Some(value) = text.parse().ok().filter(&accept) {
+                values.push(value);
+            } else {
+                let shown: String = text.chars().take(40).collect();
+                self.fault(name, FaultCode::OutOfRange, format!("must be {expected}, got {shown:?}"));
+            }
+        }
+        values
     }
 
     fn fault(&mut self, name: &str, code: FaultCode, detail: impl Into<String>) {
@@ -324,11 +358,24 @@ impl FromRequestParts<HttpState> for Selection {
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct ListQuery {
-    /// Only jobs in this state.
-    status: Option<JobState>,
-    /// Only jobs with this label, `name:value`.
-    #[param(pattern = "^[^:]*:", example = "bearing:NU-210")]
-    tag: Option<String>,
+    /// Only jobs in this state; several times for one of several.
+    #[param(max_items = 7)]
+    status: Option<Vec<JobState>>,
+    /// Only jobs with this label, `name:value`; several times for all of several.
+    #[param(max_items = 8, example = json!(["bearing:NU-210"]))]
+    tag: Option<Vec<String>>,
+    /// Only the job of this id; several times for several, in the order of the list.
+    #[param(max_items = 100)]
+    id: Option<Vec<JobId>>,
+    /// Only jobs accepted at this time or later, `2027-01-31T12:00:00Z`.
+    #[param(format = DateTime)]
+    since: Option<String>,
+    /// Only jobs accepted before this time.
+    #[param(format = DateTime)]
+    until: Option<String>,
+    /// Order of the list; the newest first unless it is given.
+    #[param(inline)]
+    sort: Option<Order>,
     /// Most jobs on the page; 20 unless it is given.
     #[param(minimum = 1, maximum = 100)]
     limit: Option<usize>,
@@ -340,6 +387,28 @@ pub(super) struct ListQuery {
 /// Which jobs to list: `?status=`, `?tag=name:value`, `?limit=`, `?cursor=`.
 #[derive(Debug, Clone)]
 pub(super) struct ListFilter(pub(super) JobFilter);
+
+/// Order of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Order {
+    /// The newest first.
+    Newest,
+    /// The oldest first.
+    Oldest,
+}
+
+impl FromStr for Order {
+    type Err = fmt::Error;
+
+    fn from_str(text: &str) -> Result<Self, fmt::Error> {
+        match text {
+            "newest" => Ok(Self::Newest),
+            "oldest" => Ok(Self::Oldest),
+            _ => Err(fmt::Error),
+        }
+    }
+}
 
 /// A state by its name.
 struct NamedState(JobState);
@@ -356,19 +425,31 @@ impl FromRequestParts<HttpState> for ListFilter {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["status", "tag", "limit", "cursor"]).await;
-        let state = query.value("status", "the state of a job", |_: &NamedState| true);
-        let tag = query.value("tag", "name:value", |tag: &String| tag.contains(':'));
-        let tag = tag.as_deref().and_then(|tag| tag.split_once(':'));
+        let known = ["status", "tag", "id", "since", "until", "sort", "limit", "cursor"];
+        let mut query = Reader::new(parts, state, &known).await;
+        let states = query.values("status", MAX_STATES, "the state of a job", |_: &NamedState| true);
+        let tags = query.values("tag", MAX_TAGS, "name:value", |tag: &String| tag.contains(':'));
+        let pair =
+            |tag: &String| tag.split_once(':').map(|(name, value)| (name.to_owned(), value.to_owned()));
         let expected = format!("a whole number between 1 and {MAX_PAGE}");
+        let ids = query.values("id", MAX_PAGE, "the id of a job", |_: &JobId| true);
+        let since = query.value("since", MOMENT, |_: &Timestamp| true);
+        let until = query.value("until", MOMENT, |_: &Timestamp| true);
+        let order = query.value("sort", "newest or oldest", |_: &Order| true);
         let limit = query.value("limit", &expected, |limit| (1..=MAX_PAGE).contains(limit));
-        let before = query.value("cursor", "the next_cursor of a page", |_: &JobId| true);
+        let cursor = query.value("cursor", "the next_cursor of a page", |_: &JobId| true);
+        // Who asks for some jobs by name has them on one page.
+        let page = if ids.is_empty() { PAGE } else { MAX_PAGE };
         query.finish(Self(JobFilter {
-            state: state.map(|NamedState(state)| state),
-            tag: tag.map(|(name, value)| (name.to_owned(), value.to_owned())),
+            states: states.into_iter().map(|NamedState(state)| state).collect(),
+            tags: tags.iter().filter_map(pair).collect(),
+            ids,
+            since,
+            until,
             submitter: None,
-            before,
-            limit: limit.unwrap_or(PAGE),
+            oldest_first: order == Some(Order::Oldest),
+            cursor,
+            limit: limit.unwrap_or(page),
         }))
     }
 }

@@ -126,7 +126,7 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
-    /// One page of jobs, newest first.
+    /// One page of jobs, in the order of their submission.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].
@@ -190,6 +190,8 @@ pub struct Retention {
     pub succeeded: Duration,
     /// Those without: failed, cancelled, timed out.
     pub failed: Duration,
+    /// Bytes of results above which the jobs that finished first are removed before their time.
+    pub stored_bytes: Option<u64>,
 }
 
 impl Retention {
@@ -205,7 +207,7 @@ impl Retention {
 
 impl Default for Retention {
     fn default() -> Self {
-        Self { succeeded: Duration::from_hours(168), failed: Duration::from_hours(72) }
+        Self { succeeded: Duration::from_hours(168), failed: Duration::from_hours(72), stored_bytes: None }
     }
 }
 
@@ -294,16 +296,24 @@ pub enum LeaseStatus {
 }
 
 /// Which jobs to list.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct JobFilter {
-    /// Only jobs in this state.
-    pub state: Option<JobState>,
-    /// Only jobs with this label.
-    pub tag: Option<(String, String)>,
+    /// Only these jobs; all if empty.
+    pub ids: Vec<JobId>,
+    /// Only jobs in one of these states; in any if empty.
+    pub states: Vec<JobState>,
+    /// Only jobs with all of these labels.
+    pub tags: Vec<(String, String)>,
+    /// Only jobs accepted at this time or later.
+    pub since: Option<Timestamp>,
+    /// Only jobs accepted before this time.
+    pub until: Option<Timestamp>,
     /// Only jobs handed in under this key.
     pub submitter: Option<KeyId>,
-    /// Only jobs submitted before this one: the previous page's [`JobPage::next`].
-    pub before: Option<JobId>,
+    /// The oldest first, instead of the newest.
+    pub oldest_first: bool,
+    /// Only jobs that come after this one in the order: the previous page's [`JobPage::next`].
+    pub cursor: Option<JobId>,
     /// Most jobs on the page.
     pub limit: usize,
 }
@@ -311,7 +321,7 @@ pub struct JobFilter {
 /// One page of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JobPage {
-    /// Newest first.
+    /// In the order that was asked for.
     pub jobs: Vec<JobRecord>,
     /// Where the next page starts; `None` on the last.
     pub next: Option<JobId>,

@@ -2,9 +2,10 @@
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
+use std::time::Duration;
 
 use crate::curl::curl;
-use crate::server::{Server, example};
+use crate::server::{DEADLINE, Server, example};
 
 /// Sends a head as it is and returns the first line of the answer.
 fn status_of(server: &Server, head: &str) -> String {
@@ -75,4 +76,76 @@ fn a_solve_may_be_repeated_under_its_name() {
     assert_eq!(first.header("content-location"), again.header("content-location"));
     assert_eq!(first.body, again.body);
     solve(&job.replace("612.6106", "600.0")).problem(422, "idempotency-key-reused");
+}
+
+fn connect(server: &Server) -> TcpStream {
+    let stream = TcpStream::connect(server.target.url.strip_prefix("http://").unwrap()).unwrap();
+    stream.set_read_timeout(Some(DEADLINE)).unwrap();
+    stream
+}
+
+const ASK: &[u8] = b"GET /livez HTTP/1.1\r\nHost: localhost\r\n\r\n";
+
+#[test]
+fn heads_are_read_up_to_the_documented_size() {
+    let server = Server::start();
+    for (kilobytes, status) in [(60, "HTTP/1.1 200 OK"), (70, "HTTP/1.1 431")] {
+        let lines: String =
+            (0..kilobytes).map(|number| format!("x-{number}: {}\r\n", "y".repeat(1012))).collect();
+        let head = format!("GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{lines}\r\n");
+        let mut stream = connect(&server);
+        // The answer may come before everything is sent.
+        let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.flush());
+        let mut answer = [0; 12];
+        stream.read_exact(&mut answer).unwrap();
+        let answer = String::from_utf8(answer.to_vec()).unwrap();
+        assert!(status.starts_with(&answer), "{kilobytes} kB: {answer}");
+    }
+}
+
+#[test]
+fn clients_beyond_the_bound_wait_for_a_connection() {
+    let server = Server::start_with(&["--max-connections", "2"]);
+    let mut answer = [0; 12];
+    let mut taken = [connect(&server), connect(&server)];
+    for stream in &mut taken {
+        stream.write_all(ASK).unwrap();
+        stream.read_exact(&mut answer).unwrap();
+    }
+    let mut third = connect(&server);
+    third.write_all(ASK).unwrap();
+    third.set_read_timeout(Some(Duration::from_millis(200))).unwrap();
+    assert!(third.read_exact(&mut answer).is_err(), "there is no place");
+    drop(taken);
+    third.set_read_timeout(Some(DEADLINE)).unwrap();
+    third.read_exact(&mut answer).unwrap();
+    assert_eq!(&answer, b"HTTP/1.1 200");
+}
+
+#[test]
+fn unfinished_bodies_are_bounded_in_sum() {
+    let server = Server::start_with(&["--max-body", "2048"]);
+    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2048\r\n\r\n";
+    // More than 64 bodies of the largest size, none of which ever ends.
+    let hanging: Vec<TcpStream> = (0..70)
+        .map(|_| {
+            let mut stream = connect(&server);
+            stream.write_all(format!("{head}{}", " ".repeat(2047)).as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    let job = example().to_string();
+    let started = std::time::Instant::now();
+    let validate_until = |status| {
+        let mut answer = server.target.post("/v1/validate", job.clone());
+        while answer.status != status && started.elapsed() < DEADLINE {
+            answer = server.target.post("/v1/validate", job.clone());
+        }
+        answer
+    };
+    let refused = validate_until(503);
+    refused.problem(503, "too-many-bodies");
+    assert!(refused.header("retry-after").is_some());
+    drop(hanging);
+    assert_eq!(validate_until(200).status, 200, "the room is free again");
 }

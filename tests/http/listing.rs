@@ -35,6 +35,20 @@ fn jobs_are_listed_newest_first_page_by_page() {
     assert_eq!(page(target, "status=running").0, std::slice::from_ref(&slow));
     assert_eq!(page(target, "status=queued&tag=test:quick&limit=1").0, jobs[..1]);
     assert!(page(target, "tag=test:none").0.is_empty());
+    assert_eq!(
+        page(target, "status=running&status=queued&sort=oldest&limit=2").0,
+        [slow.clone(), jobs[3].clone()]
+    );
+    let id = |job: &String| job.rsplit('/').next().unwrap().to_owned();
+    assert_eq!(
+        page(target, &format!("id={}&id={}", id(&jobs[3]), id(&jobs[1]))).0,
+        [jobs[1].clone(), jobs[3].clone()]
+    );
+    assert_eq!(page(target, "since=2001-01-01T00:00:00Z&tag=test:slow").0, std::slice::from_ref(&slow));
+    assert!(page(target, "until=2001-01-01T00:00:00Z").0.is_empty());
+    for query in ["sort=up", "since=now", "until=2001-01-01", "id=x", &"tag=a:b&".repeat(9)] {
+        target.get(&format!("/v1/jobs?{query}")).problem(400, "invalid-query");
+    }
     for query in ["status=lost", "limit=0", "limit=101", "cursor=x", "tag=test", "stat=queued"] {
         target.get(&format!("/v1/jobs?{query}")).problem(400, "invalid-query");
     }

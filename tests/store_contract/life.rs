@@ -107,7 +107,8 @@ pub async fn changes_are_announced_after_they_can_be_read(subject: &Subject) {
 }
 
 pub async fn old_jobs_are_swept_each_in_its_time(subject: &Subject) {
-    let retention = Retention { succeeded: Duration::from_hours(2), failed: Duration::from_hours(1) };
+    let retention =
+        Retention { succeeded: Duration::from_hours(2), failed: Duration::from_hours(1), stored_bytes: None };
     let mut ids = Vec::new();
     for status in [SolveStatus::Converged, SolveStatus::Cancelled] {
         ids.push(subject.enqueue("x").await);

@@ -45,6 +45,7 @@ macro_rules! contract {
             leases a_released_job_is_queued_as_if_never_taken_up;
             results steps_are_kept_as_they_are_finished;
             results a_later_attempt_begins_without_steps;
+            results the_oldest_results_make_room;
             results a_job_without_a_report_keeps_no_steps;
             fair_share a_greedy_key_does_not_hold_up_another;
             fair_share keys_share_by_work_and_not_by_number;

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use brinell::jobs::{ClaimRequest, JobFilter, JobId, JobState, KeyId, NewJob, StoreError};
+use brinell::jobs::{ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, StoreError};
+use jiff::SignedDuration;
 
 use crate::subject::{ALL, MEMORY, QUEUE_CAPACITY, Subject, ids as ids_of, job};
 
@@ -39,12 +40,26 @@ pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {
     assert_eq!(subject.page(ALL).await, (ids.clone(), None));
     let (first, next) = subject.page(JobFilter { limit: 2, ..ALL }).await;
     assert_eq!((first.as_slice(), next), (&ids[..2], Some(ids[1])));
-    assert_eq!(subject.page(JobFilter { limit: 2, before: next, ..ALL }).await, (vec![ids[2]], None));
-    let tagged = JobFilter { tag: Some(("name".to_owned(), "a".to_owned())), ..ALL };
+    assert_eq!(subject.page(JobFilter { limit: 2, cursor: next, ..ALL }).await, (vec![ids[2]], None));
+    let tagged = JobFilter { tags: vec![("name".to_owned(), "a".to_owned())], ..ALL };
     assert_eq!(subject.page(tagged).await.0, [ids[0], ids[2]]);
     subject.claim_one().await;
-    let running = JobFilter { state: Some(JobState::Running), ..ALL };
+    let running = JobFilter { states: vec![JobState::Running], ..ALL };
     assert_eq!(subject.page(running).await.0, [ids[2]]);
+
+    let both =
+        JobFilter { states: vec![JobState::Running, JobState::Queued], oldest_first: true, limit: 2, ..ALL };
+    assert_eq!(subject.page(both.clone()).await, (vec![ids[2], ids[1]], Some(ids[1])));
+    assert_eq!(subject.page(JobFilter { cursor: Some(ids[1]), ..both }).await, (vec![ids[0]], None));
+    let no_job = vec![("name".to_owned(), "a".to_owned()), ("name".to_owned(), "b".to_owned())];
+    assert!(subject.page(JobFilter { tags: no_job, ..ALL }).await.0.is_empty());
+    let some = JobFilter { ids: vec![ids[2], ids[0], JobId::generate()], ..ALL };
+    assert_eq!(subject.page(some).await.0, [ids[0], ids[2]]);
+    subject.clock.advance(SignedDuration::from_secs(1));
+    let late = subject.enqueue("late").await;
+    let second = Clock::now(subject.clock.as_ref());
+    assert_eq!(subject.page(JobFilter { since: Some(second), ..ALL }).await.0, [late]);
+    assert_eq!(subject.page(JobFilter { until: Some(second), ..ALL }).await.0, ids);
 }
 
 pub async fn the_highest_priority_goes_first(subject: &Subject) {

@@ -1,10 +1,11 @@
 //! Results of steps.
 
-use brinell::jobs::{Deflated, JobFailure, Outcome, StepResult, StoreError};
+use brinell::jobs::{Deflated, JobFailure, Outcome, Retention, StepResult, StoreError};
 use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
+use jiff::SignedDuration;
 
-use crate::subject::{HEAD, Subject, reported};
+use crate::subject::{ALL, HEAD, Subject, reported};
 
 fn step(name: &str, fields: Option<&'static [u8]>) -> StepResult {
     StepResult {
@@ -58,4 +59,23 @@ pub async fn a_job_without_a_report_keeps_no_steps(subject: &Subject) {
     store.finish(&lease, &[], &[step("b", None)], Outcome::Failed(JobFailure::solver("no"))).await.unwrap();
     assert_eq!(store.result(id).await.unwrap(), None);
     assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)));
+}
+
+pub async fn the_oldest_results_make_room(subject: &Subject) {
+    let mut ids = Vec::new();
+    for _ in 0..4 {
+        ids.push(subject.enqueue("x").await);
+        let lease = subject.claim_one().await;
+        let report = Deflated::compress(b"{}").unwrap();
+        let step = StepResult { report, fields: Some(vec![0; 1000].into()) };
+        subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+        subject.clock.advance(SignedDuration::from_secs(1));
+    }
+    let waiting = subject.enqueue("x").await;
+    let keep = |bytes| Retention { stored_bytes: Some(bytes), ..Retention::default() };
+    assert_eq!(subject.store.sweep(&keep(1 << 20)).await.unwrap(), 0);
+    assert_eq!(subject.store.sweep(&keep(2500)).await.unwrap(), 2);
+    assert_eq!(subject.page(ALL).await.0, [waiting, ids[3], ids[2]]);
+    assert_eq!(subject.store.sweep(&keep(0)).await.unwrap(), 2);
+    assert_eq!(subject.page(ALL).await.0, [waiting]);
 }

@@ -32,7 +32,17 @@ pub const MEMORY: u64 = 1000;
 /// Longest time anything in these tests may take.
 pub const DEADLINE: Duration = Duration::from_secs(20);
 
-pub const ALL: JobFilter = JobFilter { state: None, tag: None, submitter: None, before: None, limit: 100 };
+pub const ALL: JobFilter = JobFilter {
+    ids: Vec::new(),
+    states: Vec::new(),
+    tags: Vec::new(),
+    since: None,
+    until: None,
+    submitter: None,
+    oldest_first: false,
+    cursor: None,
+    limit: 100,
+};
 
 /// A report without steps.
 pub const HEAD: &[u8] = b"{\"status\":\"x\",\"steps\":[],\"version\":\"y\"}";

@@ -77,6 +77,7 @@ fn implied(path: &str, method: &str, operation: &Map<String, Value>) -> Vec<Prob
             ProblemType::InvalidJson,
             ProblemType::BodyTimeout,
             ProblemType::BodyTooLarge,
+            ProblemType::TooManyBodies,
             ProblemType::UnsupportedMediaType,
         ]);
     }

@@ -1,4 +1,4 @@
-//! `GET /v1/jobs?status&tag&limit&cursor`: jobs, newest first, page by page.
+//! `GET /v1/jobs?status&tag&id&since&until&sort&limit&cursor`: jobs, page by page.
 
 use axum::Json;
 use axum::extract::State;
@@ -8,7 +8,7 @@ use crate::http::query::{ListFilter, ListQuery};
 use crate::http::wire::{JobDocument, JobList, Prefix};
 use crate::http::{HttpState, Problem};
 
-/// Jobs, newest first, page by page
+/// Jobs, page by page
 ///
 /// With API keys, the jobs of the asking key; of an administrator's, all. Places in the queue are told job by job
 /// only.

@@ -39,6 +39,12 @@ const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
+/// The jobs whose results, with those that finished after them, take more than is kept.
+const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
+         SELECT id, finished_at, stored_bytes, sum(stored_bytes) OVER (ORDER BY finished_at DESC, id DESC) AS taken
+         FROM jobs WHERE finished_at IS NOT NULL) AS kept
+     WHERE taken > $1 AND stored_bytes > 0 ORDER BY finished_at LIMIT $2)";
+
 /// Changes from outside.
 pub(in crate::store) trait Intake: Reading + Keys {
     fn enqueue(
@@ -225,9 +231,18 @@ macro_rules! intake {
                     .bind(cutoff(now, retention.succeeded))
                     .bind(cutoff(now, retention.failed))
                     .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
-                    .execute(self)
+                    .execute(&mut *self)
                     .await?;
-                count(done.rows_affected())
+                let mut swept = count(done.rows_affected())?;
+                if let Some(bytes) = retention.stored_bytes {
+                    let done = sqlx::query::<$database>(SWEEP_LARGE)
+                        .bind(i64::try_from(bytes).unwrap_or(i64::MAX))
+                        .bind(i64::try_from(SWEEP).unwrap_or(i64::MAX))
+                        .execute(self)
+                        .await?;
+                    swept += count::<_, usize>(done.rows_affected())?;
+                }
+                Ok(swept)
             }
         }
     };

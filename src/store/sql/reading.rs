@@ -120,21 +120,40 @@ macro_rules! reading {
 
             async fn list(&mut self, filter: &JobFilter) -> Result<JobPage, StoreError> {
                 let mut query = QueryBuilder::<$database>::new(LIST);
-                if let Some(state) = filter.state {
-                    query.push(" AND j.state = ").push_bind(state.name());
+                if !filter.states.is_empty() {
+                    let mut among = query.push(" AND j.state IN (").separated(", ");
+                    for state in &filter.states {
+                        among.push_bind(state.name());
+                    }
+                    query.push(")");
+                }
+                if !filter.ids.is_empty() {
+                    let mut among = query.push(" AND j.id IN (").separated(", ");
+                    for id in &filter.ids {
+                        among.push_bind(id.uuid());
+                    }
+                    query.push(")");
+                }
+                if let Some(since) = filter.since {
+                    query.push(" AND j.created_at >= ").push_bind(since.as_microsecond());
+                }
+                if let Some(until) = filter.until {
+                    query.push(" AND j.created_at < ").push_bind(until.as_microsecond());
                 }
                 if let Some(key) = filter.submitter {
                     query.push(" AND j.submitter = ").push_bind(key.uuid());
                 }
-                if let Some(before) = filter.before {
-                    query.push(" AND j.id < ").push_bind(before.uuid());
+                let (after, order) =
+                    if filter.oldest_first { (" AND j.id > ", "") } else { (" AND j.id < ", " DESC") };
+                if let Some(cursor) = filter.cursor {
+                    query.push(after).push_bind(cursor.uuid());
                 }
-                if let Some((name, value)) = &filter.tag {
+                for (name, value) in &filter.tags {
                     query.push(" AND EXISTS (SELECT 1 FROM job_tags t WHERE t.job = j.id AND t.name = ");
                     query.push_bind(name.clone()).push(" AND t.value = ").push_bind(value.clone()).push(")");
                 }
                 let one_more = i64::try_from(filter.limit).unwrap_or(i64::MAX).saturating_add(1);
-                query.push(" ORDER BY j.id DESC LIMIT ").push_bind(one_more);
+                query.push(" ORDER BY j.id").push(order).push(" LIMIT ").push_bind(one_more);
                 let rows: Vec<JobRow> = query.build_query_as().fetch_all(self).await?;
                 let is_last = rows.len() <= filter.limit;
                 let last = rows.get(filter.limit.saturating_sub(1)).map(|row| JobId::from(row.0));
