@@ -90,9 +90,10 @@ const ASK: &[u8] = b"GET /livez HTTP/1.1\r\nHost: localhost\r\n\r\n";
 fn heads_are_read_up_to_the_documented_size() {
     let server = Server::start();
     for (kilobytes, status) in [(60, "HTTP/1.1 200 OK"), (70, "HTTP/1.1 431")] {
-        let lines: String =
-            (0..kilobytes).map(|number| format!("x-{number}: {}\r\n", "y".repeat(1012))).collect();
-        let head = format!("GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{lines}\r\n");
+        let line = |number| format!("x-{number}: {}", "y".repeat(1012));
+        let lines: Vec<String> = (0..kilobytes).map(line).collect();
+        let lines = lines.join("\r\n");
+        let head = format!("GET /livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{lines}\r\n\r\n");
         let mut stream = connect(&server);
         // The answer may come before everything is sent.
         let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.flush());
