@@ -80,7 +80,9 @@ fn quantity(figure: &Figure) -> &'static str {
         Figure::Quantity(Quantity::Length | Quantity::Position | Quantity::Depth | Quantity::Approach) => {
             "length"
         }
-        Figure::Quantity(Quantity::Modulus | Quantity::TangentModulus | Quantity::Stress) => "stress",
+        Figure::Quantity(
+            Quantity::Modulus | Quantity::TangentModulus | Quantity::Stress | Quantity::SignedStress,
+        ) => "stress",
         Figure::Quantity(Quantity::LineForce) => "line_force",
         Figure::Quantity(Quantity::Force) => "force",
         Figure::Pure(_) | Figure::Below(..) => "number",

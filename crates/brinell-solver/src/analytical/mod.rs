@@ -26,7 +26,7 @@ pub use effective::{ElasticConstants, effective_modulus, effective_modulus_plane
 pub use hertz_line::HertzLine;
 pub use hertz_point::HertzPoint;
 pub use indentation::{PowerIndenter, circular_punch_pressure, flat_punch_pressure};
-pub use over_depth::DepthBound;
+pub use over_depth::DepthLimit;
 pub use power_law_cylinder::{LoadedPowerLawCylinder, PowerLawCylinder};
 pub use punch::{prandtl_mean_pressure, shear_yield_tresca, shear_yield_von_mises};
 pub use stress::{CylinderStress, Stress, von_mises};

@@ -1,101 +1,193 @@
-//! Bounds for line contacts of bodies whose strength varies with the depth.
+//! Contacts of bodies whose strength varies with depth: the onset of yield, and the limit of rolling.
+//!
+//! ```text
+//! p0 max F(z/a) <= σ_y(z) for every depth z,   a = c p0
+//! ```
+//!
+//! with F the equivalent stress at unit peak pressure. A higher pressure means higher stresses at every depth, so that the
+//! largest p0 for which this holds is found by bisection.
 
-use super::HertzLine;
-use super::yield_onset::maximum;
+use std::sync::LazyLock;
 
-/// Depth, in half-widths, down to which a bound is sought. Shear falls with the square of the depth there, so that a core
-/// below would have to be a thousand times softer.
-const DEEPEST: f64 = 20.0;
-/// Distance from the middle, in half-widths and beside the depth, within which the orthogonal shear of a depth is largest.
-const WIDEST: f64 = 1.5;
+use super::{HertzLine, HertzPoint, shear_yield_von_mises};
 
-/// A peak pressure, and the depth that decides it.
+/// The first depth at which a limit is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DepthBound {
-    /// Peak pressure \[MPa\].
+pub struct DepthLimit {
+    /// Elastic peak pressure \[MPa\].
     pub peak_pressure: f64,
-    /// Depth below the surface \[mm\].
+    /// Depth z \[mm\].
     pub depth: f64,
 }
 
-impl HertzLine {
-    /// The peak pressure up to which a rolling contact of this half-width shakes down, if the yield stress in shear is
-    /// `shear_yield(depth) [MPa]`:
-    ///
-    /// ```text
-    /// p0_s = min_z k(z) / max_x |τ_xy(x, z)/p0|
-    /// ```
-    ///
-    /// `4 k` for constant k, at half a half-width. Residual stresses that depend on the depth alone can cancel every
-    /// stress but the orthogonal shear τ_xy, so that by Melan's theorem nothing yields in the long run below this
-    /// pressure and everything that rolls above it does, pass after pass.
+/// Deepest depth looked at, in half-widths. Stress has fallen to a fiftieth there, the smallest strength to no less than a
+/// hundredth: what is weaker below is found with a depth that is too small.
+const DEEPEST: f64 = 100.0;
+/// Depths that are looked at, and those between the neighbours of the highest of them.
+const SAMPLES: u32 = 600;
+const REFINED: u32 = 500;
+
+impl DepthLimit {
+    /// Onset of yield of a line contact, von Mises criterion on the axis, for a yield stress over depth \[MPa\].
+    /// `half_width` is that of a unit peak pressure \[mm/MPa\]: `2R/E*`.
     ///
     /// # Reference
-    /// K. L. Johnson, *Contact Mechanics* (1985), section 9.2.
-    pub fn rolling_shakedown(&self, shear_yield: impl Fn(f64) -> f64) -> DepthBound {
-        self.weakest_depth(|depth| self.largest_orthogonal_shear(depth) / shear_yield(depth))
+    /// Stresses: E. McEwen (1949), as in [`HertzLine::stress_on_axis`].
+    pub fn line_onset(poisson_ratio: f64, half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
+        let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
+        Self::first(half_width, yield_stress, |z| hertz.stress_on_axis(z, poisson_ratio).von_mises())
     }
 
-    /// The elastic peak pressure at which a contact of this half-width begins to yield on its axis by von Mises' criterion, if
-    /// the yield stress is `yield_stress(depth) [MPa]`: `p0 = min_z σ_y(z) / (q(z)/p0)`, plane strain.
-    pub fn graded_yield_onset(&self, poisson_ratio: f64, yield_stress: impl Fn(f64) -> f64) -> DepthBound {
-        self.weakest_depth(|depth| {
-            self.stress_on_axis(depth, poisson_ratio).von_mises() / yield_stress(depth)
-        })
+    /// Onset of yield of a point contact; `half_width` is the contact radius of a unit peak pressure \[mm/MPa\]: `πR/2E*`.
+    pub fn point_onset(poisson_ratio: f64, half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
+        let hertz = HertzPoint::from_peak_pressure(1.0, 1.0, std::f64::consts::FRAC_PI_2);
+        Self::first(half_width, yield_stress, |z| hertz.stress_on_axis(z, poisson_ratio).von_mises())
     }
 
-    /// Largest orthogonal shear stress `max_x |τ_xy| [MPa]` at a depth `[mm]`.
-    pub fn largest_orthogonal_shear(&self, depth: f64) -> f64 {
-        let widest = WIDEST * self.half_width() + depth;
-        maximum(|x| self.stress(x, depth, 0.0).tau_xy.abs(), widest).1
+    /// Elastic shakedown limit of a line contact that rolls freely, for a yield stress over depth \[MPa\].
+    ///
+    /// ```text
+    /// p0 max_x |τ_xy(x, z)|/p0 <= k(z),   k = σ_y/√3        4.000 k where k is constant
+    /// ```
+    ///
+    /// Residual stresses that rolling leaves depend on depth alone, so that by equilibrium they are σ_x and σ_z only: they can
+    /// take away all of the deviator but the orthogonal shear stress (Melan). Above this limit the material at that depth
+    /// yields in every passage. Below it, it shakes down where the strength is constant; where it is not, this is an upper
+    /// bound.
+    ///
+    /// # Reference
+    /// K. L. Johnson, *A shakedown limit in rolling contact*, Proc. 4th U.S. National Congress of Applied Mechanics, ASME
+    /// (1962) 971–975; K. L. Johnson, *Contact Mechanics* (1985), section 9.2.
+    pub fn rolling(half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
+        Self::first(half_width, |z| shear_yield_von_mises(yield_stress(z)), orthogonal_shear)
     }
 
-    /// Scales the contact so that the largest utilization over the depth is one.
-    fn weakest_depth(&self, utilization: impl Fn(f64) -> f64) -> DepthBound {
-        let (depth, largest) = maximum(utilization, DEEPEST * self.half_width());
-        DepthBound { peak_pressure: self.peak_pressure() / largest, depth }
+    /// [`Self::rolling`] of a yield stress that is the same everywhere: the orthogonal shear stress is `p0/4` at the depth
+    /// `a/2`.
+    pub fn uniform_rolling(half_width: f64, yield_stress: f64) -> Self {
+        let peak_pressure = 4.0 * shear_yield_von_mises(yield_stress);
+        Self { peak_pressure, depth: 0.5 * half_width * peak_pressure }
     }
+
+    fn first(half_width: f64, strength: impl Fn(f64) -> f64, stress: impl Fn(f64) -> f64) -> Self {
+        // Stress over strength at the depth where that is largest.
+        let highest = |pressure: f64| {
+            let ratio = |depth: f64| pressure * stress(depth) / strength(depth * half_width * pressure);
+            let at = |k: u32| DEEPEST * (f64::from(k) / f64::from(SAMPLES)).powi(3);
+            let ratios: Vec<f64> = (0..=SAMPLES).map(|k| ratio(at(k))).collect();
+            let best =
+                (0..=SAMPLES).max_by(|a, b| ratios[*a as usize].total_cmp(&ratios[*b as usize])).unwrap_or(0);
+            let (low, high) = (at(best.saturating_sub(1)), at((best + 1).min(SAMPLES)));
+            let between = |k: u32| low + (high - low) * f64::from(k) / f64::from(REFINED);
+            let refined = (0..=REFINED).map(between).map(|depth| (ratio(depth), depth));
+            refined.fold((ratios[best as usize], at(best)), |a, b| if b.0 > a.0 { b } else { a })
+        };
+        let (mut low, mut high) = (0.0, strength(0.0).max(f64::MIN_POSITIVE));
+        while highest(high).0 < 1.0 {
+            low = high;
+            high *= 2.0;
+        }
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if highest(middle).0 < 1.0 { low = middle } else { high = middle }
+        }
+        let depth = highest(high).1 * half_width * high;
+        Self { peak_pressure: high, depth }
+    }
+}
+
+/// `max_x |τ_xy|/p0` of a line contact at a depth, in half-widths.
+fn orthogonal_shear(depth: f64) -> f64 {
+    /// Over `ln(1 + depth)`, with equal steps.
+    static TABLE: LazyLock<Vec<f64>> =
+        LazyLock::new(|| (0..=TABLE_STEPS).map(|k| largest(depth_of(k))).collect());
+    let place = depth.ln_1p() / TABLE_STEP;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "no more than the steps of the table"
+    )]
+    let before = (place as usize).min(TABLE_STEPS as usize - 1);
+    let (a, b) = (TABLE[before], TABLE[before + 1]);
+    a + (place - before as f64) * (b - a)
+}
+
+const TABLE_STEPS: u32 = 2400;
+/// `ln(101)` over the steps, so that the deepest depth is the last of the table.
+const TABLE_STEP: f64 = 4.615_120_516_841_26 / TABLE_STEPS as f64;
+
+fn depth_of(k: u32) -> f64 {
+    (f64::from(k) * TABLE_STEP).exp_m1()
+}
+
+/// The largest orthogonal shear stress at a depth: a scan finds the hump, golden section its top.
+fn largest(depth: f64) -> f64 {
+    let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
+    let shear = |x: f64| hertz.stress(x, depth, 0.0).tau_xy.abs();
+    // Near the surface it is next to the edge of the contact, far below it under 30° to the axis.
+    let (step, start) = ((1.0 + depth) / 40.0, 0.0);
+    let best = (0..=60u32)
+        .map(|k| start + step * f64::from(k))
+        .fold(0.0, |a, x| if shear(x) > shear(a) { x } else { a });
+    let section = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut low, mut high) = ((best - step).max(0.0), best + step);
+    for _ in 0..40 {
+        let (left, right) = (high - section * (high - low), low + section * (high - low));
+        if shear(left) < shear(right) { low = left } else { high = right }
+    }
+    shear(0.5 * (low + high))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn contact() -> HertzLine {
-        HertzLine::from_peak_pressure(1200.0, 20.0, 115_000.0)
-    }
+    use crate::analytical::YieldOnset;
 
     #[test]
-    fn a_homogeneous_body_shakes_down_to_four_times_its_shear_yield_stress() {
-        let (contact, k) = (contact(), 300.0);
-        let bound = contact.rolling_shakedown(|_| k);
-        assert!((bound.peak_pressure / (4.0 * k) - 1.0).abs() < 1e-6, "{}", bound.peak_pressure / k);
-        assert!((bound.depth / contact.half_width() - 0.5).abs() < 1e-3);
+    fn without_a_gradient_onset_is_the_closed_form() {
+        for nu in [0.1, 0.25, 0.3, 0.45] {
+            let line = DepthLimit::line_onset(nu, 1e-3, |_| 500.0);
+            let expected = YieldOnset::line_von_mises(nu);
+            assert!((line.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5, "{nu}");
+            assert!((line.depth - expected.depth_ratio * 1e-3 * line.peak_pressure).abs() < 2e-3);
+            let point = DepthLimit::point_onset(nu, 1e-3, |_| 500.0);
+            let expected = YieldOnset::point(nu);
+            assert!((point.peak_pressure / (500.0 * expected.pressure_ratio) - 1.0).abs() < 1e-5, "{nu}");
+        }
     }
 
+    /// p0 = min σ_y(z)/F(z/a): with the a of the answer, no depth is closer to yield.
     #[test]
-    fn a_homogeneous_body_begins_to_yield_where_the_ungraded_formula_says() {
-        let (contact, yield_stress) = (contact(), 500.0);
-        let bound = contact.graded_yield_onset(0.3, |_| yield_stress);
-        let onset = crate::analytical::YieldOnset::line_von_mises(0.3);
-        assert!((bound.peak_pressure / (onset.pressure_ratio * yield_stress) - 1.0).abs() < 1e-6);
-        assert!((bound.depth / contact.half_width() - onset.depth_ratio).abs() < 1e-3);
+    fn with_a_gradient_the_weakest_depth_is_found() {
+        let strength = |z: f64| if z < 0.8 { 900.0 } else { 900.0 - 600.0 * ((z - 0.8) / 0.1).min(1.0) };
+        let limit = DepthLimit::line_onset(0.3, 5e-4, strength);
+        let a = 5e-4 * limit.peak_pressure;
+        let hertz = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
+        let pressure = |z: f64| strength(z) / hertz.stress_on_axis(z / a, 0.3).von_mises();
+        let least = (0..40_000u32).map(|k| pressure(1e-4 * f64::from(k))).fold(f64::INFINITY, f64::min);
+        assert!((limit.peak_pressure / least - 1.0).abs() < 1e-4, "{limit:?} {least}");
+        assert!((limit.depth - 0.9).abs() < 5e-3 && limit.depth > 0.8 * a, "{limit:?}");
+        // Far below the contact as well.
+        let core = DepthLimit::line_onset(0.3, 1e-4, |z| if z < 1.0 { 3000.0 } else { 100.0 });
+        assert!((core.depth - 1.0).abs() < 0.02, "{core:?}");
     }
 
-    /// A soft core below a hard case decides both, from a depth at which the case ends; a case that is deep enough does not let
-    /// it.
+    /// Orthogonal shear p0/4 at half a half-width.
     #[test]
-    fn a_soft_core_decides_under_a_thin_case() {
-        let contact = contact();
-        let a = contact.half_width();
-        let case = |depth: f64| move |z: f64| if z < depth * a { 1.0 } else { 0.4 };
-        let thin = contact.graded_yield_onset(0.3, case(1.5));
-        assert!((thin.depth / (1.5 * a) - 1.0).abs() < 0.02, "{}", thin.depth / a);
-        let deep = contact.graded_yield_onset(0.3, case(6.0));
-        assert!((deep.depth / a - 0.704).abs() < 1e-2);
-        assert!(thin.peak_pressure < deep.peak_pressure);
-        let rolling = contact.rolling_shakedown(case(1.5));
-        let shear = contact.largest_orthogonal_shear(1.5 * a) / contact.peak_pressure();
-        assert!((rolling.peak_pressure * shear / 0.4 - 1.0).abs() < 0.02);
+    fn rolling_shakes_down_up_to_four_k() {
+        let k = 300.0;
+        let limit = DepthLimit::rolling(1e-3, |_| k * 3f64.sqrt());
+        assert!((limit.peak_pressure / k - 4.0).abs() < 1e-4, "{}", limit.peak_pressure / k);
+        assert!((limit.depth / (1e-3 * limit.peak_pressure) - 0.5).abs() < 0.01, "{limit:?}");
+        let uniform = DepthLimit::uniform_rolling(1e-3, k * 3f64.sqrt());
+        assert!((limit.peak_pressure / uniform.peak_pressure - 1.0).abs() < 2e-5, "{limit:?} {uniform:?}");
+        // A case that ends at the depth of the largest shear stress is worth nothing; a deep one is worth all.
+        let case = |depth: f64| move |z: f64| 3f64.sqrt() * if z < depth { 2.0 * k } else { k };
+        let thin = DepthLimit::rolling(1e-3, case(0.3)).peak_pressure;
+        let deep = DepthLimit::rolling(1e-3, case(60.0)).peak_pressure;
+        assert!(
+            (thin / (4.0 * k) - 1.0).abs() < 1e-4 && (deep / (8.0 * k) - 1.0).abs() < 1e-4,
+            "{thin} {deep}"
+        );
     }
 }

@@ -9,7 +9,10 @@ use super::HardeningLaw;
 use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
-use super::{BackstressTerm, FaultCode, FieldError, Hardening, PoissonRatio, PositiveF64, Quantity, Units};
+use super::{
+    BackstressTerm, FaultCode, FieldError, Hardening, OverDepth, PoissonRatio, PositiveF64, Quantity,
+    StrengthProfile, Units,
+};
 
 /// What a body is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +50,7 @@ pub struct Deformable {
     elastic: Elastic,
     plasticity: Option<Hardening>,
     backstress: Vec<BackstressTerm>,
+    over_depth: Option<OverDepth>,
 }
 
 impl Deformable {
@@ -61,7 +65,7 @@ impl Deformable {
         let beside = [("young_modulus", elastic.young_modulus.get())];
         let mut faults = plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(&beside));
         if faults.is_empty() {
-            return Ok(Self { elastic, plasticity, backstress: Vec::new() });
+            return Ok(Self { elastic, plasticity, backstress: Vec::new(), over_depth: None });
         }
         for fault in &mut faults {
             fault.pointer.insert_str(0, "/plasticity");
@@ -99,10 +103,38 @@ impl Deformable {
         self
     }
 
+    /// How strength varies with depth.
+    pub fn over_depth(&self) -> Option<&OverDepth> {
+        self.over_depth.as_ref()
+    }
+
+    /// The same material with a strength that varies with depth; nothing of it counts without a hardening curve.
+    ///
+    /// # Errors
+    /// Yield stresses a hundredth or a hundred times that of the curve, with a pointer relative to the material.
+    pub fn with_over_depth(mut self, over_depth: OverDepth) -> Result<Self, Vec<FieldError>> {
+        let Some(law) = self.hardening_law() else { return Ok(self) };
+        let mut faults = over_depth.faults_beside(law.nominal_yield_stress());
+        if faults.is_empty() {
+            self.over_depth = Some(over_depth);
+            return Ok(self);
+        }
+        for fault in &mut faults {
+            fault.pointer.insert_str(0, "/plasticity/over_depth");
+        }
+        Err(faults)
+    }
+
+    /// Factors of the hardening curve over depth; `None` where it is the same everywhere.
+    pub fn strength(&self) -> Option<StrengthProfile> {
+        let profile = self.over_depth.as_ref()?.profile(self.hardening_law()?.nominal_yield_stress());
+        (profile.range() != (1.0, 1.0)).then_some(profile)
+    }
+
     /// The same elastic constants without a hardening curve.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
-        Self { elastic: self.elastic, plasticity: None, backstress: Vec::new() }
+        Self { elastic: self.elastic, plasticity: None, backstress: Vec::new(), over_depth: None }
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
@@ -111,13 +143,18 @@ impl Deformable {
         let elastic = Elastic::read_fields(object, units, None, &mut known);
         let beside: Vec<_> =
             known.figure("young_modulus").map(|modulus| ("young_modulus", modulus)).into_iter().collect();
-        let plasticity = object.or("plasticity", None, |c| {
-            let law = Hardening::read(c, units, &beside)?;
-            let terms = c.object()?.or("backstress", Vec::new(), |c| BackstressTerm::read_all(c, units))?;
-            Some(Some((law, terms)))
+        let plasticity = object.or("plasticity", (None, Vec::new(), None), |c| {
+            let law = Hardening::read(c, units, &beside);
+            let terms = c.object()?.or("backstress", Vec::new(), |c| BackstressTerm::read_all(c, units));
+            let over_depth = c.object()?.or(OverDepth::KEY, None, |c| OverDepth::read(c, units).map(Some));
+            Some((Some(law?), terms?, over_depth?))
         });
-        let (law, terms) = plasticity?.map_or((None, Vec::new()), |(law, terms)| (Some(law), terms));
-        Some(object.checked(Self::new(elastic?, law))?.with_backstress(terms))
+        let (law, terms, over_depth) = plasticity?;
+        let material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
+        match over_depth {
+            Some(over_depth) => object.checked(material.with_over_depth(over_depth)),
+            None => Some(material),
+        }
     }
 }
 
@@ -150,8 +187,8 @@ impl Elastic {
     }
 }
 
-/// A hardening curve and the backstress beside it.
-struct Plasticity<'a>(&'a Hardening, &'a [BackstressTerm]);
+/// A hardening curve and what stands beside it.
+struct Plasticity<'a>(&'a Hardening, &'a [BackstressTerm], Option<&'a OverDepth>);
 
 impl Serialize for InUnits<'_, Plasticity<'_>> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -161,10 +198,13 @@ impl Serialize for InUnits<'_, Plasticity<'_>> {
             law: InUnits<'a, Hardening>,
             #[serde(skip_serializing_if = "Vec::is_empty")]
             backstress: Vec<InUnits<'a, BackstressTerm>>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            over_depth: Option<InUnits<'a, OverDepth>>,
         }
-        let Plasticity(law, backstress) = *self.0;
+        let Plasticity(law, backstress, over_depth) = *self.0;
         let backstress = backstress.iter().map(|term| InUnits(term, self.1)).collect();
-        Wire { law: InUnits(law, self.1), backstress }.serialize(serializer)
+        let over_depth = over_depth.map(|over_depth| InUnits(over_depth, self.1));
+        Wire { law: InUnits(law, self.1), backstress, over_depth }.serialize(serializer)
     }
 }
 
@@ -176,7 +216,7 @@ impl Serialize for InUnits<'_, Material> {
             Material::Deformable(deformable) => {
                 write_record(&deformable.elastic, &mut map, self.1)?;
                 if let Some(curve) = &deformable.plasticity {
-                    let plasticity = Plasticity(curve, &deformable.backstress);
+                    let plasticity = Plasticity(curve, &deformable.backstress, deformable.over_depth());
                     map.serialize_entry("plasticity", &InUnits(&plasticity, self.1))?;
                 }
             }

@@ -17,6 +17,7 @@ pub mod hardening;
 pub mod load;
 pub mod material;
 pub mod number;
+pub mod over_depth;
 pub mod quantity;
 mod reader;
 mod revolution;
@@ -43,6 +44,7 @@ pub use hardening::{
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
+pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, OverDepth, StrengthProfile};
 pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};

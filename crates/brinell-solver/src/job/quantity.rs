@@ -23,6 +23,8 @@ pub enum Quantity {
     TangentModulus,
     /// A yield, reference or saturation stress, `1e-6..=1e7` MPa.
     Stress,
+    /// A stress of either sign, `-1e7..=1e7` MPa.
+    SignedStress,
     /// A force on unit thickness, `1e-9..=1e9` N/mm.
     LineForce,
     /// A force, `1e-9..=1e9` N.
@@ -40,6 +42,7 @@ impl Quantity {
             Self::Modulus => (1e-3, 1e8),
             Self::TangentModulus => (0.0, 1e8),
             Self::Stress => (1e-6, 1e7),
+            Self::SignedStress => (-1e7, 1e7),
             Self::LineForce | Self::Force => (1e-9, 1e9),
         }
     }
@@ -56,8 +59,10 @@ impl Quantity {
         match (self, units) {
             (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::MmNMpa) => "mm",
             (Self::Length | Self::Position | Self::Depth | Self::Approach, Units::Si) => "m",
-            (Self::Modulus | Self::TangentModulus | Self::Stress, Units::MmNMpa) => "MPa",
-            (Self::Modulus | Self::TangentModulus | Self::Stress, Units::Si) => "Pa",
+            (Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress, Units::MmNMpa) => {
+                "MPa"
+            }
+            (Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress, Units::Si) => "Pa",
             (Self::LineForce, Units::MmNMpa) => "N/mm",
             (Self::LineForce, Units::Si) => "N/m",
             (Self::Force, _) => "N",
@@ -82,7 +87,9 @@ impl Quantity {
         match (units, self) {
             (Units::MmNMpa, _) | (Units::Si, Self::Force) => (1.0, 1.0),
             (Units::Si, Self::Length | Self::Position | Self::Depth | Self::Approach) => (1e3, 1.0),
-            (Units::Si, Self::Modulus | Self::TangentModulus | Self::Stress) => (1.0, 1e6),
+            (Units::Si, Self::Modulus | Self::TangentModulus | Self::Stress | Self::SignedStress) => {
+                (1.0, 1e6)
+            }
             (Units::Si, Self::LineForce) => (1.0, 1e3),
         }
     }
@@ -92,14 +99,16 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    const ALL: [Quantity; 9] = [
+    const ALL: [Quantity; 10] = [
         Quantity::Length,
         Quantity::Depth,
         Quantity::Position,
+        Quantity::Depth,
         Quantity::Approach,
         Quantity::Modulus,
         Quantity::TangentModulus,
         Quantity::Stress,
+        Quantity::SignedStress,
         Quantity::LineForce,
         Quantity::Force,
     ];

@@ -7,9 +7,9 @@ use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
-    Analysis, BackstressTerm, ContactMethod, Coupling, Elastic, Hardening, Interpolation, Job, Load,
-    MeshSettings, Named, OutputSettings, Quantity, Shape, SolverSettings, Support, Sweep, Theory, Units,
-    tags,
+    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
+    HardnessProfile, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, Quantity, Shape,
+    SolverSettings, Support, Sweep, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -87,11 +87,16 @@ impl Schemas<'_> {
                 "items": self.named(BackstressTerm::TABLE.name),
                 "maxItems": BackstressTerm::MAX_TERMS,
             });
+            law["properties"][OverDepth::KEY] = or_null(
+                self.named("StrengthOverDepth"),
+                "How the stresses of the curve vary with the depth.",
+            );
             (name, law)
         }));
         let term = BackstressTerm::TABLE;
         let fields = BackstressTerm::TABLE.fields.iter().map(|field| self.entry(field, None));
         all.push((term.name, object(term.description, fields.collect())));
+        all.extend(self.over_depth());
         all.extend(self.materials());
         all.extend(self.loads());
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
@@ -259,6 +264,39 @@ impl Schemas<'_> {
             ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
             ("Deformable", object("An isotropic body, elastic unless it has a hardening curve.", elastic)),
             ("Rigid", object("A body that does not deform.", rigid)),
+        ]
+    }
+
+    fn over_depth(&self) -> Vec<(&'static str, Value)> {
+        let table = |table: FieldTable| {
+            let fields = table.fields.iter().map(|field| self.entry(field, None));
+            (table.name, object(table.description, fields.collect()))
+        };
+        let mut factors = self.entry(&OverDepth::FACTORS, None).schema;
+        factors["type"] = json!("array");
+        let mut hardness = object(
+            "Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.",
+            vec![Entry {
+                key: "hardness",
+                schema: self
+                    .one_of("Measured at points, or of a case.", &["HardnessProfile", "HardenedCase"]),
+                required: true,
+            }],
+        );
+        hardness["additionalProperties"] = json!(false);
+        vec![
+            (
+                "StrengthOverDepth",
+                self.one_of(
+                    "Factors of the stresses of the hardening curve over the depth below the surface, or the hardness.",
+                    &["StrengthFactors", "HardnessOverDepth"],
+                ),
+            ),
+            ("StrengthFactors", factors),
+            ("HardnessOverDepth", hardness),
+            table(HardnessProfile::TABLE),
+            table(HardenedCase::TABLE),
+            ("CaseCurve", enumeration::<CaseCurve>("Hardness between surface and core of a case.")),
         ]
     }
 

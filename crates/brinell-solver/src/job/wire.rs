@@ -3,7 +3,9 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::fields::{Record, write_record};
-use super::{BackstressTerm, MeshSettings, OutputSettings, SolverSettings, Units};
+use super::{
+    BackstressTerm, HardenedCase, HardnessProfile, MeshSettings, OutputSettings, SolverSettings, Units,
+};
 
 /// A part of a job beside the units in which it is to be written.
 pub(super) struct InUnits<'a, T>(pub &'a T, pub Units);
@@ -29,4 +31,11 @@ macro_rules! written_as_records {
     )+};
 }
 
-written_as_records!(MeshSettings, SolverSettings, OutputSettings, BackstressTerm);
+written_as_records!(
+    MeshSettings,
+    SolverSettings,
+    OutputSettings,
+    BackstressTerm,
+    HardenedCase,
+    HardnessProfile
+);

@@ -16,6 +16,8 @@
 //! # Reference
 //! H. Hencky, *Zur Theorie plastischer Deformationen*, ZAMM 4 (1924) 323–334.
 
+use std::sync::Arc;
+
 use super::model::PerPoint;
 use super::tangent::reduction;
 use super::{
@@ -45,8 +47,16 @@ struct Secant {
 impl DeformationPlasticity {
     /// The law of a material; an elastic one if it has no hardening curve.
     pub fn new(material: &Deformable, out_of_plane: OutOfPlane) -> Self {
-        let elastic = ElasticModuli::from(material.elastic());
-        let mapping = material.hardening_law().map(|law| ReturnMapping::new(law, elastic.shear));
+        Self::with_law(ElasticModuli::from(material.elastic()), material.hardening_law(), out_of_plane)
+    }
+
+    /// The law of elastic moduli and a hardening curve, if there is one.
+    pub fn with_law(
+        elastic: ElasticModuli,
+        law: Option<Arc<dyn HardeningLaw>>,
+        out_of_plane: OutOfPlane,
+    ) -> Self {
+        let mapping = law.map(|law| ReturnMapping::new(law, elastic.shear));
         Self {
             elastic,
             yield_stress: mapping.as_ref().map_or(f64::INFINITY, ReturnMapping::yield_stress),

@@ -4,10 +4,13 @@
 //! - [`HardeningLaw`] is a uniaxial curve, one file each in `job/hardening`;
 //! - [`ReturnMapping`] combines a curve with elasticity;
 //! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing;
-//! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening.
+//! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
+//! - [`Inhomogeneous`] makes another model out of one of these: with a strength that varies over depth, and a stress that
+//!   is there before any load.
 
 mod deformation;
 mod flow;
+mod inhomogeneous;
 mod model;
 mod moduli;
 mod return_mapping;
@@ -17,7 +20,8 @@ pub use crate::analytical::von_mises;
 pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
 pub use flow::{BackstressTerm, FlowPlasticity, FlowState, SUBSTEPS};
-pub use model::{ConstitutiveModel, PerPoint, PointResponse};
+pub use inhomogeneous::{DepthStrength, Inhomogeneous};
+pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::ReturnMapping;
 

@@ -8,6 +8,15 @@ use super::moduli::{ElasticModuli, ModuliReduction, OutOfPlane, ReferenceModuli}
 /// One value for each Gauss point of an element; the innermost index, so that loops over it vectorize.
 pub type PerPoint = [f64; 4];
 
+/// What is known of a point before any load.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct PointOrigin {
+    /// `[x, y]` in the frame of the undeformed body \[mm\].
+    pub position: [f64; 2],
+    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` that the unloaded body is in equilibrium with \[MPa\].
+    pub initial_stress: [f64; 4],
+}
+
 /// The answer of a material point to a strain.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct PointResponse {
@@ -30,7 +39,7 @@ pub struct PointResponse {
 /// The state is that of the last accepted increment. Every iterate of an increment starts from it, and it is replaced
 /// once, when the increment is accepted; so an iteration cannot drift, and one that fails leaves nothing behind.
 pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
-    /// What a point remembers; the default is a point that has seen nothing.
+    /// What a point remembers; the default is a point that has seen nothing and is like every other.
     type State: Copy + Default + Debug + Send + Sync + 'static;
 
     /// Elastic moduli.
@@ -41,6 +50,23 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
 
     /// The isotropic hardening law; `None` for a material that cannot yield.
     fn hardening(&self) -> Option<&dyn HardeningLaw>;
+
+    /// The state of a point before any load.
+    fn at_rest(&self, origin: &PointOrigin) -> Self::State {
+        let _ = origin;
+        Self::State::default()
+    }
+
+    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body \[mm\].
+    fn strength(&self, position: [f64; 2]) -> f64 {
+        let _ = position;
+        1.0
+    }
+
+    /// Whether [`Self::strength`] is not the same everywhere.
+    fn varies_in_strength(&self) -> bool {
+        false
+    }
 
     /// Whether the answer depends on the way there, so that loads are a history.
     fn has_memory(&self) -> bool {
@@ -63,7 +89,8 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         None
     }
 
-    /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\]; returns the points that
+    /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\], but for a stress that the
+    /// unloaded body has already, whose nodal forces are zero; returns the points that
     /// count as yielded, or `None` where all initial stresses are zero (the strains are then left in any state).
     ///
     /// For a given ε_zz initial stresses are deviatoric, so that the dilatation of the strains does not matter.

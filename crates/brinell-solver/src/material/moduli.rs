@@ -53,6 +53,15 @@ impl ElasticModuli {
         self.bulk * one * one.transpose() + 2.0 * self.shear * deviatoric_projection()
     }
 
+    /// The strain `[ε_xx, ε_yy, ε_zz, γ_xy]` of an elastic stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
+    pub fn strain(&self, stress: [f64; 4]) -> [f64; 4] {
+        let [x, y, z, t] = stress;
+        let third = (x + y + z) / 3.0;
+        let mean = third / (3.0 * self.bulk);
+        let along = |s: f64| mean + (s - third) / (2.0 * self.shear);
+        [along(x), along(y), along(z), t / self.shear]
+    }
+
     /// Elastic stress \[MPa\] of a strain `[ε_xx, ε_yy, ε_zz, γ_xy]`; in plane stress ε_zz is not looked at.
     pub fn stress(&self, strain: [f64; 4], out_of_plane: OutOfPlane) -> [f64; 4] {
         let [x, y, z, g] = strain;

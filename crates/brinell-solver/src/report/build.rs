@@ -135,6 +135,8 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
             peak_pressure: write.stress(reference.peak_pressure),
             yield_onset_force: reference.yield_onset_force.map(|force| write.force(force)),
             yield_onset_depth: reference.yield_onset_depth.map(|depth| write.length(depth)),
+            shakedown_pressure: reference.rolling_limit.map(|limit| write.stress(limit.peak_pressure)),
+            shakedown_depth: reference.rolling_limit.map(|limit| write.length(limit.depth)),
         }),
         validity: validity::notes(job, step, radius, &depths),
         yield_onset: onset::onset(job, step, write),

@@ -135,6 +135,12 @@ pub struct SubsurfaceReport {
     pub von_mises: Vec<f64>,
     /// Equivalent plastic strain \[1\].
     pub equivalent_plastic_strain: Vec<f64>,
+    /// Yield stress, where it varies with the depth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_stress: Option<Vec<f64>>,
+    /// Von Mises stress over that yield stress.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilization: Option<Vec<f64>>,
 }
 
 /// Extent of plastic flow in one body.
@@ -173,6 +179,13 @@ pub struct HertzReport {
     /// Depth at which it does \[length >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_depth: Option<f64>,
+    /// Peak pressure up to which the line contact shakes down when it rolls freely; `null` without yield and in other
+    /// analyses than plane strain.
+    #[serde(default)]
+    pub shakedown_pressure: Option<f64>,
+    /// Depth that decides on it.
+    #[serde(default)]
+    pub shakedown_depth: Option<f64>,
 }
 
 /// The mesh that was solved on.

@@ -12,9 +12,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::PerBody;
-use super::recovery::Recovery;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
+use crate::solver::recovery::Recovery;
 use crate::solver::{BodySolution, StepSolution};
 
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::contact::force;
 use super::units::UnitConverter;
 use crate::contact::ContactLoad;
-use crate::job::{Body, Job, Load, Material};
-use crate::solver::{StepSolution, highest_utilisation};
+use crate::job::{Job, Load};
+use crate::solver::{Problem, StepSolution, highest_utilisation};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,7 +42,7 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
     if job.load != Load::Onset {
         return None;
     }
-    let first = highest_utilisation(step, &[&job.upper, &job.lower].map(yield_stress))?;
+    let first = highest_utilisation(step, &Problem::of(job))?;
     let [x, y] = first.position;
     // The force that was prescribed; the nodal ones add up to it but for rounding.
     let force = match step.load {
@@ -57,9 +57,4 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
         position: write.length(x),
         depth: write.length(-y),
     })
-}
-
-fn yield_stress(body: &Body) -> Option<f64> {
-    let Material::Deformable(material) = &body.material else { return None };
-    Some(material.hardening_law()?.yield_stress()).filter(|stress| *stress > 0.0)
 }

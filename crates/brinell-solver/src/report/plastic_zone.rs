@@ -14,9 +14,9 @@
 
 use std::collections::BTreeMap;
 
-use super::recovery::{Recovery, Values};
 use crate::analytical::Stress;
 use crate::solver::BodySolution;
+use crate::solver::recovery::{Recovery, Values};
 
 /// Most points of a polygon; a longer one is thinned.
 const MAX_POINTS: usize = 400;
@@ -41,12 +41,13 @@ type Corner = (u32, u32, bool);
 /// Outlines the zone of a body.
 pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
     let Some(excess) = Excess::of(solution) else { return PlasticZone::default() };
+    let limit_at = |node: u32| excess.limit * solution.model.strength(solution.mesh.nodes[node as usize]);
     let mut recovery = Recovery::new(solution, symmetric);
     let elements = elements_near_yield(solution, &recovery);
     let mut values = BTreeMap::new();
     for &element in &elements {
         for node in solution.mesh.elements[element] {
-            values.entry(node).or_insert_with(|| excess.at(recovery.node(node)));
+            values.entry(node).or_insert_with(|| excess.stress(recovery.node(node)) - limit_at(node));
         }
     }
     let mesh = &solution.mesh;
@@ -90,7 +91,7 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
 
 /// How f is formed from recovered values.
 struct Excess {
-    /// Yield or reference stress \[MPa\].
+    /// Yield or reference stress where strength is not scaled \[MPa\].
     limit: f64,
     /// 3G where plastic strain counts \[MPa\], else 0.
     triple_shear: f64,
@@ -110,10 +111,11 @@ impl Excess {
         })
     }
 
-    fn at(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, largest]: Values) -> f64 {
+    /// `q + 3G ε_p` \[MPa\].
+    fn stress(&self, [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, largest]: Values) -> f64 {
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         let von_mises = if self.has_memory { largest } else { stress.von_mises() };
-        von_mises + self.triple_shear * plastic_strain - self.limit
+        von_mises + self.triple_shear * plastic_strain
     }
 }
 

@@ -1,11 +1,11 @@
 //! Stresses over depth below the peak pressure.
 
 use super::SubsurfaceReport;
-use super::recovery::Recovery;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
-use crate::job::Quantity;
+use crate::job::{HardeningLaw, Quantity};
 use crate::solver::BodySolution;
+use crate::solver::recovery::Recovery;
 
 /// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
 /// below the nearest candidate node, from the surface to the support.
@@ -27,7 +27,11 @@ pub(super) fn profile(
         tau_max: Vec::new(),
         von_mises: Vec::new(),
         equivalent_plastic_strain: Vec::new(),
+        yield_stress: None,
+        utilization: None,
     };
+    let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
+    let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {
         let y = mesh.nodes[node as usize][1];
         // A node on the very line needs no interpolation.
@@ -35,6 +39,8 @@ pub(super) fn profile(
         let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, y]) };
         let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _]) = values else { continue };
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
+        let strength = body.model.strength(mesh.nodes[node as usize]);
+        yield_stress.extend(limit.map(|limit| write.figure(Quantity::Stress, limit * strength)));
         report.depth.push(write.figure(Quantity::Length, surface - y));
         report.sigma_x.push(write.figure(Quantity::Stress, sigma_x));
         report.sigma_y.push(write.figure(Quantity::Stress, sigma_y));
@@ -42,6 +48,11 @@ pub(super) fn profile(
         report.tau_max.push(write.figure(Quantity::Stress, stress.tau_max()));
         report.von_mises.push(write.figure(Quantity::Stress, stress.von_mises()));
         report.equivalent_plastic_strain.push(plastic_strain.max(0.0));
+    }
+    if body.model.varies_in_strength() && yield_stress.len() == report.depth.len() {
+        let ratio = |(stress, limit): (&f64, &f64)| stress / limit;
+        report.utilization = Some(report.von_mises.iter().zip(&yield_stress).map(ratio).collect());
+        report.yield_stress = Some(yield_stress);
     }
     report
 }

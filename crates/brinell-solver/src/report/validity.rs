@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::strength;
 use crate::contact::ContactLoad;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Units};
 use crate::solver::{SolveStatus, StepSolution};
@@ -125,6 +126,9 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 step.spacing
             ),
         );
+    }
+    for (code, message) in strength::remarks(job, step) {
+        say(code, message);
     }
     if depths.iter().any(|depth| *depth < NEAR_SUPPORT * half_width) {
         say(

@@ -7,10 +7,10 @@ use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_p
 use crate::fem::assembly::{MaterialModel, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Corner, Outline};
-use crate::job::{Analysis, Body, Deformable, Job, Material, Shape, Support};
+use crate::job::{self, Analysis, Body, Deformable, Job, Material, Shape, Support};
 use crate::material::{
-    BackstressTerm, DeformationPlasticity, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane,
-    ReturnMapping,
+    BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity,
+    HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
 };
 use crate::solver::mesh_sizing::first_contact::smallest_gap;
 
@@ -42,34 +42,63 @@ pub(crate) struct ProblemBody {
     interpolation_is_open: bool,
 }
 
-/// Makes the constitutive model of a material.
-pub type ModelOf = fn(&Deformable, OutOfPlane) -> Arc<dyn MaterialModel>;
+/// Makes the constitutive model of a material in a body of this outline.
+pub type ModelOf = fn(&Deformable, &Outline, OutOfPlane) -> Arc<dyn MaterialModel>;
 
 /// The paper's theory of plasticity.
-pub(crate) fn deformation_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
-    Arc::new(DeformationPlasticity::new(material, out_of_plane))
+pub(crate) fn deformation_theory(
+    material: &Deformable,
+    outline: &Outline,
+    out_of_plane: OutOfPlane,
+) -> Arc<dyn MaterialModel> {
+    let elastic = ElasticModuli::from(material.elastic());
+    in_body(material, outline, |law| DeformationPlasticity::with_law(elastic, law, out_of_plane))
 }
 
 /// Flow theory, which follows a history of loads.
-pub(crate) fn flow_theory(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
-    let Some(law) = material.hardening_law() else { return deformation_theory(material, out_of_plane) };
-    let elastic = ElasticModuli::from(material.elastic());
-    let mapping = ReturnMapping::new(law, elastic.shear);
-    let terms = material.backstress();
+pub(crate) fn flow_theory(
+    material: &Deformable,
+    outline: &Outline,
+    out_of_plane: OutOfPlane,
+) -> Arc<dyn MaterialModel> {
     // As many terms as there are, because every point keeps one tensor for each.
-    match *terms {
-        [] => Arc::new(FlowPlasticity::new(elastic, mapping, [], out_of_plane)),
-        [a] => Arc::new(FlowPlasticity::new(elastic, mapping, [&a].map(BackstressTerm::from), out_of_plane)),
-        [a, b] => {
-            Arc::new(FlowPlasticity::new(elastic, mapping, [&a, &b].map(BackstressTerm::from), out_of_plane))
-        }
-        [a, b, c] => {
-            let terms = [&a, &b, &c].map(BackstressTerm::from);
-            Arc::new(FlowPlasticity::new(elastic, mapping, terms, out_of_plane))
-        }
-        [a, b, c, d, ..] => {
-            let terms = [&a, &b, &c, &d].map(BackstressTerm::from);
-            Arc::new(FlowPlasticity::new(elastic, mapping, terms, out_of_plane))
+    match *material.backstress() {
+        [] => flow_theory_with(material, outline, out_of_plane, []),
+        [a] => flow_theory_with(material, outline, out_of_plane, [a]),
+        [a, b] => flow_theory_with(material, outline, out_of_plane, [a, b]),
+        [a, b, c] => flow_theory_with(material, outline, out_of_plane, [a, b, c]),
+        [a, b, c, d, ..] => flow_theory_with(material, outline, out_of_plane, [a, b, c, d]),
+    }
+}
+
+fn flow_theory_with<const N: usize>(
+    material: &Deformable,
+    outline: &Outline,
+    out_of_plane: OutOfPlane,
+    backstress: [job::BackstressTerm; N],
+) -> Arc<dyn MaterialModel> {
+    let Some(law) = material.hardening_law() else {
+        return deformation_theory(material, outline, out_of_plane);
+    };
+    let elastic = ElasticModuli::from(material.elastic());
+    let terms = backstress.each_ref().map(BackstressTerm::from);
+    in_body(material, outline, |scaled| {
+        let law = scaled.unwrap_or_else(|| Arc::clone(&law));
+        FlowPlasticity::new(elastic, ReturnMapping::new(law, elastic.shear), terms, out_of_plane)
+    })
+}
+
+/// A model of the hardening law of a material; of its scaled laws where strength varies over depth.
+fn in_body<M: ConstitutiveModel>(
+    material: &Deformable,
+    outline: &Outline,
+    model: impl Fn(Option<Arc<dyn HardeningLaw>>) -> M,
+) -> Arc<dyn MaterialModel> {
+    let law = material.hardening_law();
+    match material.strength() {
+        None => Arc::new(model(law)),
+        Some(profile) => {
+            Arc::new(Inhomogeneous::new(law, Some(DepthStrength::new(profile, outline.clone())), model))
         }
     }
 }
@@ -98,9 +127,12 @@ impl Problem {
                 Material::Rigid => None,
                 Material::Deformable(material) => Some(material.clone()),
             };
+            let outline = Outline::of(&body.shape);
             ProblemBody {
-                outline: Outline::of(&body.shape),
-                model: material.as_ref().map(|material| model(material, out_of_plane(stress_state))),
+                model: material
+                    .as_ref()
+                    .map(|material| model(material, &outline, out_of_plane(stress_state))),
+                outline,
                 material,
                 support: body.support,
                 interpolation_is_open: matches!(&body.shape, Shape::Profile(p) if p.interpolation().is_none()),
@@ -134,7 +166,9 @@ impl Problem {
             let material = body.material.as_ref().map(Deformable::without_plasticity);
             ProblemBody {
                 outline: body.outline.clone(),
-                model: material.as_ref().map(|material| deformation_theory(material, out_of_plane)),
+                model: material
+                    .as_ref()
+                    .map(|material| deformation_theory(material, &body.outline, out_of_plane)),
                 material,
                 support: body.support,
                 interpolation_is_open: body.interpolation_is_open,
@@ -307,7 +341,11 @@ impl Problem {
 
     /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for elastic bodies.
     pub fn hardness(&self) -> f64 {
-        let hardness = |body: &ProblemBody| Some(2.6 * body.hardening()?.flow_stress());
+        // Of the strongest depth: a contact that is too narrow for it is widened, one too wide is refused.
+        let hardness = |body: &ProblemBody| {
+            let (_, strongest) = body.strength_range();
+            Some(2.6 * strongest * body.hardening()?.flow_stress())
+        };
         self.bodies.iter().filter_map(hardness).fold(f64::INFINITY, f64::min)
     }
 }
@@ -318,8 +356,19 @@ impl ProblemBody {
         self.model.as_ref()?.hardening()
     }
 
-    /// Stress at which it begins to yield \[MPa\]; `None` if it cannot, or does from the first load on.
+    /// Stress at which its hardening curve begins \[MPa\]; `None` if it cannot yield, or does from the first load on.
     pub fn yield_stress(&self) -> Option<f64> {
         Some(self.hardening()?.yield_stress()).filter(|stress| *stress > 0.0)
+    }
+
+    /// Stress at which it begins to yield at a place `[x, y]` \[MPa\].
+    pub fn yield_stress_at(&self, position: [f64; 2]) -> Option<f64> {
+        Some(self.yield_stress()? * self.model.as_ref()?.strength(position))
+    }
+
+    /// Smallest and largest factor of the hardening curve.
+    pub fn strength_range(&self) -> (f64, f64) {
+        let strength = self.material.as_ref().and_then(Deformable::strength);
+        strength.map_or((1.0, 1.0), |strength| strength.range())
     }
 }

@@ -1,6 +1,8 @@
 //! The elastic contact of the same bodies in closed form.
 
-use crate::analytical::{HertzLine, HertzPoint, YieldOnset};
+use std::f64::consts::PI;
+
+use crate::analytical::{DepthLimit, HertzLine, HertzPoint, YieldOnset};
 use crate::fem::element::StressState;
 use crate::job::Job;
 use crate::solver::problem::{Problem, ProblemBody};
@@ -19,6 +21,8 @@ pub struct ElasticReference {
     pub yield_onset_force: Option<f64>,
     /// Depth at which it does \[mm\].
     pub yield_onset_depth: Option<f64>,
+    /// Elastic shakedown limit of a line contact that rolls freely, in plane strain; `None` where no body yields.
+    pub rolling_limit: Option<DepthLimit>,
 }
 
 impl ElasticReference {
@@ -33,6 +37,8 @@ impl ElasticReference {
         let radius = curvature.recip();
         let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus);
         let first = problem.bodies.iter().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
+        let rolling = |body: &ProblemBody| rolling_limit(problem.stress_state, body, radius, modulus);
+        let rolling_limit = problem.bodies.iter().filter_map(rolling);
         let (half_width, peak_pressure) = contact(problem.stress_state, force, radius, modulus);
         Some(Self {
             half_width,
@@ -40,6 +46,7 @@ impl ElasticReference {
             effective_radius: radius,
             yield_onset_force: first.map(|(force, _)| force),
             yield_onset_depth: first.map(|(_, depth)| depth),
+            rolling_limit: rolling_limit.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure)),
         })
     }
 }
@@ -58,6 +65,21 @@ fn contact(stress_state: StressState, force: f64, radius: f64, modulus: f64) -> 
     }
 }
 
+/// The pressure up to which a line contact shakes down under a body that rolls.
+fn rolling_limit(
+    stress_state: StressState,
+    body: &ProblemBody,
+    radius: f64,
+    modulus: f64,
+) -> Option<DepthLimit> {
+    let yield_stress = body.yield_stress().filter(|_| stress_state == StressState::PlaneStrain)?;
+    let half_width = 2.0 * radius / modulus;
+    Some(match body.material.as_ref()?.strength() {
+        Some(strength) => DepthLimit::rolling(half_width, |depth| yield_stress * strength.factor(depth)),
+        None => DepthLimit::uniform_rolling(half_width, yield_stress),
+    })
+}
+
 /// Force and depth at which a body begins to yield.
 fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f64) -> Option<(f64, f64)> {
     let material = body.material.as_ref()?;
@@ -66,6 +88,27 @@ fn onset(stress_state: StressState, body: &ProblemBody, radius: f64, modulus: f6
         return None;
     }
     let poisson_ratio = material.elastic().poisson_ratio.get();
+    if let Some(strength) = material.strength() {
+        let yield_stress = |depth: f64| yield_stress * strength.factor(depth);
+        let limit = match stress_state {
+            StressState::PlaneStrain => {
+                DepthLimit::line_onset(poisson_ratio, 2.0 * radius / modulus, yield_stress)
+            }
+            StressState::PlaneStress => DepthLimit::line_onset(0.0, 2.0 * radius / modulus, yield_stress),
+            StressState::Axisymmetric => {
+                DepthLimit::point_onset(poisson_ratio, 0.5 * PI * radius / modulus, yield_stress)
+            }
+        };
+        let force = match stress_state {
+            StressState::PlaneStrain | StressState::PlaneStress => {
+                HertzLine::from_peak_pressure(limit.peak_pressure, radius, modulus).force()
+            }
+            StressState::Axisymmetric => {
+                HertzPoint::from_peak_pressure(limit.peak_pressure, radius, modulus).force()
+            }
+        };
+        return Some((force, limit.depth));
+    }
     let (onset, force) = match stress_state {
         StressState::PlaneStrain => {
             let onset = YieldOnset::line_von_mises(poisson_ratio);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, out_of_plane,
+    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, Unloaded, out_of_plane,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh};
@@ -74,9 +74,10 @@ impl Specimen {
         let ElasticModuli { bulk, shear } = model.elastic();
         let values = assembler.assemble(|_, quad| element_stiffness(quad, bulk, &[shear; QUADRATURE_POINTS]));
         let factor = Cholesky::factor(&symbolic, &values).unwrap();
+        let unloaded = Unloaded { mesh, stress_state, initial_stress: None };
         let everywhere = vec![true; mesh.elements.len()];
         let region =
-            model.hardening().map(|_| Arc::clone(&model).points(mesh, stress_state, &equations, &everywhere));
+            model.hardening().map(|_| Arc::clone(&model).points(&unloaded, &equations, &everywhere));
         let u = vec![0.0; equations.len() + 1];
         Self { mesh: mesh.clone(), equations, factor, model, stress_state, region, u }
     }
@@ -112,9 +113,11 @@ impl Specimen {
         let displacement: Vec<[f64; 2]> =
             nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
         self.u = u;
+        let unloaded =
+            Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
         let field = match &self.region {
-            Some(region) => region.stress_field(&self.mesh, &displacement),
-            None => self.model.stress_field(&self.mesh, self.stress_state, &displacement),
+            Some(region) => region.stress_field(&unloaded, &displacement),
+            None => self.model.stress_field(&unloaded, &displacement),
         };
         Loaded { displacement, field, iterations }
     }

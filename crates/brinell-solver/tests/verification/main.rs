@@ -29,6 +29,7 @@ mod punch_ceiling;
 mod random_jobs;
 mod soundness;
 mod stops;
+mod strength_over_depth;
 mod subsurface;
 mod sweeps;
 mod thick_cylinder;

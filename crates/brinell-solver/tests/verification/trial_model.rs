@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::MaterialModel;
+use brinell_solver::fem::mesh::Outline;
 use brinell_solver::job::{Deformable, Job};
 use brinell_solver::material::{
     ConstitutiveModel, ElasticModuli, FlowPlasticity, HardeningLaw, OutOfPlane, PointResponse, ReturnMapping,
     von_mises,
 };
-use brinell_solver::solver::{Options, Solution, SolveStatus, Unobserved, run_with};
+use brinell_solver::solver::{ModelOf, Options, Solution, SolveStatus, Unobserved, run_with};
 
 use crate::problems::assert_within;
 
@@ -75,7 +76,7 @@ impl ConstitutiveModel for LinearIsotropicFlow {
     }
 }
 
-fn trial_model(material: &Deformable, _: OutOfPlane) -> Arc<dyn MaterialModel> {
+fn trial_model(material: &Deformable, _: &Outline, _: OutOfPlane) -> Arc<dyn MaterialModel> {
     let law = material.hardening_law().unwrap();
     // E = 210 GPa and a tangent modulus of 5 %: H = E E_t / (E - E_t).
     Arc::new(LinearIsotropicFlow {
@@ -87,13 +88,13 @@ fn trial_model(material: &Deformable, _: OutOfPlane) -> Arc<dyn MaterialModel> {
 }
 
 /// The solver's own flow theory, backward Euler over an increment as a whole.
-fn own_model(material: &Deformable, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
+fn own_model(material: &Deformable, _: &Outline, out_of_plane: OutOfPlane) -> Arc<dyn MaterialModel> {
     let elastic = ElasticModuli::from(material.elastic());
     let mapping = ReturnMapping::new(material.hardening_law().unwrap(), elastic.shear);
     Arc::new(FlowPlasticity::new(elastic, mapping, [], out_of_plane).with_substeps(1))
 }
 
-fn solve(model: fn(&Deformable, OutOfPlane) -> Arc<dyn MaterialModel>) -> Solution {
+fn solve(model: ModelOf) -> Solution {
     let body = r#"{"shape": {"type": "cylinder", "radius": 20}, "material": {"young_modulus": 210000,
         "poisson_ratio": 0.3,
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10500}}}"#;

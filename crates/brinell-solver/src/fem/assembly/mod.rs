@@ -10,7 +10,7 @@ use crate::fem::element::StressState;
 use crate::material::OutOfPlane;
 
 pub use equations::{Equations, Restraint};
-pub use plastic_points::{MaterialModel, PlasticPoints};
+pub use plastic_points::{MaterialModel, PlasticPoints, PointStresses, Unloaded};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 

@@ -25,7 +25,9 @@ use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
 use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
-use crate::material::{ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, ReferenceModuli};
+use crate::material::{
+    ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, PointOrigin, ReferenceModuli,
+};
 use sparse_cholesky::simd_dispatch;
 
 /// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of its meshes.
@@ -39,17 +41,53 @@ pub trait MaterialModel: Debug + Send + Sync {
     /// Whether the answer depends on the way there, so that loads are a history.
     fn has_memory(&self) -> bool;
 
+    /// Factor of the stresses of [`Self::hardening`] at a place `[x, y]` of the undeformed body \[mm\].
+    fn strength(&self, position: [f64; 2]) -> f64;
+
+    /// Whether [`Self::strength`] is not the same everywhere.
+    fn varies_in_strength(&self) -> bool;
+
     /// The elements of a mesh that are `inside`, at rest.
     fn points(
         self: Arc<Self>,
-        mesh: &Mesh,
-        stress_state: StressState,
+        unloaded: &Unloaded<'_>,
         equations: &Equations,
         inside: &[bool],
     ) -> Box<dyn PlasticPoints>;
 
     /// Stresses at nodal displacements `[u_x, u_y]` \[mm\] that were reached from rest.
-    fn stress_field(&self, mesh: &Mesh, stress_state: StressState, displacement: &[[f64; 2]]) -> StressField;
+    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
+}
+
+/// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` at the points of each element \[MPa\].
+pub type PointStresses = Vec<[[f64; 4]; QUADRATURE_POINTS]>;
+
+/// A meshed body before any load.
+#[derive(Debug, Clone, Copy)]
+pub struct Unloaded<'a> {
+    /// Its mesh.
+    pub mesh: &'a Mesh,
+    /// Third direction.
+    pub stress_state: StressState,
+    /// The stress that it is in equilibrium with; `None` where there is none.
+    pub initial_stress: Option<&'a PointStresses>,
+}
+
+impl Unloaded<'_> {
+    /// The states of a model at the points of an element.
+    pub(super) fn states<M: ConstitutiveModel>(
+        &self,
+        model: &M,
+        element: usize,
+    ) -> [M::State; QUADRATURE_POINTS] {
+        let corners = self.mesh.corners(element);
+        std::array::from_fn(|g| {
+            model.at_rest(&PointOrigin {
+                position: Quad::point(&corners, g),
+                initial_stress: self.initial_stress.map_or([0.0; 4], |stress| stress[element][g]),
+            })
+        })
+    }
 }
 
 impl<M: ConstitutiveModel> MaterialModel for M {
@@ -65,26 +103,28 @@ impl<M: ConstitutiveModel> MaterialModel for M {
         ConstitutiveModel::has_memory(self)
     }
 
+    fn strength(&self, position: [f64; 2]) -> f64 {
+        ConstitutiveModel::strength(self, position)
+    }
+
+    fn varies_in_strength(&self) -> bool {
+        ConstitutiveModel::varies_in_strength(self)
+    }
+
     fn points(
         self: Arc<Self>,
-        mesh: &Mesh,
-        stress_state: StressState,
+        unloaded: &Unloaded<'_>,
         equations: &Equations,
         inside: &[bool],
     ) -> Box<dyn PlasticPoints> {
-        let mut region = Region {
-            model: self,
-            stress_state,
-            elements: Vec::new(),
-            states: Vec::new(),
-            reductions: Vec::new(),
-        };
-        region.extend(mesh, equations, inside, &[]);
+        let mut region =
+            Region { model: self, elements: Vec::new(), states: Vec::new(), reductions: Vec::new() };
+        region.extend(unloaded, equations, inside, &[]);
         Box::new(region)
     }
 
-    fn stress_field(&self, mesh: &Mesh, stress_state: StressState, displacement: &[[f64; 2]]) -> StressField {
-        stress::evaluate(self, mesh, stress_state, displacement, |_| [M::State::default(); QUADRATURE_POINTS])
+    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
+        stress::evaluate(self, unloaded, displacement, |element| unloaded.states(self, element))
     }
 }
 
@@ -119,18 +159,17 @@ pub trait PlasticPoints: Debug + Send + Sync {
 
     /// Takes in the elements that are `inside` and not in the region yet. They have been elastic so far, on the straight way
     /// to the displacements `u` of the last accepted increment; empty before the first one.
-    fn extend(&mut self, mesh: &Mesh, equations: &Equations, inside: &[bool], u: &[f64]);
+    fn extend(&mut self, unloaded: &Unloaded<'_>, equations: &Equations, inside: &[bool], u: &[f64]);
 
     /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from the last accepted
     /// increment; elements outside of the region are taken from rest.
-    fn stress_field(&self, mesh: &Mesh, displacement: &[[f64; 2]]) -> StressField;
+    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
 }
 
 /// The region of one model.
 #[derive(Debug)]
 struct Region<M: ConstitutiveModel> {
     model: Arc<M>,
-    stress_state: StressState,
     elements: Vec<RegionElement>,
     /// One for each element.
     states: Vec<[M::State; QUADRATURE_POINTS]>,
@@ -232,19 +271,20 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
         }
     }
 
-    fn extend(&mut self, mesh: &Mesh, equations: &Equations, inside: &[bool], u: &[f64]) {
+    fn extend(&mut self, unloaded: &Unloaded<'_>, equations: &Equations, inside: &[bool], u: &[f64]) {
+        let mesh = unloaded.mesh;
         let mut is_new = inside.to_vec();
         for element in &self.elements {
             is_new[element.index] = false;
         }
         for index in (0..mesh.elements.len()).filter(|&element| is_new[element]) {
             let element = RegionElement {
-                quad: Quad::new(&mesh.corners(index), self.stress_state),
+                quad: Quad::new(&mesh.corners(index), unloaded.stress_state),
                 equations: mesh.elements[index].map(|node| equations.of_node(node)),
                 index,
                 reduction: None,
             };
-            let mut states = [M::State::default(); QUADRATURE_POINTS];
+            let mut states = unloaded.states(&*self.model, index);
             if !u.is_empty() {
                 let strain = element.strain(u);
                 for (g, state) in states.iter_mut().enumerate() {
@@ -256,13 +296,13 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
         }
     }
 
-    fn stress_field(&self, mesh: &Mesh, displacement: &[[f64; 2]]) -> StressField {
-        let mut place = vec![None; mesh.elements.len()];
+    fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
+        let mut place = vec![None; unloaded.mesh.elements.len()];
         for (k, element) in self.elements.iter().enumerate() {
             place[element.index] = Some(k);
         }
-        stress::evaluate(&*self.model, mesh, self.stress_state, displacement, |element| {
-            place[element].map_or_else(Default::default, |k: usize| self.states[k])
+        stress::evaluate(&*self.model, unloaded, displacement, |element| {
+            place[element].map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
         })
     }
 }

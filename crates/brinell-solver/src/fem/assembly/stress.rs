@@ -1,7 +1,7 @@
 //! Stresses at the Gauss points of a whole body.
 
-use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
-use crate::fem::mesh::Mesh;
+use super::Unloaded;
+use crate::fem::element::{QUADRATURE_POINTS, Quad};
 use crate::material::{ConstitutiveModel, OutOfPlane, von_mises};
 use sparse_cholesky::simd_dispatch;
 
@@ -81,11 +81,11 @@ pub struct StressField {
 /// Evaluates a model at nodal displacements `[u_x, u_y]` \[mm\], from the states of the points of each element.
 pub(super) fn evaluate<M: ConstitutiveModel>(
     model: &M,
-    mesh: &Mesh,
-    stress_state: StressState,
+    unloaded: &Unloaded<'_>,
     displacement: &[[f64; 2]],
     states: impl Fn(usize) -> [M::State; QUADRATURE_POINTS],
 ) -> StressField {
+    let Unloaded { mesh, stress_state, .. } = *unloaded;
     let mut field = StressField {
         points: Vec::with_capacity(mesh.elements.len()),
         internal_force: vec![[0.0; 2]; mesh.nodes.len()],

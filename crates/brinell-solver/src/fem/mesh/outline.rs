@@ -232,6 +232,53 @@ impl Outline {
         self.depth
     }
 
+    /// Distance of a point `[x, y]` from the surface, positive below it \[mm\].
+    pub fn depth_below(&self, position: [f64; 2]) -> f64 {
+        self.foot(position).0
+    }
+
+    /// Distance from the surface as in [`Self::depth_below`], and the unit vector along its outward normal there.
+    pub fn foot(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
+        match &self.surface {
+            Surface::Arc { curvature } if *curvature == 0.0 => (-y, [0.0, 1.0]),
+            Surface::Arc { curvature } => {
+                // From the centre of the circle, which lies below a convex surface and above a concave one.
+                let radius = curvature.recip();
+                let (dx, dy) = (x, y + radius);
+                let distance = dx.hypot(dy).copysign(radius);
+                let normal = if distance == 0.0 { [0.0, 1.0] } else { [dx / distance, dy / distance] };
+                (radius - distance, normal)
+            }
+            Surface::Points(_) => self.foot_on_curve([x, y]),
+        }
+    }
+
+    /// Foot on a surface of any form: the nearest of many points, then golden section between its neighbours.
+    fn foot_on_curve(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
+        const SAMPLES: u32 = 32;
+        let below = self.height(x) - y;
+        let reach = below.abs();
+        let (left, right) = ((x - reach).max(self.span.0), (x + reach).min(self.span.1));
+        let distance = |s: f64| (s - x).hypot(self.height(s) - y);
+        let step = (right - left) / f64::from(SAMPLES);
+        let at = |k: u32| left + step * f64::from(k);
+        let nearest = (0..=SAMPLES).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(x);
+        let section = 0.5 * (5f64.sqrt() - 1.0);
+        let (mut low, mut high) = ((nearest - step).max(left), (nearest + step).min(right));
+        for _ in 0..40 {
+            let (a, b) = (high - section * (high - low), low + section * (high - low));
+            if distance(a) < distance(b) { high = b } else { low = a }
+        }
+        let foot = 0.5 * (low + high);
+        let depth = distance(foot).min(reach).copysign(below);
+        let normal = [foot - x, self.height(foot) - y].map(|component| component / depth);
+        if normal.iter().all(|component| component.is_finite()) {
+            (depth, normal)
+        } else {
+            (depth, [0.0, 1.0])
+        }
+    }
+
     /// Whether the outline equals its mirror image in x = 0.
     pub fn is_symmetric(&self) -> bool {
         match &self.surface {
@@ -318,6 +365,34 @@ mod tests {
         assert_eq!(right.span(), (-4.0, 4.0));
         assert!((right.height(-2.5) - right.height(2.5)).abs() < 1e-15);
         assert!(!outline(&[[-1.0, 0.0], [3.0, 0.0]]).is_symmetric());
+    }
+
+    #[test]
+    fn depth_is_counted_along_the_normal() {
+        for curvature in [0.05, 0.0, -0.05] {
+            let arc = Outline::arc(curvature, 18.0, 20.0);
+            for x in [-6.0, 0.0, 3.0] {
+                for depth in [0.0, 0.3, 4.0] {
+                    let slope = curvature * x;
+                    let normal = [slope, (1.0 - slope * slope).sqrt()];
+                    let point = [x - depth * normal[0], arc.height(x) - depth * normal[1]];
+                    let (found, direction) = arc.foot(point);
+                    assert!((found - depth).abs() < 1e-12, "{curvature} {x} {depth}: {found}");
+                    assert!(normal.iter().zip(direction).all(|(a, b)| (a - b).abs() < 1e-12));
+                }
+            }
+        }
+        // The same arc through points.
+        let arc = Outline::arc(0.05, 18.0, 20.0);
+        let points: Vec<[f64; 2]> =
+            (-400..=400).map(|k| 0.02 * f64::from(k)).map(|x| [x, arc.height(x)]).collect();
+        let curve = outline(&points);
+        for point in [[0.0, -0.4], [1.0, -0.1], [-3.0, -2.0], [0.5, -4.0]] {
+            let ((a, n), (b, m)) = (arc.foot(point), curve.foot(point));
+            assert!((a - b).abs() < 1e-6, "{point:?}: {a} {b}");
+            assert!(n.iter().zip(m).all(|(n, m)| (n - m).abs() < 1e-3), "{point:?}: {n:?} {m:?}");
+        }
+        assert_eq!(curve.foot([0.0, 0.0]).1, [0.0, 1.0]);
     }
 
     #[test]

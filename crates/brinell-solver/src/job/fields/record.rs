@@ -172,7 +172,7 @@ macro_rules! record {
 macro_rules! tagged {
     (
         $(#[doc = $doc:literal])+
-        pub enum $name:ident by $tag:literal $(beside $shared:literal)? { $($variant:ident),+ $(,)? }
+        pub enum $name:ident by $tag:literal $(beside $($shared:literal),+)? { $($variant:ident),+ $(,)? }
     ) => {
         $(#[doc = $doc])+
         #[derive(Debug, Clone, PartialEq)]
@@ -215,7 +215,7 @@ macro_rules! tagged {
                 beside: &[(&'static str, f64)],
             ) -> Option<Self> {
                 use $crate::job::fields::{Record, read_record_of};
-                let shared: &[&'static str] = &[$($shared)?];
+                let shared: &[&'static str] = &[$($($shared),+)?];
                 let object = cursor.object()?;
                 let words: Vec<_> = Self::TABLES.iter().map(|table| table.word).collect();
                 let word = object.required(Self::TAG, |cursor| cursor.word(&words))?;

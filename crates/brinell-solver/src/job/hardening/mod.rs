@@ -34,7 +34,7 @@ macro_rules! laws {
     ($($law:ident),+ $(,)?) => {
         tagged! {
             /// Uniaxial curve of the stress q over the plastic strain ε_p.
-            pub enum Hardening by "law" beside "backstress" { $($law),+ }
+            pub enum Hardening by "law" beside "backstress", "over_depth" { $($law),+ }
         }
 
         impl Hardening {

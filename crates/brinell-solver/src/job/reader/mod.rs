@@ -84,6 +84,11 @@ impl<'a> Cursor<'a> {
         matches!(self.node, Node::Number(value) if *value == 0.0)
     }
 
+    /// Whether it is an array.
+    pub fn is_array(&self) -> bool {
+        matches!(self.node, Node::Array(_))
+    }
+
     /// Any finite number.
     pub fn number(&self) -> Option<f64> {
         let Node::Number(value) = self.node else { return self.not("a number") };

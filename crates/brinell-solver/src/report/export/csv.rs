@@ -69,15 +69,22 @@ pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
     }
     let units = units(report);
     let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
+    let is_graded = |body: &SubsurfaceReport| body.yield_stress.is_some();
+    let mut bodies = report.steps.iter().filter_map(|step| step.subsurface.as_ref());
+    let graded = bodies.any(|bodies| [&bodies.upper, &bodies.lower].into_iter().flatten().any(is_graded));
     let mut text = format!(
         "step,body,depth [{length}],sigma_x [{stress}],sigma_y [{stress}],sigma_z [{stress}],tau_max [{stress}],\
-         von_mises [{stress}],equivalent_plastic_strain\n"
+         von_mises [{stress}],equivalent_plastic_strain"
     );
+    if graded {
+        let _ = write!(text, ",yield_stress [{stress}],utilization");
+    }
+    text.push('\n');
     for (k, step) in report.steps.iter().enumerate() {
         let Some(bodies) = &step.subsurface else { continue };
         for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
             let Some(body) = body else { continue };
-            write_profile(&mut text, k + 1, name, body);
+            write_profile(&mut text, k + 1, name, body, graded);
         }
     }
     Ok(text)
@@ -130,7 +137,8 @@ pub fn surface_csv(report: &Report) -> Result<String, ExportError> {
     Ok(text)
 }
 
-fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport) {
+/// A body whose strength does not vary leaves the columns of those that do empty.
+fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport, graded: bool) {
     for (k, depth) in body.depth.iter().enumerate() {
         let columns = [
             &body.sigma_x,
@@ -143,6 +151,10 @@ fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceRe
         let _ = write!(text, "{step},{name},{depth}");
         for column in columns {
             let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
+        }
+        for column in [&body.yield_stress, &body.utilization].into_iter().filter(|_| graded) {
+            let value = column.as_ref().and_then(|column| column.get(k));
+            let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }
         text.push('\n');
     }

@@ -91,6 +91,19 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
             stroke: Stroke::Solid,
         });
     }
+    // On the scale of the stresses: how near von Mises stress is to it.
+    for (name, values) in
+        [("von Mises", Some(&profile.von_mises)), ("yield stress", profile.yield_stress.as_ref())]
+    {
+        let Some(values) = values.filter(|_| profile.yield_stress.is_some()) else { continue };
+        let points = profile.depth.iter().copied().zip(values.iter().copied());
+        curves.push(Curve {
+            name: name.to_owned(),
+            points: points.take_while(|(depth, _)| *depth <= reach).collect(),
+            colour: RGBColor(60, 60, 60),
+            stroke: if name == "von Mises" { Stroke::Solid } else { Stroke::Dashed },
+        });
+    }
     curves.extend(elastic_curves(job, body, step, reach));
     let values = || curves.iter().flat_map(|curve| &curve.points).map(|p| p.1);
     let (lowest, highest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));

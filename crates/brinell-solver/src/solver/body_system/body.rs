@@ -138,10 +138,10 @@ impl BodyModel {
 
     /// Stresses in the whole body at displacements of all nodes.
     pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
-        let mesh = &self.elastic.mesh;
+        let unloaded = self.elastic.unloaded();
         match &self.plastic_region.points {
-            Some(points) => points.stress_field(mesh, nodal),
-            None => self.model.stress_field(mesh, self.elastic.stress_state(), nodal),
+            Some(points) => points.stress_field(&unloaded, nodal),
+            None => self.model.stress_field(&unloaded, nodal),
         }
     }
 
@@ -180,9 +180,8 @@ impl PlasticRegion {
         let nodes = active_nodes(mesh, &elements);
         let active_equations = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&active_equations);
-        let points = model
-            .hardening()
-            .map(|_| Arc::clone(model).points(mesh, elastic.stress_state(), equations, &elements));
+        let points =
+            model.hardening().map(|_| Arc::clone(model).points(&elastic.unloaded(), equations, &elements));
         Self { elements, nodes, active_equations, reach, points }
     }
 
@@ -235,7 +234,7 @@ impl PlasticRegion {
         for (inside, more) in self.elements.iter_mut().zip(searched_elements(mesh, model, search_region)) {
             *inside |= more;
         }
-        points.extend(mesh, equations, &self.elements, accepted);
+        points.extend(&elastic.unloaded(), equations, &self.elements, accepted);
         self.nodes = active_nodes(mesh, &self.elements);
         self.active_equations = equations.of_nodes(&self.nodes);
         self.reach = symbolic.reach(&self.active_equations);

@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
+use crate::fem::element::shape_functions;
 use crate::job::Job;
 use crate::material::von_mises;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::load_stepping::load_stepper::LoadStepper;
 use crate::solver::problem::{Problem, ProblemBody};
-use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::recovery::Recovery;
+use crate::solver::solution::{BodySolution, Solution, StepSolution};
 use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Loads tried at most.
@@ -34,18 +36,19 @@ pub(crate) fn run(
     observer: &mut dyn Observer,
 ) -> Result<StepSolution, SolveError> {
     let elastic = problem.without_plasticity();
-    let yield_stress = problem.bodies.each_ref().map(ProblemBody::yield_stress);
-    if yield_stress.iter().all(Option::is_none) {
+    // Of the weakest depth.
+    let weakest = |body: &ProblemBody| Some(body.yield_stress()? * body.strength_range().0);
+    let Some(softest) = problem.bodies.iter().filter_map(weakest).reduce(f64::min) else {
         return Err(SolveError::NoYieldPoint);
-    }
-    let mut force = first_trial(&elastic, &yield_stress)?;
+    };
+    let mut force = first_trial(&elastic, softest)?;
     let mut exponent = 0.5;
     let mut last: Option<(f64, f64)> = None;
     let mut trial = 1;
     loop {
         let mut stepper = LoadStepper::new(&elastic, job, contact, cache);
         let mut step = stepper.step(ContactLoad::Force(force), None, solution, observer)?;
-        let ratio = highest_utilisation(&step, &yield_stress).map_or(0.0, |highest| highest.ratio);
+        let ratio = highest_utilisation(&step, problem).map_or(0.0, |highest| highest.ratio);
         if (ratio - 1.0).abs() <= TOLERANCE || trial == MAX_TRIALS || step.status != SolveStatus::Converged {
             if (ratio - 1.0).abs() > TOLERANCE && step.status == SolveStatus::Converged {
                 step.status = SolveStatus::NotConverged;
@@ -65,8 +68,7 @@ pub(crate) fn run(
 }
 
 /// A force whose contact is small, to start from.
-fn first_trial(problem: &Problem, yield_stress: &[Option<f64>; 2]) -> Result<f64, SolveError> {
-    let softest = yield_stress.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+fn first_trial(problem: &Problem, softest: f64) -> Result<f64, SolveError> {
     // The smallest force whose contact can be sized, brought up to a mean pressure of about the yield stress.
     let (mut low, mut high) = (1e-9, 1e9);
     let mean = |force: f64| -> Result<f64, SolveError> {
@@ -91,7 +93,7 @@ fn first_trial(problem: &Problem, yield_stress: &[Option<f64>; 2]) -> Result<f64
 
 /// Where a step comes nearest to yield, or is farthest beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Utilisation {
+pub(crate) struct Utilisation {
     /// Von Mises stress over yield stress.
     pub ratio: f64,
     /// 0 is the upper body, 1 the lower one.
@@ -100,16 +102,67 @@ pub struct Utilisation {
     pub position: [f64; 2],
 }
 
-/// The element with the highest von Mises stress over yield stress \[MPa\], by element means: single Gauss points lie
-/// above the field by half a percent. Of two bodies alike, the lower one; `None` if no body can yield.
-pub fn highest_utilisation(step: &StepSolution, yield_stress: &[Option<f64>; 2]) -> Option<Utilisation> {
-    let elements =
-        step.bodies.iter().zip(yield_stress).enumerate().filter_map(|(body, (solution, limit))| {
-            let (solution, limit) = (solution.as_ref()?, (*limit)?);
-            Some(solution.stress.points.iter().map(move |points| {
-                let mean = GaussPoint::mean(points);
-                Utilisation { ratio: von_mises(mean.stress) / limit, body, position: mean.position }
-            }))
-        });
-    elements.flatten().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+/// The element with the highest von Mises stress over the yield stress at its place, by element means: single Gauss points lie
+/// above the field by half a percent; where strength varies with depth, by recovered stresses at points within the
+/// elements. Of two bodies alike, the lower one; `None` if no body can yield.
+pub(crate) fn highest_utilisation(step: &StepSolution, problem: &Problem) -> Option<Utilisation> {
+    let solutions = step.bodies.iter().zip(&problem.bodies).enumerate();
+    let highest = solutions.filter_map(|(body, (solution, limits))| {
+        let (solution, (least, greatest)) = (solution.as_ref()?, limits.strength_range());
+        let (ratio, position) = if least < greatest {
+            highest_of_graded(solution, step.symmetric, limits)?
+        } else {
+            highest_of_elements(solution, limits)?
+        };
+        Some(Utilisation { ratio, body, position })
+    });
+    highest.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+}
+
+/// The highest ratio of an element and its centroid.
+fn highest_of_elements(solution: &BodySolution, limits: &ProblemBody) -> Option<(f64, [f64; 2])> {
+    let elements = solution.stress.points.iter().filter_map(|points| {
+        let mean = GaussPoint::mean(points);
+        Some((von_mises(mean.stress) / limits.yield_stress_at(mean.position)?, mean.position))
+    });
+    elements.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Parts of an element's side at whose ends a strength that varies is looked at.
+const PARTS: u32 = 8;
+
+/// The highest ratio of recovered stresses to a yield stress that varies within elements.
+fn highest_of_graded(
+    solution: &BodySolution,
+    symmetric: bool,
+    limits: &ProblemBody,
+) -> Option<(f64, [f64; 2])> {
+    let mesh = &solution.mesh;
+    let stress: Vec<[f64; 4]> =
+        Recovery::new(solution, symmetric).nodes().into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
+    let ratio = |stress, position| Some(von_mises(stress) / limits.yield_stress_at(position)?);
+    let at_node = |node: u32| ratio(stress[node as usize], mesh.nodes[node as usize]);
+    let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect::<Option<Vec<_>>>()?;
+    let highest = nodal.iter().copied().fold(0.0, f64::max);
+    let mut best = (0.0, [0.0; 2]);
+    for (element, nodes) in mesh.elements.iter().enumerate() {
+        // Between nodes it is higher by no more than the strength varies within an element.
+        if nodes.iter().all(|&node| nodal[node as usize] < 0.5 * highest) {
+            continue;
+        }
+        let corners = mesh.corners(element);
+        for k in 0..(PARTS + 1) * (PARTS + 1) {
+            let natural =
+                [k % (PARTS + 1), k / (PARTS + 1)].map(|k| 2.0 * f64::from(k) / f64::from(PARTS) - 1.0);
+            let shape = shape_functions(natural);
+            let mix = |values: &dyn Fn(usize) -> f64| (0..4).map(|c| shape[c] * values(c)).sum::<f64>();
+            let position = std::array::from_fn(|axis| mix(&|c| corners[c][axis]));
+            let stress = std::array::from_fn(|s| mix(&|c| stress[nodes[c] as usize][s]));
+            let found = ratio(stress, position)?;
+            if found > best.0 {
+                best = (found, position);
+            }
+        }
+    }
+    Some(best)
 }

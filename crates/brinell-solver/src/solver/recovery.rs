@@ -19,10 +19,10 @@ use crate::fem::mesh::Mesh;
 use crate::solver::BodySolution;
 
 /// `[σ_xx, σ_yy, σ_zz, τ_xy, ε_p, q]` at a point, q the largest von Mises stress so far \[MPa, MPa, MPa, MPa, 1, MPa\].
-pub(super) type Values = [f64; 6];
+pub(crate) type Values = [f64; 6];
 
 /// Recovers values on one body, node by node as they are needed.
-pub(super) struct Recovery<'a> {
+pub(crate) struct Recovery<'a> {
     body: &'a BodySolution,
     symmetric: bool,
     elements_around: ElementsAround,

@@ -1,0 +1,69 @@
+//! What to keep in mind where strength varies with depth.
+
+use std::sync::Arc;
+
+use crate::analytical::von_mises;
+use crate::fem::assembly::GaussPoint;
+use crate::job::{HardeningLaw, Job, Material, OverDepth};
+use crate::solver::{BodySolution, StepSolution};
+
+/// Ratio of strengths within one element beyond which the mesh is called coarse for it.
+const COARSE_RATIO: f64 = 1.1;
+/// Stress over strength below which it does not matter.
+const IDLE: f64 = 0.5;
+/// Most elements over a half-width that a job can ask for.
+const MAX_ELEMENTS: f64 = 320.0;
+
+/// Codes and messages.
+pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
+    let mut remarks = Vec::new();
+    let rule = |material: &Material| match material {
+        Material::Deformable(material) => material.over_depth().and_then(OverDepth::rule),
+        Material::Rigid => None,
+    };
+    if let Some(rule) = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material)) {
+        let message = format!(
+            "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 130 to 740 HV \
+             that scatters by some 100 MPa."
+        );
+        remarks.push(("yield_by_hardness", message));
+    }
+    let coarsest = step.bodies.iter().flatten().filter_map(coarsest);
+    if let Some((ratio, position)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        let elements = f64::from(job.mesh.elements_per_half_width);
+        let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
+        let message = format!(
+            "The strength changes by {:.0} % within one element at (x, y) = ({:.3e}, {:.3e}) mm, where the stress is more \
+             than half of it: what yields there is known to its place within that element only. About {wanted:.0} elements \
+             over the half-width (`mesh.elements_per_half_width`) would do.",
+            100.0 * (ratio - 1.0),
+            position[0],
+            position[1]
+        );
+        remarks.push(("coarse_case", message));
+    }
+    remarks
+}
+
+/// The largest ratio of strengths within an element that is stressed, and the middle of that element.
+fn coarsest(body: &Arc<BodySolution>) -> Option<(f64, [f64; 2])> {
+    if !body.model.varies_in_strength() {
+        return None;
+    }
+    let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress)?;
+    let strength: Vec<f64> = body.mesh.nodes.iter().map(|&node| body.model.strength(node)).collect();
+    let mut worst = (COARSE_RATIO, None);
+    for (nodes, points) in body.mesh.elements.iter().zip(&body.stress.points) {
+        let (least, greatest) = nodes
+            .iter()
+            .map(|&node| strength[node as usize])
+            .fold((f64::INFINITY, 0.0), |(least, greatest), s| (f64::min(least, s), f64::max(greatest, s)));
+        if greatest > worst.0 * least {
+            let mean = GaussPoint::mean(points);
+            if von_mises(mean.stress) > IDLE * limit * least {
+                worst = (greatest / least, Some(mean.position));
+            }
+        }
+    }
+    Some((worst.0, worst.1?))
+}
