@@ -27,6 +27,7 @@
  * @typedef {object} Bilinear
  * @property {(BackstressTerm)[] | null} [backstress]
  * @property {'bilinear'} law
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {number} tangent_modulus
  * @property {number} yield_stress
  *
@@ -40,6 +41,8 @@
  * @property {number} memory_bytes
  * @property {Queue} queue
  * @property {number} solvers
+ *
+ * @typedef {'error_function' | 'lang'} CaseCurve
  *
  * @typedef {object} ClosedForm
  * @property {number} effective_radius
@@ -184,12 +187,26 @@
  * @property {'groove'} type
  * @property {number} width
  *
+ * @typedef {object} HardenedCase
+ * @property {number} case_depth
+ * @property {number} core
+ * @property {CaseCurve | null} [curve]
+ * @property {number} surface
+ *
+ * @typedef {object} HardnessOverDepth
+ * @property {HardnessProfile | HardenedCase} hardness
+ *
+ * @typedef {object} HardnessProfile
+ * @property {([number, number])[]} profile
+ *
  * @typedef {object} Health
  * @property {string} status
  *
  * @typedef {object} Hertz
  * @property {number} half_width
  * @property {number} peak_pressure
+ * @property {number | null} shakedown_depth
+ * @property {number | null} shakedown_pressure
  * @property {number | null} yield_onset_depth
  * @property {number | null} yield_onset_force
  *
@@ -285,6 +302,7 @@
  * @property {number} coefficient
  * @property {number} exponent
  * @property {'ludwik'} law
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {number} yield_stress
  *
  * @typedef {Deformable | Rigid} Material
@@ -392,6 +410,7 @@
  * @property {number} exponent
  * @property {'ramberg_osgood'} law
  * @property {number} offset
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {number} reference_stress
  *
  * @typedef {object} Report
@@ -442,6 +461,10 @@
  * @property {(ValidityNote)[]} validity
  * @property {YieldOnset} [yield_onset]
  *
+ * @typedef {([number, number])[]} StrengthFactors
+ *
+ * @typedef {StrengthFactors | HardnessOverDepth} StrengthOverDepth
+ *
  * @typedef {object} Subsurface
  * @property {(number)[]} depth
  * @property {(number)[]} equivalent_plastic_strain
@@ -449,7 +472,9 @@
  * @property {(number)[]} sigma_y
  * @property {(number)[]} sigma_z
  * @property {(number)[]} tau_max
+ * @property {(number)[]} [utilization]
  * @property {(number)[]} von_mises
+ * @property {(number)[]} [yield_stress]
  *
  * @typedef {object} SubsurfaceOfBodies
  * @property {Subsurface | null} lower
@@ -475,12 +500,14 @@
  * @property {(BackstressTerm)[] | null} [backstress]
  * @property {number} exponent
  * @property {'swift'} law
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {number} strain_offset
  * @property {number} yield_stress
  *
  * @typedef {object} Table
  * @property {(BackstressTerm)[] | null} [backstress]
  * @property {'table'} law
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {([number, number])[]} points
  *
  * @typedef {Record<string, string>} Tags
@@ -513,6 +540,7 @@
  * @typedef {object} Voce
  * @property {(BackstressTerm)[] | null} [backstress]
  * @property {'voce'} law
+ * @property {StrengthOverDepth | null} [over_depth]
  * @property {number} rate
  * @property {number} saturation_stress
  * @property {number} yield_stress

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
-use brinell_solver::job::{Hardening, Quantity, Shape};
+use brinell_solver::job::{Hardening, OverDepth, Quantity, Shape};
 use serde_json::{Value, json};
 
 const HEAD: &str = "\
@@ -20,7 +20,27 @@ pub fn tables() -> String {
     table(&mut text, "SHAPES", Shape::TABLES);
     text += "\n/* prettier-ignore */\n";
     table(&mut text, "LAWS", Hardening::TABLES);
+    text += "\n/* prettier-ignore */\n";
+    over_depth(&mut text);
     text
+}
+
+/// The ways to give strength over depth, with keys from the hardening law on.
+fn over_depth(text: &mut String) {
+    let name = "/** @type {Record<string, import('./fields.js').Kind>} */\nexport const OVER_DEPTH = {";
+    writeln!(text, "{name}").unwrap();
+    for (word, label, place, fields) in OverDepth::kinds() {
+        writeln!(text, "  {word}: {{\n    label: {},\n    fields: [", json!(label)).unwrap();
+        for one in fields {
+            let mut entry = field(one);
+            if one.key != OverDepth::KEY {
+                entry["key"] = json!(format!("{}{place}/{}", OverDepth::KEY, one.key));
+            }
+            writeln!(text, "      {entry},").unwrap();
+        }
+        writeln!(text, "    ],\n  }},").unwrap();
+    }
+    text.push_str("};\n");
 }
 
 fn table(text: &mut String, name: &str, kinds: &[FieldTable]) {

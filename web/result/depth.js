@@ -101,6 +101,9 @@ export class DepthPanel {
       this.#curves(one, k === 0 ? at : one.report.steps.length - 1, shown.length > 1),
     );
     const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
+    const graded = profile?.yield_stress;
+    if (graded && shown.length === 1)
+      curves.push({ label: 'yield stress', colour: '--yield', dash: [6, 3], dashed: true, x: profile.depth, y: graded });
     const [stress, length] = [unit('stress', units), unit('length', units)];
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
       curves.push(...this.#elastic(first, step, profile.depth));
@@ -111,7 +114,7 @@ export class DepthPanel {
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
-      marks: strength
+      marks: strength && !graded
         ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
         : [],
       words: profile

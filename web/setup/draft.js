@@ -2,7 +2,7 @@
 
 import { convert, forceOf } from '../lib/units.js';
 import * as pointer from '../lib/pointer.js';
-import { ELASTIC, LAWS, LOADS, SHAPES, lawOf, loadOf } from './fields.js';
+import { ELASTIC, LAWS, LOADS, OVER_DEPTH, SHAPES, lawOf, loadOf, overDepthOf } from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../lib/units.js').Units} Units */
@@ -111,6 +111,7 @@ function* dimensional(job) {
     yield* within(job, `${body}/shape`, SHAPES[shape?.type]?.fields ?? []);
     yield* within(job, `${body}/material`, ELASTIC);
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)].fields);
+    yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
   }
   const { field } = LOADS[loadOf(job.load)];
   if (field)

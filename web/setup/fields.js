@@ -1,5 +1,7 @@
 /** What a job is made of: the fields of every shape, hardening law and setting, and sensible values to begin with. */
 
+import * as pointer from '../lib/pointer.js';
+import { convert } from '../lib/units.js';
 import * as tables from './tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -30,6 +32,9 @@ export const LAWS = {
   ...mapValues(tables.LAWS, withHints),
   rigid: { label: 'Rigid', fields: [] },
 };
+
+/** Ways to give a strength that varies with depth; their keys begin at the hardening law. @type {Record<string, Kind>} */
+export const OVER_DEPTH = tables.OVER_DEPTH;
 
 /**
  * The equation of a law stands below its second field; points can be pasted.
@@ -143,6 +148,8 @@ export const DEFAULTS = {
   '/units': 'mm_N_MPa',
   '/upper/support': 'clamped',
   '/lower/support': 'clamped',
+  '/upper/material/plasticity/over_depth/hardness/curve': 'error_function',
+  '/lower/material/plasticity/over_depth/hardness/curve': 'error_function',
   '/mesh/elements_per_half_width': 20,
   '/solver/theory': 'deformation',
   '/solver/coupling': 'accelerated',
@@ -211,6 +218,34 @@ export function plasticityLike(law, material) {
 
 /** @param {Record<string, any> | undefined} material @returns {string} key of {@link LAWS} */
 export const lawOf = (material) => (material?.rigid ? 'rigid' : (material?.plasticity?.law ?? 'elastic'));
+
+/** @param {Record<string, any> | undefined} material @returns {string} key of {@link OVER_DEPTH}, or `uniform` */
+export function overDepthOf(material) {
+  const given = material?.plasticity?.over_depth;
+  if (given === undefined || given === null) return 'uniform';
+  if (!given.hardness) return 'factors';
+  return 'profile' in given.hardness ? 'hardness' : 'case';
+}
+
+/**
+ * A typical strength over depth, in the units of a job.
+ * @param {string} kind
+ * @param {import('../lib/units.js').Units} units
+ * @returns {unknown}
+ */
+export function typicalOverDepth(kind, units) {
+  const wire = (/** @type {number} */ value, /** @type {string | undefined} */ quantity) =>
+    quantity === 'length' ? convert(value, 'length', 'mm_N_MPa', units) : value;
+  const fields = (OVER_DEPTH[kind]?.fields ?? []).filter(({ optional, key }) => !optional || key === 'over_depth');
+  const plasticity = /** @type {Record<string, any>} */ ({});
+  for (const { key, pair, quantity, example } of fields) {
+    const value = Array.isArray(example)
+      ? example.map((point) => point.map((one, axis) => wire(one, pair?.[axis])))
+      : wire(Number(example), quantity);
+    pointer.set(plasticity, `/${key}`, value);
+  }
+  return plasticity.over_depth;
+}
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
 export const loadOf = (load) => Object.keys(LOADS).find((key) => load && key in load) ?? 'force';

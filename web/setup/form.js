@@ -9,6 +9,7 @@ import {
   DEFAULTS,
   ELASTIC,
   LAWS,
+  OVER_DEPTH,
   LOADS,
   SETTINGS,
   SHAPES,
@@ -17,8 +18,10 @@ import {
   UNIT_SYSTEMS,
   lawOf,
   loadOf,
+  overDepthOf,
   plasticityLike,
   shapeLike,
+  typicalOverDepth,
 } from './fields.js';
 import { allMaterials, askHardness, askToKeep, forget, ownMaterials } from './library.js';
 import { PRESETS, inMegapascals, materialOf, presetOf } from './materials.js';
@@ -98,6 +101,8 @@ export class Form {
     const shape = JSON.stringify([
       lawOf(job.upper?.material),
       lawOf(job.lower?.material),
+      overDepthOf(job.upper?.material),
+      overDepthOf(job.lower?.material),
       loadOf(job.load),
       job.upper?.shape?.type,
       job.lower?.shape?.type,
@@ -134,6 +139,8 @@ export class Form {
 
   /** @param {string} place */
   #value(place) {
+    if (place.endsWith('/depth_kind'))
+      return overDepthOf(pointer.get(this.draft.job, place.replace('/plasticity/depth_kind', '')));
     if (place.endsWith('/law')) return lawOf(pointer.get(this.draft.job, place.replace('/law', '')));
     if (place === '/load/kind') return loadOf(this.draft.job.load);
     return pointer.get(this.draft.job, place);
@@ -243,9 +250,26 @@ export class Form {
           (law) => this.#useLaw(body, String(law)),
         ),
         LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? [],
+        LAWS[law]?.fields.length ? this.#overDepth(body) : [],
         h('div', { 'data-preview': `${body}-curve` }),
       ),
     );
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #overDepth(body) {
+    const { job } = this.draft;
+    const plasticity = `/${body}/material/plasticity`;
+    const kinds = Object.entries(OVER_DEPTH).map(([key, { label }]) => [key, label]);
+    return [
+      this.#choice(
+        `${plasticity}/depth_kind`,
+        'Strength over depth',
+        { uniform: 'The same everywhere', ...Object.fromEntries(kinds) },
+        (kind) => this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(job)), SOURCE),
+      ),
+      (OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
+    ];
   }
 
   #load() {
@@ -390,5 +414,5 @@ function inner(place, { pointer, detail: reported }) {
     .split('/')
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
-  return part.length ? `${/points$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
+  return part.length ? `${/(points|profile|over_depth)$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
 }

@@ -72,7 +72,8 @@ export function pointsControl(field, id, change, { units, parent }) {
     if (!same(result.points, points)) put(result.points, [result.note]);
   };
   const modulus = () => Number(parent()?.young_modulus);
-  const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : heights(convert);
+  const shapes = quantities[1] === 'length' ? heights(convert) : [];
+  const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : shapes;
   return {
     input,
     read,

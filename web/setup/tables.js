@@ -152,3 +152,29 @@ export const LAWS = {
     ],
   },
 };
+
+/* prettier-ignore */
+/** @type {Record<string, import('./fields.js').Kind>} */
+export const OVER_DEPTH = {
+  factors: {
+    label: "Factors",
+    fields: [
+      {"description":"Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,1.8],[0.5,1.6],[1.5,1.0]],"key":"over_depth","kind":"points","label":"Strength over depth","optional":true,"pair":["length","number"],"symbol":"z, factor"},
+    ],
+  },
+  hardness: {
+    label: "Hardness over depth",
+    fields: [
+      {"description":"Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,720.0],[0.5,640.0],[1.0,500.0],[1.5,400.0],[2.0,380.0]],"key":"over_depth/hardness/profile","kind":"points","label":"Hardness over depth","pair":["length","number"],"symbol":"z, HV"},
+    ],
+  },
+  case: {
+    label: "Hardened case",
+    fields: [
+      {"description":"Vickers hardness HV of the surface.","example":720.0,"key":"over_depth/hardness/surface","label":"Surface hardness","quantity":"number","symbol":"HV_s"},
+      {"description":"Vickers hardness HV of the core.","example":380.0,"key":"over_depth/hardness/core","label":"Core hardness","quantity":"number","symbol":"HV_c"},
+      {"description":"Case depth: where the hardness has fallen to 550 HV.","example":1.0,"key":"over_depth/hardness/case_depth","label":"Case depth","quantity":"length","symbol":"d"},
+      {"choices":{"error_function":"error function","lang":"lang"},"description":"Profile between surface and core: `error_function` unless given.","key":"over_depth/hardness/curve","kind":"choice","label":"Profile","optional":true,"symbol":""},
+    ],
+  },
+};

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 use serde::{Serialize, Serializer};
 
-use super::fields::{Field, Figure, Known, Member, read_record, record};
+use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
 use super::reader::{Cursor, Named};
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
@@ -149,6 +149,16 @@ impl OverDepth {
         "Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.",
         false,
     );
+
+    /// The ways in which it can be given: word, label, where its fields stand below the key, and the fields.
+    pub fn kinds() -> [(&'static str, &'static str, &'static str, &'static [Field]); 3] {
+        const FACTORS: &[Field] = &[OverDepth::FACTORS];
+        [
+            ("factors", "Factors", "", FACTORS),
+            ("hardness", HardnessProfile::TABLE.label, "/hardness", HardnessProfile::TABLE.fields),
+            ("case", HardenedCase::TABLE.label, "/hardness", HardenedCase::TABLE.fields),
+        ]
+    }
 
     /// Factors of a hardening curve with this (nominal) yield stress \[MPa\].
     pub fn profile(&self, yield_stress: f64) -> StrengthProfile {

@@ -135,10 +135,10 @@ pub struct SubsurfaceReport {
     pub von_mises: Vec<f64>,
     /// Equivalent plastic strain \[1\].
     pub equivalent_plastic_strain: Vec<f64>,
-    /// Yield stress, where it varies with the depth.
+    /// Yield stress; only where it varies with the depth \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yield_stress: Option<Vec<f64>>,
-    /// Von Mises stress over that yield stress.
+    /// Von Mises stress over that yield stress \[1\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilization: Option<Vec<f64>>,
 }
@@ -179,12 +179,15 @@ pub struct HertzReport {
     /// Depth at which it does \[length >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_depth: Option<f64>,
-    /// Peak pressure up to which the line contact shakes down when it rolls freely; `null` without yield and in other
-    /// analyses than plane strain.
+    /// Elastic peak pressure up to which the line contact shakes down when it rolls freely, by the orthogonal shear stress
+    /// over depth: 4 k where strength is the same everywhere. `null` without yield and in other analyses than plane strain
+    /// \[stress >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub shakedown_pressure: Option<f64>,
-    /// Depth that decides on it.
+    /// Depth that decides on it \[length >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub shakedown_depth: Option<f64>,
 }
 

@@ -30,6 +30,8 @@ pub const VALIDITY_CODES: &[&str] = &[
     "no_contact",
     "contact_at_edge",
     "coarse_mesh",
+    "coarse_case",
+    "yield_by_hardness",
     "near_support",
     "sharp_corner",
     "suspicious_units",
