@@ -101,7 +101,6 @@ mod tests {
 
     const ALL: [Quantity; 10] = [
         Quantity::Length,
-        Quantity::Depth,
         Quantity::Position,
         Quantity::Depth,
         Quantity::Approach,

@@ -8,8 +8,8 @@ use serde_json::{Map, Value, json};
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
-    HardnessProfile, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, Quantity, Shape,
-    SolverSettings, Support, Sweep, Theory, Units, tags,
+    HardnessProfile, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, Quantity,
+    Shape, SolverSettings, Support, Sweep, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.

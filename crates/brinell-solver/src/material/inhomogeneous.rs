@@ -12,7 +12,6 @@
 //! neighbours differ by no more than [`LAYER_RATIO`]. So a layer's curve is prepared once
 //! ([`ReturnMapping`](super::ReturnMapping)), and any model can be graded.
 
-use std::fmt;
 use std::sync::Arc;
 
 use super::{
@@ -45,6 +44,7 @@ impl DepthStrength {
 }
 
 /// A model for each layer of strength.
+#[derive(Debug)]
 pub struct Inhomogeneous<M> {
     /// The hardening law where the factor is 1.
     law: Option<Arc<dyn HardeningLaw>>,
@@ -78,10 +78,10 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
         };
         let scaled = |factor: f64| -> Option<Arc<dyn HardeningLaw>> {
             let law = Arc::clone(law.as_ref()?);
-            Some(if factor == 1.0 { law } else { Arc::new(Scaled { law, factor }) })
+            Some(if factor.to_bits() == 1f64.to_bits() { law } else { Arc::new(Scaled { law, factor }) })
         };
         let layers = (0..=last).map(|k| model(scaled(factor(k)))).collect();
-        Self { layers, law, strength }
+        Self { law, strength, layers }
     }
 
     fn layer(&self, state: &InhomogeneousState<M::State>) -> &M {
@@ -95,13 +95,6 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2^16")]
         let layer = (part * (self.layers.len() - 1) as f64).round() as u16;
         layer
-    }
-}
-
-impl<M: ConstitutiveModel> fmt::Debug for Inhomogeneous<M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let layers = self.layers.len();
-        f.debug_struct("Inhomogeneous").field("layers", &layers).field("strength", &self.strength).finish()
     }
 }
 
@@ -126,8 +119,8 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
         let model = &self.layers[usize::from(layer)];
         let initial_strain = self.elastic().strain(origin.initial_stress);
         let inner = model.at_rest(origin);
-        let inner =
-            if origin.initial_stress == [0.0; 4] { inner } else { model.update(initial_strain, &inner).1 };
+        let has_stress = origin.initial_stress.iter().any(|stress| stress.abs() > 0.0);
+        let inner = if has_stress { model.update(initial_strain, &inner).1 } else { inner };
         InhomogeneousState { layer, initial_strain, inner }
     }
 

@@ -29,16 +29,14 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         remarks.push(("yield_by_hardness", message));
     }
     let coarsest = step.bodies.iter().flatten().filter_map(coarsest);
-    if let Some((ratio, position)) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
+    if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let elements = f64::from(job.mesh.elements_per_half_width);
         let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
         let message = format!(
-            "The strength changes by {:.0} % within one element at (x, y) = ({:.3e}, {:.3e}) mm, where the stress is more \
+            "The strength changes by {:.0} % within one element at (x, y) = ({x:.3e}, {y:.3e}) mm, where the stress is more \
              than half of it: what yields there is known to its place within that element only. About {wanted:.0} elements \
              over the half-width (`mesh.elements_per_half_width`) would do.",
-            100.0 * (ratio - 1.0),
-            position[0],
-            position[1]
+            100.0 * (ratio - 1.0)
         );
         remarks.push(("coarse_case", message));
     }
