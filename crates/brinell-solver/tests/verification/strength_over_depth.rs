@@ -96,7 +96,7 @@ fn a_graded_tube_yields_as_its_closed_form_says() {
     }
 }
 
-fn graded_cylinder(yield_stress: f64, over_depth: Value) -> Value {
+fn graded_cylinder(yield_stress: f64, over_depth: &Value) -> Value {
     let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0, "over_depth": over_depth});
     let mut body = cylinder("roller", law);
     body["shape"]["radius"] = json!(10.0);
@@ -114,7 +114,7 @@ fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
         json!([[0.0, 1.6], [0.003, 1.0], [0.012, 2.0]]),
         json!([[0.0, 3.0], [0.012, 2.8], [0.016, 1.0]]),
     ] {
-        let body = graded_cylinder(35.0, over_depth.clone());
+        let body = graded_cylinder(35.0, &over_depth);
         let job = json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"onset": true},
             "mesh": {"elements_per_half_width": 40}});
         let found = report(&job);
