@@ -103,7 +103,14 @@ export class DepthPanel {
     const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
     const graded = profile?.yield_stress;
     if (graded && shown.length === 1)
-      curves.push({ label: 'yield stress', colour: '--yield', dash: [6, 3], dashed: true, x: profile.depth, y: graded });
+      curves.push({
+        label: 'yield stress',
+        colour: '--yield',
+        dash: [6, 3],
+        dashed: true,
+        x: profile.depth,
+        y: graded,
+      });
     const [stress, length] = [unit('stress', units), unit('length', units)];
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
       curves.push(...this.#elastic(first, step, profile.depth));
@@ -114,9 +121,10 @@ export class DepthPanel {
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
-      marks: strength && !graded
-        ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
-        : [],
+      marks:
+        strength && !graded
+          ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
+          : [],
       words: profile
         ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
             profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],

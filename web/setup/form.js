@@ -268,7 +268,7 @@ export class Form {
         { uniform: 'The same everywhere', ...Object.fromEntries(kinds) },
         (kind) => this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(job)), SOURCE),
       ),
-      (OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
+      ...(OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
     ];
   }
 
@@ -414,5 +414,7 @@ function inner(place, { pointer, detail: reported }) {
     .split('/')
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
-  return part.length ? `${/(points|profile|over_depth)$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}` : detail;
+  return part.length
+    ? `${/(points|profile|over_depth)$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}`
+    : detail;
 }

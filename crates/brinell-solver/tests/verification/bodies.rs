@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, Unloaded, out_of_plane,
+    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, Unloaded,
+    out_of_plane,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh};
@@ -76,8 +77,7 @@ impl Specimen {
         let factor = Cholesky::factor(&symbolic, &values).unwrap();
         let unloaded = Unloaded { mesh, stress_state, initial_stress: None };
         let everywhere = vec![true; mesh.elements.len()];
-        let region =
-            model.hardening().map(|_| Arc::clone(&model).points(&unloaded, &equations, &everywhere));
+        let region = model.hardening().map(|_| Arc::clone(&model).points(&unloaded, &equations, &everywhere));
         let u = vec![0.0; equations.len() + 1];
         Self { mesh: mesh.clone(), equations, factor, model, stress_state, region, u }
     }
@@ -113,8 +113,7 @@ impl Specimen {
         let displacement: Vec<[f64; 2]> =
             nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
         self.u = u;
-        let unloaded =
-            Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
+        let unloaded = Unloaded { mesh: &self.mesh, stress_state: self.stress_state, initial_stress: None };
         let field = match &self.region {
             Some(region) => region.stress_field(&unloaded, &displacement),
             None => self.model.stress_field(&unloaded, &displacement),

@@ -7,7 +7,7 @@ use brinell_solver::analytical::{DepthLimit, HertzLine};
 use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::element::StressState;
 use brinell_solver::fem::mesh::{Mesh, Outline};
-use brinell_solver::job::{Bilinear, Groove, Hardening, NonNegativeF64, OverDepth, Shape};
+use brinell_solver::job::{Bilinear, Groove, Hardening, Job, JobError, NonNegativeF64, OverDepth, Shape};
 use brinell_solver::material::{
     DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous, OutOfPlane,
     ReturnMapping,
@@ -241,4 +241,81 @@ fn hardness_and_units_are_only_other_words() {
     assert_eq!(written["lower"]["material"]["plasticity"]["over_depth"]["hardness"]["profile"][0][0], 1e-4);
     let in_si = solve(&written);
     assert_within(in_si.steps[0].peak_pressure, by_factors.steps[0].peak_pressure, 1e-12);
+}
+
+/// Pointers and details of what is wrong with a job.
+fn faults(over_depth: &Value) -> Vec<String> {
+    let job = with_factor("deformation", Some(over_depth.clone()), bilinear());
+    match Job::from_value(&job) {
+        Ok(_) => Vec::new(),
+        Err(JobError::Fields(faults)) => faults.into_iter().map(|fault| fault.pointer).collect(),
+        Err(error) => panic!("{error}"),
+    }
+}
+
+#[test]
+fn profiles_that_are_none_are_refused_field_by_field() {
+    let at = |rest: &str| {
+        ["upper", "lower"].map(|side| format!("/{side}/material/plasticity/over_depth{rest}")).to_vec()
+    };
+    let case =
+        |surface: f64, core: f64| json!({"hardness": {"surface": surface, "core": core, "case_depth": 1.0}});
+    for (over_depth, place) in [
+        (json!([]), ""),
+        (json!({}), "/hardness"),
+        (json!(2.0), ""),
+        (json!([[0.0, 2.0], [0.0, 1.0]]), "/1/0"),
+        (json!([[0.5, 2.0], [0.1, 1.0]]), "/1/0"),
+        (json!([[-0.1, 2.0]]), "/0/0"),
+        (json!([[1e9, 2.0]]), "/0/0"),
+        (json!([[0.0, 0.0]]), "/0/1"),
+        (json!([[0.0, -1.0]]), "/0/1"),
+        (json!([[0.0, 1e6]]), "/0/1"),
+        (json!([[0.0, 1.0, 2.0]]), "/0"),
+        (json!({"hardness": {"profile": [[0.2, 700.0], [0.2, 400.0]]}}), "/hardness/profile/1/0"),
+        (json!({"hardness": {"profile": [[0.0, 20.0]]}}), "/hardness/profile/0/1"),
+        (json!({"hardness": {"profile": [[0.0, 700.0]], "core": 300.0}}), "/hardness/core"),
+        (case(500.0, 300.0), "/hardness"),
+        (case(700.0, 600.0), "/hardness"),
+        (case(700.0, 700.0), "/hardness"),
+    ] {
+        assert_eq!(faults(&over_depth), at(place), "{over_depth}");
+    }
+    assert!(faults(&json!([[0.0, 0.01], [1e6, 100.0]])).is_empty());
+    // A hardness that belongs to quite another material than the curve.
+    let law = json!({"law": "bilinear", "yield_stress": 2.0, "tangent_modulus": 0.0});
+    let job = with_factor("deformation", Some(json!({"hardness": {"profile": [[0.0, 700.0]]}})), law);
+    let Err(JobError::Fields(faults)) = Job::from_value(&job) else { panic!("accepted") };
+    assert!(faults.iter().all(|fault| fault.detail.contains("times that of the hardening curve")));
+}
+
+/// Extremes of what is accepted, by every law and theory: an answer, or a status that says that there is none.
+#[test]
+fn the_strangest_profiles_end_in_an_answer_or_say_so() {
+    let profiles = [
+        json!([[0.0, 100.0], [1e-6, 0.2]]),
+        json!([[0.0, 0.2], [0.3, 100.0]]),
+        json!([[1e6, 3.0]]),
+        json!([[0.0, 1.0], [0.05, 3.0], [0.1, 0.5], [0.15, 3.0], [0.2, 0.5], [0.25, 2.0]]),
+    ];
+    let laws = [
+        bilinear(),
+        json!({"law": "ramberg_osgood", "reference_stress": 500.0, "offset": 0.3, "exponent": 5.0}),
+        json!({"law": "table", "points": [[0.0, 500.0], [0.01, 600.0]]}),
+        json!({"law": "swift", "yield_stress": 500.0, "strain_offset": 0.002, "exponent": 0.1}),
+        json!({"law": "ludwik", "yield_stress": 500.0, "coefficient": 700.0, "exponent": 0.4}),
+        json!({"law": "voce", "yield_stress": 500.0, "saturation_stress": 800.0, "rate": 30.0}),
+    ];
+    for (k, law) in laws.iter().enumerate() {
+        for (n, profile) in profiles.iter().enumerate() {
+            let theory = if (k + n) % 3 == 0 { "flow" } else { "deformation" };
+            let report = report(&with_factor(theory, Some(profile.clone()), law.clone()));
+            for step in &report.steps {
+                assert!(step.approach.is_finite() && step.contact.peak_pressure.is_finite());
+                let is_told = step.status == SolveStatus::Converged
+                    || step.validity.iter().any(|note| note.code == "not_converged");
+                assert!(is_told, "{law} {profile} {theory}");
+            }
+        }
+    }
 }
