@@ -256,7 +256,7 @@ fn faults(over_depth: &Value) -> Vec<String> {
 #[test]
 fn profiles_that_are_none_are_refused_field_by_field() {
     let at = |rest: &str| {
-        ["upper", "lower"].map(|side| format!("/{side}/material/plasticity/over_depth{rest}")).to_vec()
+        ["lower", "upper"].map(|side| format!("/{side}/material/plasticity/over_depth{rest}")).to_vec()
     };
     let case =
         |surface: f64, core: f64| json!({"hardness": {"surface": surface, "core": core, "case_depth": 1.0}});
