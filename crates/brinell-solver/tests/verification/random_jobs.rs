@@ -111,8 +111,16 @@ fn assert_finite(value: &Value, path: &str) {
     match value {
         Value::Array(items) => items.iter().for_each(|item| assert_finite(item, path)),
         Value::Object(fields) => fields.iter().for_each(|(key, item)| {
-            let optional =
-                ["hertz", "estimated_error", "yield_onset_force", "yield_onset_depth", "upper", "lower"];
+            let optional = [
+                "hertz",
+                "estimated_error",
+                "yield_onset_force",
+                "yield_onset_depth",
+                "shakedown_pressure",
+                "shakedown_depth",
+                "upper",
+                "lower",
+            ];
             assert!(
                 !item.is_null() || optional.contains(&key.as_str()),
                 "{path}/{key} is not a finite number"
