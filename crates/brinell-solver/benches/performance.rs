@@ -14,7 +14,10 @@ use std::time::{Duration, Instant};
 use brinell_solver::fem::assembly::{Equations, Restraint, StiffnessAssembler};
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::Mesh;
-use brinell_solver::job::{Coupling, Job, Load, Material, MeshSettings, Named, PositiveF64};
+use brinell_solver::job::{
+    Coupling, History, HistoryLoad, Job, Load, Material, MeshSettings, Named, NonNegativeF64, PositiveF64,
+    Theory,
+};
 use brinell_solver::report;
 use brinell_solver::solver::{
     self, FactorCache, Observer, Options, Phase, PhaseTimes, Solution, SolveStatus, Unobserved,
@@ -52,6 +55,7 @@ fn main() {
     write_floor(&mut text, meshes).unwrap();
     write_memory(&mut text, meshes).unwrap();
     write_couplings(&mut text).unwrap();
+    write_flow(&mut text).unwrap();
     write_sweep(&mut text).unwrap();
     write_workers(&mut text).unwrap();
     write_designs(&mut text).unwrap();
@@ -156,6 +160,43 @@ fn measure(elements: u32, runs: usize) -> Row {
         shares: PHASES.map(|(phase, _)| of(&|run| 100.0 * spent(&run.1, phase) / run.0)).to_vec(),
         sum: of(&|run| PHASES.map(|(phase, _)| 100.0 * spent(&run.1, phase) / run.0).iter().sum()),
     }
+}
+
+/// Up to a force and back by flow theory beside the same force by deformation theory, one after the other so that a busy
+/// machine slows both.
+fn write_flow(text: &mut String) -> std::fmt::Result {
+    writeln!(
+        text,
+        "\n## Flow theory\n\nUp to the force and back to none, at the default mesh, against the force alone by deformation theory.\n\n\
+         | elastic peak over yield stress | increments | iterations | job [ms] | to deformation theory |\n\
+         |--:|--:|--:|--:|--:|"
+    )?;
+    for ratio in [3.0_f64, 4.0, 5.0] {
+        let force = FORCE * (ratio / 4.0).powi(2);
+        let deformation = job(20, force);
+        let mut flow = deformation.clone();
+        flow.solver.theory = Theory::Flow;
+        let loads = [force, 0.0].map(|force| HistoryLoad::Force(NonNegativeF64::new(force).unwrap()));
+        flow.load = Load::History(History::new(loads.to_vec()).unwrap());
+        let mut answer = None;
+        let runs: Vec<[f64; 2]> = (0..9)
+            .map(|_| {
+                let (time, solution) = timed(&flow);
+                answer = Some(solution);
+                [time, time / timed(&deformation).0]
+            })
+            .collect();
+        let up = &answer.unwrap().steps[0];
+        writeln!(
+            text,
+            "| {ratio} | {} | {} | {:.0} | {:.1} |",
+            up.increments.len(),
+            up.history.len(),
+            median(runs.iter().map(|run| run[0])),
+            median(runs.iter().map(|run| run[1])),
+        )?;
+    }
+    Ok(())
 }
 
 fn write_floor(text: &mut String, meshes: &[(u32, usize)]) -> std::fmt::Result {

@@ -28,7 +28,7 @@ last step; *time* is that of the whole job, on one core of whatever machine wrot
 ";
 
 const NOTES: &str = "
-- Plasticity is by deformation theory. Flow theory gives peaks that are 2.8 % lower at p0 = 3 σ_y (`docs/theory.md`, section 4a).
+- Plasticity is by deformation theory. Its peaks are 2.9 % above those of flow theory at p0 = 3 σ_y (`docs/theory.md`, section 4a).
 - *CalculiX* works at finite strain, which accounts for most of the difference.
 - Yield onset of the discs is compared with the half-plane; a disc's own tension, 0.27 % of p0 at σ_y 350 MPa, brings it
   forward. The search goes by the means over elements, which are the best values that an element has.
