@@ -13,6 +13,7 @@ mod export_file;
 mod job_path;
 mod listen;
 mod metrics;
+mod negotiation;
 pub mod openapi;
 mod page;
 mod preference;
@@ -33,7 +34,7 @@ use std::time::Duration;
 
 use axum::Router;
 use axum::extract::Request;
-use axum::http::{HeaderValue, Method, Uri};
+use axum::http::{Extensions, HeaderMap, HeaderValue, Method, Uri};
 use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
@@ -52,8 +53,10 @@ use utoipa_swagger_ui::{Config, SwaggerUi};
 use crate::jobs::{JobService, Retention};
 use access::authenticate;
 use edge::{check_host, drop_unusable_request_id, guard_response};
+use negotiation::settle_coding;
 use rates::Rates;
 use request_log::log_request;
+use result_body::CodingChosen;
 use routes::{
     cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_fields, get_job,
     get_metrics, get_openapi, get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job,
@@ -176,7 +179,9 @@ pub fn router(state: HttpState) -> Router {
     let keys = from_fn_with_state(state.clone(), authenticate);
     let hosts = from_fn_with_state(state.clone(), check_host);
     // Noise does not compress.
-    let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
+    let compressible = DefaultPredicate::new()
+        .and(NotForContentType::const_new("application/octet-stream"))
+        .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     let routes = documented
@@ -191,6 +196,7 @@ pub fn router(state: HttpState) -> Router {
         .layer(from_fn(problem::name_request))
         // Of ten megabytes of figures the default level saves 8 % more than the fastest, in six times the time.
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible))
+        .layer(from_fn(settle_coding))
         .layer(from_fn(guard_response));
     // Without origins OPTIONS is a method like others, which no route knows.
     let routes = match cors {

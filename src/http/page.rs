@@ -21,9 +21,10 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use rust_embed::{EmbeddedFile, RustEmbed};
 
+use super::negotiation::takes_gzip;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use super::result_body::{is_known, takes_gzip};
+use super::result_body::is_known;
 
 #[derive(RustEmbed)]
 #[folder = "web/"]

@@ -2,7 +2,6 @@
 //! an extension.
 
 use std::fmt;
-use std::num::NonZeroUsize;
 use std::str::FromStr;
 use std::time::Duration;
 
@@ -36,6 +35,21 @@ const MAX_PRIORITY: i16 = 100;
 /// Fewest points that stresses over depth can be thinned to.
 const MIN_DEPTHS: usize = 2;
 
+/// Most faults that are told of one query string.
+const MAX_FAULTS: usize = 50;
+
+/// A whole number without a sign; one of more digits than can be counted is as large as can be.
+struct Whole(usize);
+
+impl FromStr for Whole {
+    type Err = fmt::Error;
+
+    fn from_str(text: &str) -> Result<Self, fmt::Error> {
+        let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        is_number.then(|| Self(text.parse().unwrap_or(usize::MAX))).ok_or(fmt::Error)
+    }
+}
+
 /// The parameters of a query string and what is wrong with them.
 struct Reader {
     pairs: Vec<(String, String)>,
@@ -57,6 +71,10 @@ impl Reader {
                 let shown: String = name.chars().take(40).collect();
                 let detail = format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
                 faults.push(Fault::parameter(&shown, FaultCode::UnknownKey, detail));
+            }
+            // A short query is not answered by a long list.
+            if faults.len() >= MAX_FAULTS {
+                break;
             }
         }
         Self { pairs, faults }
@@ -110,7 +128,9 @@ impl Reader {
     }
 
     fn fault(&mut self, name: &str, code: FaultCode, detail: impl Into<String>) {
-        self.faults.push(Fault::parameter(name, code, detail));
+        if self.faults.len() < MAX_FAULTS {
+            self.faults.push(Fault::parameter(name, code, detail));
+        }
     }
 
     /// What was read, unless something is at fault.
@@ -119,7 +139,8 @@ impl Reader {
             return Ok(read);
         }
         let count = self.faults.len();
-        let detail = format!("{count} parameter{} at fault", if count == 1 { "" } else { "s" });
+        let least = if count == MAX_FAULTS { "at least " } else { "" };
+        let detail = format!("{least}{count} parameter{} at fault", if count == 1 { "" } else { "s" });
         Err(Problem::new(ProblemType::InvalidQuery, detail).with_faults(self.faults))
     }
 
@@ -224,8 +245,8 @@ pub(super) fn takes_no_step(form: &str) -> Problem {
 
 impl Reader {
     fn step(&mut self) -> Option<usize> {
-        let step = self.value("step", "a whole number, 1 or greater", |_: &NonZeroUsize| true);
-        step.map(|step| step.get() - 1)
+        let step = self.value("step", "a whole number, 1 or greater", |Whole(step)| *step >= 1);
+        step.map(|Whole(step)| step - 1)
     }
 }
 
@@ -349,8 +370,8 @@ impl FromRequestParts<HttpState> for Selection {
         }
         let step = query.step();
         let expected = format!("a whole number, {MIN_DEPTHS} or greater");
-        let depths = query.value("subsurface_points", &expected, |count| *count >= MIN_DEPTHS);
-        query.finish(Self { parts: wanted, step, depths })
+        let depths = query.value("subsurface_points", &expected, |Whole(count)| *count >= MIN_DEPTHS);
+        query.finish(Self { parts: wanted, step, depths: depths.map(|Whole(count)| count) })
     }
 }
 

@@ -3,17 +3,18 @@
 
 use axum::body::Body;
 use axum::http::header::{
-    ACCEPT_ENCODING, ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_RANGE, CONTENT_TYPE, ETAG,
-    IF_NONE_MATCH, IF_RANGE, RANGE, VARY,
+    ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_RANGE, CONTENT_TYPE, ETAG, IF_NONE_MATCH,
+    IF_RANGE, RANGE, VARY,
 };
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
-use futures_util::stream;
+use futures_util::{StreamExt, stream};
 use tokio::sync::mpsc::{self, Sender};
 use tokio::task::spawn_blocking;
 
 use super::HttpState;
+use super::negotiation::takes_gzip;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
 use super::query::Selection;
@@ -29,14 +30,9 @@ const WAITING_PIECES: usize = 2;
 /// What stands between two steps.
 const COMMA: &[u8] = b",";
 
-/// Whether a client takes gzip.
-pub(super) fn takes_gzip(headers: &HeaderMap) -> bool {
-    let codings = headers.get_all(ACCEPT_ENCODING).iter().filter_map(|value| value.to_str().ok());
-    codings.flat_map(|list| list.split(',')).any(|coding| {
-        let (name, weight) = coding.split_once(";q=").unwrap_or((coding, "1"));
-        name.trim().eq_ignore_ascii_case("gzip") && weight.trim().parse().is_ok_and(|q: f32| q > 0.0)
-    })
-}
+/// The coding of an answer has been chosen; no layer changes it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CodingChosen;
 
 /// Whether a client has what is under this tag.
 pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
@@ -55,6 +51,7 @@ struct Form {
 }
 
 impl Form {
+    /// Hundreds of megabytes of fields are not compressed for each reader; there is a binary form.
     fn of(head: &ResultHead, selection: &Selection, headers: &HeaderMap) -> Self {
         let has_fields = head.has_fields && selection.has_fields();
         Self { has_fields, gzip: takes_gzip(headers) && !has_fields && head.around_steps().is_some() }
@@ -116,7 +113,7 @@ async fn body(
     (before, behind): (Bytes, Bytes),
 ) -> Result<Response, Problem> {
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
-    let about = Extension(JobIdExtension(id));
+    let about = (Extension(JobIdExtension(id)), Extension(CodingChosen));
     let Some((begin, end)) = head.around_steps() else {
         let report = whole(state, head.report, selection).await?;
         return Ok((about, join([&join([&before, &report]), &behind])).into_response());
@@ -126,12 +123,13 @@ async fn body(
     let writer =
         ResultWriter { state: state.clone(), id, steps, selection, has_fields: form.has_fields, sender };
     tokio::spawn(writer.run(join([&before, &begin]), join([&end, &behind]), form.gzip));
-    let pieces = stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver)));
+    // The connection may look for more behind the end.
+    let pieces =
+        stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver))).fuse();
     let mut response = (about, Body::from_stream(pieces)).into_response();
-    // Hundreds of megabytes are not compressed for each reader; there is a binary form.
-    let coding = if form.gzip { Some("gzip") } else { form.has_fields.then_some("identity") };
-    let coding = coding.map(HeaderValue::from_static);
-    response.headers_mut().extend(coding.map(|coding| (CONTENT_ENCODING, coding)));
+    if form.gzip {
+        response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+    }
     Ok(response)
 }
 
@@ -258,7 +256,8 @@ pub(super) fn bytes(tag: &str, media_type: &'static str, body: Bytes, headers: &
         return (StatusCode::NOT_MODIFIED, common).into_response();
     }
     let is_current = headers.get(IF_RANGE).is_none_or(|known| known.as_bytes() == tag.as_bytes());
-    let range = headers.get(RANGE).filter(|_| is_current).and_then(|range| range.to_str().ok());
+    let mut ranges = headers.get_all(RANGE).iter().filter(|_| is_current);
+    let range = ranges.next().filter(|_| ranges.next().is_none()).and_then(|range| range.to_str().ok());
     match range.and_then(|range| byte_range(range, body.len())) {
         None => (common, body).into_response(),
         Some(Err(())) => {
@@ -275,14 +274,22 @@ pub(super) fn bytes(tag: &str, media_type: &'static str, body: Bytes, headers: &
 /// The one range of bytes in a header, its end excluded; an error where it begins behind the end, `None` where the header is to
 /// be ignored.
 fn byte_range(text: &str, length: usize) -> Option<Result<(usize, usize), ()>> {
-    let (first, last) = text.strip_prefix("bytes=")?.split_once('-')?;
+    let (unit, range) = text.split_once('=')?;
+    let (first, last) = range.split_once('-')?;
     let (first, last) = (first.trim(), last.trim());
+    if !unit.trim().eq_ignore_ascii_case("bytes") {
+        return None;
+    }
+    // No number of digits is too large to be behind the end.
+    let position = |text: &str| {
+        let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        is_number.then(|| text.parse::<usize>().unwrap_or(usize::MAX))
+    };
     let (from, to) = if first.is_empty() {
-        (length.saturating_sub(last.parse().ok()?), length)
+        (length.saturating_sub(position(last)?), length)
     } else {
-        let from: usize = first.parse().ok()?;
-        let to =
-            if last.is_empty() { length } else { last.parse::<usize>().ok()?.saturating_add(1).min(length) };
+        let from = position(first)?;
+        let to = if last.is_empty() { length } else { position(last)?.saturating_add(1).min(length) };
         if from >= to && from < length {
             return None;
         }
@@ -317,7 +324,13 @@ mod tests {
             ("bytes=100-", Some(Err(()))),
             ("bytes=-0", Some(Err(()))),
             ("bytes=9-3", None),
+            ("Bytes=0-9", Some(Ok((0, 10)))),
+            ("bytes=99999999999999999999-", Some(Err(()))),
+            ("bytes=-99999999999999999999", Some(Ok((0, 100)))),
             ("bytes=0-1,5-6", None),
+            ("bytes=--5", None),
+            ("bytes=+1-5", None),
+            ("bytes=-", None),
             ("lines=0-1", None),
         ] {
             assert_eq!(byte_range(text, 100), range, "{text}");

@@ -34,7 +34,11 @@ impl Prefix {
             headers.get("x-forwarded-prefix").and_then(|prefix| prefix.to_str().ok()).unwrap_or_default();
         let path = text.trim_end_matches('/');
         let is_plain = path.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte));
-        let is_path = path.starts_with('/') && !path.starts_with("//") && path.len() <= 200;
+        // Browsers take `//` for the name of a host, and walk up at dots.
+        let mut segments = path.split('/');
+        let is_path = segments.next() == Some("")
+            && segments.all(|segment| !["", ".", ".."].contains(&segment))
+            && path.len() <= 200;
         Self(if is_plain && is_path { path.to_owned() } else { String::new() })
     }
 }
@@ -313,7 +317,20 @@ mod tests {
         };
         assert_eq!(prefix("/press"), "/press");
         assert_eq!(prefix("/a/b/"), "/a/b");
-        for bad in ["", "/", "press", "//elsewhere.example", "/a b", "/a\"b", "/a?b"] {
+        for bad in [
+            "",
+            "/",
+            "press",
+            "//elsewhere.example",
+            "/a b",
+            "/a\"b",
+            "/a?b",
+            "/..",
+            "/a/../b",
+            "/.",
+            "/a//b",
+            "/%2e",
+        ] {
             assert_eq!(prefix(bad), "", "{bad}");
         }
     }

@@ -52,8 +52,12 @@ fn a_result_is_had_in_parts() {
         solved.get(&format!("/result{query}"), &[]).problem(400, "invalid-query");
     }
     for args in [&[][..], &["-H", "Accept: text/csv"]] {
-        solved.get("/result?step=4", args).problem(404, "step-not-found");
+        for step in ["4", "18446744073709551615", "99999999999999999999999"] {
+            solved.get(&format!("/result?step={step}"), args).problem(404, "step-not-found");
+        }
     }
+    let faults = solved.get(&format!("/result?{}", "x=1&".repeat(3000)), &[]).problem(400, "invalid-query");
+    assert_eq!(faults["errors"].as_array().unwrap().len(), 50);
 }
 
 #[test]
@@ -89,6 +93,26 @@ fn the_parts_that_are_not_wanted_stay_behind() {
         tags.map(|query| solved.get(&format!("/result{query}"), &[]).header("etag").unwrap().to_owned());
     tags.sort_unstable();
     assert!(tags.windows(2).all(|pair| pair[0] != pair[1]), "{tags:?}");
+}
+
+/// Codings that leave the service a choice, or none.
+#[test]
+fn every_way_to_ask_for_a_coding_has_a_whole_answer() {
+    let solved = Solved::new(false);
+    let plain = solved.get("/result", &[]);
+    for (accepted, coding) in [("*", Some("gzip")), ("*;q=0", None), ("identity;q=0", None), ("br", None)] {
+        let accepted = format!("Accept-Encoding: {accepted}");
+        for path in ["/result", "/result?fields=contact", "?wait=0", "/pressure.csv", "/request"] {
+            // curl unpacks what it is sent.
+            let answer = solved.get(path, &["--compressed", "-H", &accepted]);
+            assert_eq!(
+                (answer.status, answer.header("content-encoding")),
+                (200, coding),
+                "{accepted} {path}"
+            );
+            assert!(path != "/result" || answer.body == plain.body, "{accepted}");
+        }
+    }
 }
 
 #[test]

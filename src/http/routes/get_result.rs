@@ -1,12 +1,13 @@
 //! `GET /v1/jobs/{id}/result`: the report, complete or as far as a stopped job came, or the parts of it that are wanted.
 
 use axum::extract::State;
-use axum::http::header::{ACCEPT, VARY};
+use axum::http::header::VARY;
 use axum::http::{HeaderMap, HeaderValue};
 use axum::response::{IntoResponse, Response};
 
 use crate::http::export_file::{export, file};
 use crate::http::job_path::JobPath;
+use crate::http::negotiation::prefers_csv;
 use crate::http::query::{Selection, SelectionQuery};
 use crate::http::selection::no_step;
 use crate::http::{HttpState, Problem, result_body};
@@ -63,57 +64,4 @@ async fn summary(state: &HttpState, id: JobId, step: Option<usize>) -> Result<Re
     let mut response = file(id, Export::SummaryCsv, table).into_response();
     response.headers_mut().insert(VARY, HeaderValue::from_static("accept, accept-encoding"));
     Ok(response)
-}
-
-/// Whether a client would rather have CSV than JSON (RFC 9110, section 12.5.1): it gives it more weight, or names it
-/// where JSON is only among others.
-fn prefers_csv(headers: &HeaderMap) -> bool {
-    let lines: Vec<_> = headers.get_all(ACCEPT).iter().filter_map(|line| line.to_str().ok()).collect();
-    let preference = |main: &str, sub: &str| {
-        let ranges = lines.iter().flat_map(|line| line.split(','));
-        let fitting = ranges.filter_map(|range| {
-            let mut parameters = range.split(';').map(str::trim);
-            let (first, second) = parameters.next()?.split_once('/')?;
-            let is_exact = first.eq_ignore_ascii_case(main) && second.eq_ignore_ascii_case(sub);
-            let is_group = second == "*" && (first == "*" || first.eq_ignore_ascii_case(main));
-            let weight = parameters.find_map(|parameter| {
-                let (name, value) = parameter.split_once('=')?;
-                name.trim().eq_ignore_ascii_case("q").then(|| value.trim().parse().unwrap_or(0.0))
-            });
-            let exactness = if is_exact { 2 } else { u8::from(first != "*") };
-            (is_exact || is_group).then_some((exactness, weight.unwrap_or(1.0_f64)))
-        });
-        let most_exact = fitting.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        most_exact.map_or((0.0, 0), |(exactness, weight)| (weight, exactness))
-    };
-    let csv = preference("text", "csv");
-    csv.0 > 0.0 && csv > preference("application", "json")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn csv_is_sent_to_those_who_would_rather_have_it() {
-        for (accepted, is_csv) in [
-            (&["text/csv"][..], true),
-            (&["Text/CSV; header=present"], true),
-            (&["text/csv, */*;q=0.1"], true),
-            (&["text/csv, */*"], true),
-            (&["text/*"], true),
-            (&["application/json;q=0.5", "text/csv;q=0.6"], true),
-            (&[], false),
-            (&["*/*"], false),
-            (&["application/json, text/csv"], false),
-            (&["text/csv, application/json"], false),
-            (&["text/csv;q=0.5, application/json"], false),
-            (&["text/csv;q=0"], false),
-            (&["text/csv;q=much, */*"], false),
-            (&["image/png", "", ";;,/"], false),
-        ] {
-            let headers = accepted.iter().map(|value| (ACCEPT, HeaderValue::from_static(value))).collect();
-            assert_eq!(prefers_csv(&headers), is_csv, "{accepted:?}");
-        }
-    }
 }

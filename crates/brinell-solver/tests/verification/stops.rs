@@ -44,6 +44,52 @@ fn job(coupling: &str) -> Job {
     Job::from_json(job.to_string().as_bytes()).unwrap()
 }
 
+/// Meshes that serve several loads, and coarser ones beside them, may be stopped in the midst of anything.
+#[test]
+fn a_sweep_that_is_stopped_keeps_the_steps_before() {
+    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20.0},
+        "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+                     "plasticity": {"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 10_500.0}}});
+    let job: Value = json!({
+        "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
+        "load": {"forces": [300.0, 330.0, 360.0, 390.0]}, "mesh": {"elements_per_half_width": 5},
+    });
+    let job = Job::from_json(job.to_string().as_bytes()).unwrap();
+    let (mut most, mut stopped) = (0, 0);
+    for questions in 0.. {
+        match run(&job, &mut StopSweepAt(questions)) {
+            Err(SolveError::Interrupted(Interrupt::Cancelled)) => assert_eq!(most, 0, "question {questions}"),
+            Err(error) => panic!("stopped at question {questions}: {error}"),
+            Ok(solution) => {
+                let converged =
+                    solution.steps.iter().filter(|step| step.status == SolveStatus::Converged).count();
+                assert!(converged >= most && converged + 1 >= solution.steps.len(), "question {questions}");
+                most = converged;
+                if most == 4 {
+                    break;
+                }
+                stopped += 1;
+            }
+        }
+    }
+    assert!(stopped > 50, "stopped at {stopped} places");
+}
+
+/// Says stop from the n-th question on.
+struct StopSweepAt(usize);
+
+impl Observer for StopSweepAt {
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        match self.0.checked_sub(1) {
+            Some(left) => {
+                self.0 = left;
+                ControlFlow::Continue(())
+            }
+            None => ControlFlow::Break(Interrupt::Cancelled),
+        }
+    }
+}
+
 #[test]
 fn a_job_that_is_stopped_keeps_its_iterations() {
     for (coupling, every) in [("accelerated", 1), ("secant_stiffness", 7)] {

@@ -17,7 +17,7 @@ use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh}
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::solution::{Solution, StepSolution};
-use crate::solver::{Interrupt, Observer, SolveError, couplings, final_check};
+use crate::solver::{Interrupt, Observer, SolveError, SolveStatus, couplings, final_check};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -195,7 +195,12 @@ impl<'a> LoadStepper<'a> {
         let mut silent = SilentObserver { inner: observer };
         let pass = mesh_solve::run(self.problem, request, reusable, &mut solution.phases, &mut silent)?;
         solution.passes += pass.meshes;
-        Ok(pass)
+        // One that was stopped has no fields that the next mesh could start from.
+        match pass.outcome.status {
+            SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),
+            SolveStatus::TimedOut => Err(SolveError::Interrupted(Interrupt::TimedOut)),
+            SolveStatus::Converged | SolveStatus::NotConverged => Ok(pass),
+        }
     }
 
     /// A zone for a contact of this size, or as much of it as the surfaces have room for.
