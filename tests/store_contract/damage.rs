@@ -72,12 +72,15 @@ async fn a_damaged_file_is_found() {
     drop(store);
     let Place::Directory(directory) = &place else { panic!("a directory") };
     let file = directory.0.join("brinell.db");
-    // The last connection empties the log into the database when it closes, on a thread of its own.
+    // The last connection empties the log into the database and removes it, on a thread of its own.
+    let log = directory.0.join("brinell.db-wal");
+    let removed = async {
+        while log.exists() {
+            tokio::task::yield_now().await;
+        }
+    };
+    tokio::time::timeout(std::time::Duration::from_secs(30), removed).await.expect("the log is removed");
     let mut bytes = std::fs::read(&file).unwrap();
-    while bytes.len() < 400_000 {
-        tokio::task::yield_now().await;
-        bytes = std::fs::read(&file).unwrap();
-    }
     let end = bytes.len();
     bytes[end - 100 * 4096..].fill(0xff);
     std::fs::write(&file, bytes).unwrap();
