@@ -10,7 +10,7 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'flow'][]} */
+/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'flow' | 'curve'][]} */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
   ['Job, JSON', 'request', 'job.json', 'nothing'],
@@ -21,7 +21,7 @@ const FILES = [
   ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
   ['Pressure, SVG', 'pressure.svg', 'pressure.svg', 'nothing'],
   ['Depth profiles, SVG', 'depth.svg', 'depth.svg', 'subsurface'],
-  ['Force over approach, SVG', 'load_approach.svg', 'load_approach.svg', 'flow'],
+  ['Force over approach, SVG', 'load_approach.svg', 'load_approach.svg', 'curve'],
   ['Surfaces, SVG', 'surface.svg', 'surface.svg', 'flow'],
 ];
 
@@ -37,8 +37,15 @@ export function downloads(id, report, fields, shown) {
       fields,
       subsurface: step?.subsurface !== undefined,
       flow: step?.flow !== undefined,
+      curve: Boolean(report.load_approach),
     }[needs];
-    const missing = { nothing: '', fields: 'the stress field', subsurface: 'stresses over depth', flow: 'flow theory' };
+    const missing = {
+      nothing: '',
+      fields: 'the stress field',
+      subsurface: 'stresses over depth',
+      flow: 'flow theory',
+      curve: 'several loads',
+    };
     const title = there ? '' : `The job did not ask for ${missing[needs]}`;
     return h(
       'li',
