@@ -280,6 +280,7 @@
  * @property {string} [depth_svg]
  * @property {string} events
  * @property {string} [field_vtu]
+ * @property {string} [increments_csv]
  * @property {string} [pressure_csv]
  * @property {string} [pressure_svg]
  * @property {string} request
@@ -287,6 +288,8 @@
  * @property {string} self
  * @property {string} [subsurface_csv]
  * @property {string} [summary_csv]
+ * @property {string} [surface_csv]
+ * @property {string} [surface_svg]
  *
  * @typedef {ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad} Load
  *

@@ -9,7 +9,7 @@ use axum::http::header::RETRY_AFTER;
 use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use brinell_solver::job::{Job, OutputSettings};
+use brinell_solver::job::{Job, Load, Theory};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -87,17 +87,30 @@ pub struct Links {
     /// Mesh and fields for ParaView; where the job asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_vtu: Option<String>,
+    /// The increments of all loads; by flow theory. So are the following.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub increments_csv: Option<String>,
+    /// The surfaces of both bodies after every load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface_csv: Option<String>,
+    /// The surfaces of both bodies, drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface_svg: Option<String>,
 }
 
 impl Links {
-    fn of(record: &JobRecord, output: Option<OutputSettings>, prefix: &Prefix) -> Self {
+    fn of(record: &JobRecord, submitted: Option<&Job>, prefix: &Prefix) -> Self {
         let job = format!("{}/v1/jobs/{}", prefix.0, record.id);
         let below = |name: &str| format!("{job}/{name}");
         let with_result = |name| record.has_report.then(|| below(name));
         // A job that was stopped has neither stresses nor fields.
         let is_whole = matches!(record.state, JobState::Succeeded | JobState::NotConverged);
-        let has = |wanted: fn(OutputSettings) -> bool| is_whole && output.is_some_and(wanted);
-        let over_depth = |name| with_result(name).filter(|_| has(|output| output.subsurface));
+        let has = |wanted: fn(&Job) -> bool| is_whole && submitted.is_some_and(wanted);
+        let over_depth = |name| with_result(name).filter(|_| has(|job| job.output.subsurface));
+        let of_flow = |name| {
+            with_result(name)
+                .filter(|_| has(|job| job.solver.theory == Theory::Flow && !matches!(job.load, Load::Onset)))
+        };
         Self {
             request: below("request"),
             events: below("events"),
@@ -108,7 +121,10 @@ impl Links {
             pressure_svg: with_result("pressure.svg"),
             subsurface_csv: over_depth("subsurface.csv"),
             depth_svg: over_depth("depth.svg"),
-            field_vtu: with_result("field.vtu").filter(|_| has(|output| output.fields)),
+            field_vtu: with_result("field.vtu").filter(|_| has(|job| job.output.fields)),
+            increments_csv: of_flow("increments.csv"),
+            surface_csv: of_flow("surface.csv"),
+            surface_svg: of_flow("surface.svg"),
             job,
         }
     }
@@ -172,21 +188,16 @@ impl JobDocument {
     /// # Errors
     /// The store's.
     pub async fn of(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Result<Self, StoreError> {
-        let output = if record.has_report {
+        let job = if record.has_report {
             let request = state.jobs.request(record.id).await?;
-            Job::from_json(&request).ok().map(|job| job.output)
+            Job::from_json(&request).ok()
         } else {
             None
         };
-        Ok(Self::new(record, output, &state.settings.retention, prefix))
+        Ok(Self::new(record, job.as_ref(), &state.settings.retention, prefix))
     }
 
-    fn new(
-        record: JobRecord,
-        output: Option<OutputSettings>,
-        retention: &Retention,
-        prefix: &Prefix,
-    ) -> Self {
+    fn new(record: JobRecord, job: Option<&Job>, retention: &Retention, prefix: &Prefix) -> Self {
         Self {
             id: record.id,
             status: record.state,
@@ -200,7 +211,7 @@ impl JobDocument {
             expires_at: retention.expires_at(&record),
             attempts: record.attempts,
             priority: record.priority,
-            links: Links::of(&record, output, prefix),
+            links: Links::of(&record, job, prefix),
             tags: record.tags,
             progress: Progress { iterations: record.iterations, latest: record.latest },
             error: record.failure.as_ref().map(Problem::from),

@@ -53,6 +53,26 @@ fn solve_answers_with_the_result() {
     }
 }
 
+/// Links are to what the job has: those of flow theory are on its jobs alone, and all of them answer.
+#[test]
+fn links_are_to_what_there_is() {
+    let server = Server::start();
+    let of_flow = ["increments_csv", "surface_csv", "surface_svg"];
+    let mut flow = example();
+    flow["solver"] = json!({"theory": "flow", "increments": 2});
+    flow["output"] = json!({"subsurface": false, "fields": true});
+    for (job, is_flow) in [(flow, true), (example(), false)] {
+        let answer = server.target.post("/v1/solve", job.to_string()).json();
+        let links = answer["links"].as_object().unwrap();
+        assert!(of_flow.iter().all(|name| links.contains_key(*name) == is_flow), "{links:?}");
+        assert_eq!(links.contains_key("field_vtu"), is_flow);
+        assert_eq!(links.contains_key("subsurface_csv"), !is_flow);
+        for (name, link) in links {
+            assert_eq!(server.target.get(link.as_str().unwrap()).status, 200, "{name}");
+        }
+    }
+}
+
 #[test]
 fn validate_estimates_without_solving() {
     let server = Server::start();
