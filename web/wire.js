@@ -281,6 +281,7 @@
  * @property {string} events
  * @property {string} [field_vtu]
  * @property {string} [increments_csv]
+ * @property {string} [load_approach_svg]
  * @property {string} [pressure_csv]
  * @property {string} [pressure_svg]
  * @property {string} request

@@ -15,20 +15,12 @@ import {
   postSolve,
   postValidate,
 } from '../generated/hey-api/sdk.gen.ts';
-import type { ContactBody, ContactJob } from '../generated/hey-api/types.gen.ts';
-import { assertCsv, assertPeak, assertVtu } from './uses.ts';
+import type { ContactJob } from '../generated/hey-api/types.gen.ts';
+import { assertCsv, assertPeak, assertVtu, reference } from './uses.ts';
 
 client.setConfig({ baseUrl: process.argv[2] ?? '' });
 
-const cylinder: ContactBody = {
-  shape: { type: 'cylinder', radius: 20 },
-  material: {
-    young_modulus: 210000,
-    poisson_ratio: 0.3,
-    plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
-  },
-};
-const job: ContactJob = { analysis: 'plane_strain', upper: cylinder, lower: cylinder, load: { force: 612.6106 } };
+const job: ContactJob = reference;
 
 // @ts-expect-error Exactly one kind of load.
 const mixed: ContactJob = { ...job, load: { force: 612.6106, approach: 0.02 } };

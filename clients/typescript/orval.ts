@@ -14,18 +14,10 @@ import {
   postSolve,
   postValidate,
 } from '../generated/orval.ts';
-import type { ContactBody, ContactJob } from '../generated/orval.ts';
-import { assertCsv, assertEvents, assertPeak, assertVtu } from './uses.ts';
+import type { ContactJob } from '../generated/orval.ts';
+import { assertCsv, assertEvents, assertPeak, assertVtu, reference } from './uses.ts';
 
-const cylinder: ContactBody = {
-  shape: { type: 'cylinder', radius: 20 },
-  material: {
-    young_modulus: 210000,
-    poisson_ratio: 0.3,
-    plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
-  },
-};
-const job: ContactJob = { analysis: 'plane_strain', upper: cylinder, lower: cylinder, load: { force: 612.6106 } };
+const job: ContactJob = reference;
 
 const validation = await postValidate(job);
 assert.ok(validation.status === 200 && validation.data.estimate.equations > 1000);

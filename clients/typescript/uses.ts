@@ -2,6 +2,23 @@
 
 import assert from 'node:assert/strict';
 
+const cylinder = {
+  shape: { type: 'cylinder', radius: 20 },
+  material: {
+    young_modulus: 210000,
+    poisson_ratio: 0.3,
+    plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+  },
+} as const;
+
+/** Two steel cylinders of 20 mm radius at three times their yield stress; every client's own type has to accept it. */
+export const reference = {
+  analysis: 'plane_strain',
+  upper: cylinder,
+  lower: cylinder,
+  load: { force: 612.6106 },
+} as const;
+
 /** The events of a stream, as text blocks of server-sent events. */
 export function eventsOf(text: string): { event: string; data: any }[] {
   return text

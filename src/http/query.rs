@@ -405,7 +405,7 @@ pub(super) struct ListQuery {
     cursor: Option<String>,
 }
 
-/// Which jobs to list: `?status=`, `?tag=name:value`, `?limit=`, `?cursor=`.
+/// Which jobs to list, as [`ListQuery`] has it.
 #[derive(Debug, Clone)]
 pub(super) struct ListFilter(pub(super) JobFilter);
 

@@ -96,6 +96,9 @@ pub struct Links {
     /// The surfaces of both bodies, drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface_svg: Option<String>,
+    /// Force over approach, drawn; where all of several loads have converged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load_approach_svg: Option<String>,
 }
 
 impl Links {
@@ -125,8 +128,24 @@ impl Links {
             increments_csv: of_flow("increments.csv"),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),
+            load_approach_svg: with_result("load_approach.svg")
+                .filter(|_| record.state == JobState::Succeeded && has(has_curve)),
             job,
         }
+    }
+}
+
+/// Whether converged loads of this job are more than one point of force and approach. Flow theory begins at rest, which is
+/// one more.
+fn has_curve(job: &Job) -> bool {
+    fn differ<T: PartialEq>(values: &[T]) -> bool {
+        values.windows(2).any(|pair| pair[0] != pair[1])
+    }
+    match &job.load {
+        Load::Onset => false,
+        _ if job.solver.theory == Theory::Flow => true,
+        Load::Forces(sweep) | Load::Approaches(sweep) => differ(sweep),
+        Load::History(history) => differ(history),
     }
 }
 

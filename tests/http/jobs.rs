@@ -61,10 +61,17 @@ fn links_are_to_what_there_is() {
     let mut flow = example();
     flow["solver"] = json!({"theory": "flow", "increments": 2});
     flow["output"] = json!({"subsurface": false, "fields": true});
-    for (job, is_flow) in [(flow, true), (example(), false)] {
+    let mut sweep = example();
+    sweep["load"] = json!({"forces": [300, 500]});
+    let mut same = example();
+    same["load"] = json!({"forces": [300, 300]});
+    for (job, is_flow, has_curve) in
+        [(flow, true, true), (example(), false, false), (sweep, false, true), (same, false, false)]
+    {
         let answer = server.target.post("/v1/solve", job.to_string()).json();
         let links = answer["links"].as_object().unwrap();
         assert!(of_flow.iter().all(|name| links.contains_key(*name) == is_flow), "{links:?}");
+        assert_eq!(links.contains_key("load_approach_svg"), has_curve);
         assert_eq!(links.contains_key("field_vtu"), is_flow);
         assert_eq!(links.contains_key("subsurface_csv"), !is_flow);
         for (name, link) in links {
