@@ -1,10 +1,12 @@
 //! How long a job can go on after it has been told to stop: the longest times between two questions to its observer.
 //!
 //! usage: `cargo run --release --example checkpoints -- ELEMENTS`, elements over the half-width of the reference problem
-//! with two different bodies, 140 for about a million equations. Prints the longest times, in order, and where they ended;
+//! with two different bodies and all output, 140 for about a million equations. Prints the longest times, in order, where
+//! they ended, and how they divide into pieces of work that are timed;
 //! then stops the job at moments spread over its course and prints how long each took to end. All times are processor times
 //! of the solving thread (Linux), which other work on the machine does not lengthen.
 
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
@@ -20,11 +22,12 @@ const STOPS: u32 = 12;
 struct Watch {
     stop_at: Duration,
     asked: Vec<Duration>,
+    timed: RefCell<Vec<Duration>>,
 }
 
 impl Watch {
     fn start(stop_at: Duration) -> Self {
-        Self { stop_at, asked: vec![spent()] }
+        Self { stop_at, asked: vec![spent()], timed: RefCell::default() }
     }
 }
 
@@ -40,7 +43,9 @@ impl Observer for Watch {
     }
 
     fn elapsed(&self) -> Duration {
-        spent()
+        let now = spent();
+        self.timed.borrow_mut().push(now);
+        now
     }
 }
 
@@ -54,6 +59,7 @@ fn job(elements: u32) -> Result<Job, JobError> {
     let mut job: Value =
         serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json")).unwrap_or_default();
     job["mesh"] = json!({"elements_per_half_width": elements});
+    job["output"] = json!({"fields": true, "subsurface": true});
     job["lower"]["material"]["plasticity"]["yield_stress"] = json!(501.0);
     Job::from_json(job.to_string().as_bytes())
 }
@@ -79,7 +85,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .collect();
     gaps.sort();
     for (gap, end) in gaps.iter().rev().take(8) {
-        println!("  {:7.1} ms until {:6.2} s", 1e3 * gap.as_secs_f64(), end.as_secs_f64());
+        let (from, to) = (begin + end.saturating_sub(*gap), begin + *end);
+        let mut within = vec![from];
+        within.extend(watch.timed.borrow().iter().filter(|time| **time > from && **time < to));
+        within.push(to);
+        let parts = within
+            .windows(2)
+            .map(|pair| format!("{:.0}", 1e3 * pair[1].saturating_sub(pair[0]).as_secs_f64()));
+        let parts = parts.filter(|part| part != "0").collect::<Vec<_>>().join(" + ");
+        println!("  {:7.1} ms until {:6.2} s: {parts}", 1e3 * gap.as_secs_f64(), end.as_secs_f64());
     }
     for k in 1..=STOPS {
         let wait = whole * k / (STOPS + 1);

@@ -39,6 +39,15 @@ pub(super) fn factorize(
     let mut workspace = PanelWorkspace::new(symbolic);
     let mut pending = PendingUpdates::new(symbolic);
     let mut work = 0;
+    let mut ask = |work: &mut usize| {
+        if *work > WORK_BETWEEN_CHECKPOINTS {
+            *work = 0;
+            if checkpoint().is_break() {
+                return Err(FactorizationError::Stopped);
+            }
+        }
+        Ok(())
+    };
     for s in 0..symbolic.supernode_count() {
         let node = symbolic.supernode(s);
         let is_outdated = outdated.is_none_or(|outdated| outdated[s]);
@@ -63,6 +72,7 @@ pub(super) fn factorize(
                 let update = Update { values: &done[source.values.clone()], source: &source, first, count };
                 workspace.subtract(&update, &node, panel);
                 work += update.work();
+                ask(&mut work)?;
             }
             pending.push(PendingUpdate { rows_applied: (first + count) as u32, ..update });
         }
@@ -70,12 +80,7 @@ pub(super) fn factorize(
             workspace.factorize(&node, panel)?;
         }
         pending.push(PendingUpdate { source: s as u32, rows_applied: 0 });
-        if work > WORK_BETWEEN_CHECKPOINTS {
-            work = 0;
-            if checkpoint().is_break() {
-                return Err(FactorizationError::Stopped);
-            }
-        }
+        ask(&mut work)?;
     }
     Ok(())
 }

@@ -4,15 +4,17 @@ use std::time::Duration;
 
 use super::units::UnitConverter;
 use super::{
-    HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport, Timings, contact,
-    error_bars, fields, flow, load_approach, onset, plastic_zone, subsurface, validity,
+    FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport,
+    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, onset, plastic_zone,
+    subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
+use crate::solver::observer::ask;
 use crate::solver::{
-    BodySolution, ElasticReference, IterationRecord, Observer, Phase, PhaseTimes, Solution, SolveStatus,
-    StepSolution,
+    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
+    SolveStatus, StepSolution,
 };
 
 /// Writes the report of each step as it is finished, and the rest at the end.
@@ -44,9 +46,15 @@ impl<'a> ReportBuilder<'a> {
         }
     }
 
-    /// The report of the next step.
-    pub(super) fn step(&mut self, step: &StepSolution, observer: &dyn Observer) -> StepReport {
+    /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
+    pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
         let start = observer.elapsed();
+        let fields = FieldReports::of(self.job, &step, self.write, observer).unwrap_or_else(|interrupt| {
+            step.status = interrupt.into();
+            step.contact_stiffness = 0.0;
+            FieldReports::NONE
+        });
+        let step = &step;
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             if step.increments.is_empty() {
@@ -58,7 +66,7 @@ impl<'a> ReportBuilder<'a> {
         }
         let enlargements = self.mesh.enlargements + step.enlargements;
         self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
-        let report = step_report(self.job, step, self.write);
+        let report = step_report(self.job, step, fields, self.write);
         self.time += observer.elapsed().saturating_sub(start);
         report
     }
@@ -97,12 +105,48 @@ fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
     one.into_iter().chain([other]).max_by_key(rank)
 }
 
-fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepReport {
-    // Who stops a job wants its core back, not its stresses.
-    let is_stopped = step.status.is_stopped();
-    let subsurface = (job.output.subsurface && !is_stopped).then(|| {
-        PerBody::of(step, |body| subsurface::profile(body, step.symmetric, step.peak_position, write))
-    });
+/// What a report has of the stresses in the bodies.
+struct FieldReports {
+    subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
+    plasticity: PerBody<Option<PlasticityReport>>,
+    fields: Option<PerBody<Option<FieldsReport>>>,
+}
+
+impl FieldReports {
+    /// Who stops a job wants its core back, not its stresses.
+    const NONE: Self =
+        Self { subsurface: None, plasticity: PerBody { upper: None, lower: None }, fields: None };
+
+    fn of(
+        job: &Job,
+        step: &StepSolution,
+        write: UnitConverter,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, Interrupt> {
+        if step.status.is_stopped() {
+            return Ok(Self::NONE);
+        }
+        let mut reports = Self::NONE;
+        if job.output.subsurface {
+            let profile = |body: &BodySolution| {
+                ask(observer)?;
+                Ok(subsurface::profile(body, step.symmetric, step.peak_position, write))
+            };
+            reports.subsurface = Some(PerBody::try_of(step, profile)?);
+        }
+        reports.plasticity = PerBody::try_of(step, |body| {
+            ask(observer)?;
+            Ok(plasticity_report(body, step.symmetric, write))
+        })?;
+        if job.output.fields {
+            reports.fields = Some(fields::fields(step, write, observer)?);
+        }
+        Ok(reports)
+    }
+}
+
+fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: UnitConverter) -> StepReport {
+    let FieldReports { subsurface, plasticity, fields } = fields;
     let reference = ElasticReference::of(job, contact::force(step));
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
@@ -112,11 +156,6 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
             // Bodies that nearly conform have a large effective radius, but gaps as far from vertical as their own tells.
             |least, curvature| least.min(curvature.abs().recip()),
         );
-    let plasticity = if is_stopped {
-        PerBody { upper: None, lower: None }
-    } else {
-        PerBody::of(step, |solution| plasticity_report(solution, step.symmetric, write))
-    };
     StepReport {
         load: match step.load {
             ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
@@ -141,7 +180,7 @@ fn step_report(job: &Job, step: &StepSolution, write: UnitConverter) -> StepRepo
         validity: validity::notes(job, step, radius, &depths),
         yield_onset: onset::onset(job, step, write),
         estimated_error: error_bars::estimate(step),
-        fields: (job.output.fields && !is_stopped).then(|| fields::fields(step, write)),
+        fields,
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
 }

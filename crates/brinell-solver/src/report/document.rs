@@ -4,6 +4,7 @@
 //! `z` out of the plane; stresses are tensile positive, pressures compressive positive.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -106,14 +107,25 @@ pub struct PerBody<T> {
 impl<T: Clone> PerBody<Option<T>> {
     /// What there is to say of each deformable body; said once where one solution stands for both.
     pub(super) fn of(step: &StepSolution, say: impl Fn(&BodySolution) -> T) -> Self {
+        let said: Result<Self, Infallible> = Self::try_of(step, |body| Ok(say(body)));
+        match said {
+            Ok(said) => said,
+        }
+    }
+
+    /// The same, unless something stops it.
+    pub(super) fn try_of<E>(
+        step: &StepSolution,
+        mut say: impl FnMut(&BodySolution) -> Result<T, E>,
+    ) -> Result<Self, E> {
         let [upper, lower] = &step.bodies;
-        let of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body));
-        let of_upper = of(upper);
+        let mut of = |body: &Option<Arc<BodySolution>>| body.as_ref().map(|body| say(body)).transpose();
+        let of_upper = of(upper)?;
         let of_lower = match (upper, lower) {
             (Some(upper), Some(lower)) if Arc::ptr_eq(upper, lower) => of_upper.clone(),
-            _ => of(lower),
+            _ => of(lower)?,
         };
-        Self { upper: of_upper, lower: of_lower }
+        Ok(Self { upper: of_upper, lower: of_lower })
     }
 }
 

@@ -9,13 +9,16 @@
 //!
 //! with `g` the smallest gap between the outlines as the job gives them, so that the bodies just touch.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::PerBody;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
+use crate::solver::observer::ask;
 use crate::solver::recovery::Recovery;
-use crate::solver::{BodySolution, StepSolution};
+use crate::solver::{BodySolution, Interrupt, Observer, StepSolution};
 
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
 /// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
@@ -43,16 +46,30 @@ pub struct FieldsReport {
 }
 
 /// The fields of both bodies; nothing for a rigid one.
-pub(super) fn fields(step: &StepSolution, write: UnitConverter) -> PerBody<Option<FieldsReport>> {
+pub(super) fn fields(
+    step: &StepSolution,
+    write: UnitConverter,
+    observer: &mut dyn Observer,
+) -> Result<PerBody<Option<FieldsReport>>, Interrupt> {
     let [upper, lower] = &step.bodies;
-    let of = |body: &BodySolution, mirror| body_fields(body, step, mirror, write);
-    PerBody {
-        upper: upper.as_ref().map(|body| of(body, true)),
-        lower: lower.as_ref().map(|body| of(body, false)),
-    }
+    let mut of = |body: &Option<Arc<BodySolution>>, mirror| {
+        let body = body.as_ref();
+        body.map(|body| body_fields(body, step, mirror, write, observer)).transpose()
+    };
+    Ok(PerBody { upper: of(upper, true)?, lower: of(lower, false)? })
 }
 
-fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: UnitConverter) -> FieldsReport {
+/// Nodes between two questions to the observer; some tens of milliseconds.
+const NODES_BETWEEN_CHECKPOINTS: usize = 1 << 15;
+
+fn body_fields(
+    body: &BodySolution,
+    step: &StepSolution,
+    mirror: bool,
+    write: UnitConverter,
+    observer: &mut dyn Observer,
+) -> Result<FieldsReport, Interrupt> {
+    ask(observer)?;
     // Adding zero turns a mirrored -0 into 0.
     let (sign, gap) = if mirror { (-1.0, step.smallest_gap) } else { (1.0, 0.0) };
     let global = |[x, y]: &[f64; 2], offset| [write.length(*x), write.length(sign * y - offset) + 0.0];
@@ -65,15 +82,19 @@ fn body_fields(body: &BodySolution, step: &StepSolution, mirror: bool, write: Un
     if mirror {
         report.elements.iter_mut().for_each(|corners| corners.reverse());
     }
-    for [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _] in Recovery::new(body, step.symmetric).nodes()
-    {
+    let mut recovery = Recovery::new(body, step.symmetric);
+    for node in (0u32..).take(body.mesh.nodes.len()) {
+        if (node as usize).is_multiple_of(NODES_BETWEEN_CHECKPOINTS) {
+            ask(observer)?;
+        }
+        let [sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _] = recovery.node(node);
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
         report.sigma_x.push(write.stress(sigma_x));
         report.sigma_y.push(write.stress(sigma_y));
         report.sigma_z.push(write.stress(sigma_z));
         report.tau_xy.push(write.stress(sign * tau_xy) + 0.0);
         report.von_mises.push(write.stress(stress.von_mises()));
-        report.equivalent_plastic_strain.push(plastic_strain);
+        report.equivalent_plastic_strain.push(plastic_strain.max(0.0));
     }
-    report
+    Ok(report)
 }

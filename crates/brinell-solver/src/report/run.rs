@@ -153,7 +153,7 @@ pub fn run_each(
 ) -> Result<Report, RunError> {
     let mut builder = ReportBuilder::new(job);
     let mut report_step = |step: StepSolution, observer: &mut dyn Observer| {
-        on_step(builder.step(&step, observer));
+        on_step(builder.step(step, observer));
     };
     let solution = solver::run_each(job, options, observer, &mut report_step)
         .map_err(|error| RunError::of(job, &error))?;

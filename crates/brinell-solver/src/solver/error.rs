@@ -1,12 +1,10 @@
 //! Why a job has no solution to report.
 
-use std::ops::ControlFlow;
-
 use thiserror::Error;
 
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
-use crate::solver::observer::{Interrupt, Observer};
+use crate::solver::observer::{Interrupt, Observer, ask};
 use sparse_cholesky::FactorizationError;
 
 /// Why a job has no solution to report.
@@ -73,10 +71,7 @@ pub enum SolveError {
     Interrupted(Interrupt),
 }
 
-/// Asks the observer whether to stop.
+/// Asks the observer whether to stop, where there is nothing to report yet.
 pub(crate) fn checkpoint(observer: &mut dyn Observer) -> Result<(), SolveError> {
-    match observer.on_checkpoint() {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(interrupt) => Err(SolveError::Interrupted(interrupt)),
-    }
+    ask(observer).map_err(SolveError::Interrupted)
 }

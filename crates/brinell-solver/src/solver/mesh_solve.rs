@@ -2,7 +2,6 @@
 
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactSolver};
@@ -10,16 +9,18 @@ use crate::fem::assembly::StressField;
 use crate::fem::mesh::{ContactZone, MeshError, Refinement};
 use crate::job::SolverSettings;
 use crate::material::ReferenceModuli;
+use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome, Scales};
+use crate::solver::observer::ask;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
 use crate::solver::solution::CoarseFigures;
-use crate::solver::{Observer, SolveError, couplings};
+use crate::solver::{Interrupt, Observer, SolveError, couplings};
 
 /// What a pass is asked to do.
 #[derive(Clone)]
@@ -296,25 +297,28 @@ pub(crate) fn run(
 /// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
 /// iteration that was stopped or is stopped here.
 pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn Observer) -> Vec<ModelField> {
-    let mut fields = Vec::with_capacity(system.bodies.len());
-    for (k, body) in system.bodies.iter().enumerate() {
-        if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
-            outcome.status = interrupt.into();
-        }
-        if outcome.status.is_stopped() {
-            return Vec::new();
-        }
-        let state = &outcome.state;
+    if outcome.status.is_stopped() {
+        return Vec::new();
+    }
+    let state = &outcome.state;
+    let mut field = |k: usize, body: &BodyModel| -> Result<ModelField, Interrupt> {
+        ask(observer)?;
         let mut displacement = state.loads[k].clone();
         body.elastic.add_contact_forces(&state.response.contact.force, &mut displacement);
         let factor = state.factors.as_ref().map_or(&*body.factor, |factors| &factors[k]);
         factor.solve(&mut displacement);
-        let elastic = &body.elastic;
-        let nodal = elastic.nodal(&displacement);
+        ask(observer)?;
+        let nodal = body.elastic.nodal(&displacement);
         let stress = body.stress_field(&nodal);
-        fields.push(ModelField { displacement, nodal, stress });
-    }
-    fields
+        ask(observer)?;
+        Ok(ModelField { displacement, nodal, stress })
+    };
+    let bodies = system.bodies.iter().enumerate();
+    let fields: Result<Vec<_>, _> = bodies.map(|(k, body)| field(k, body)).collect();
+    fields.unwrap_or_else(|interrupt| {
+        outcome.status = interrupt.into();
+        Vec::new()
+    })
 }
 
 pub(crate) fn enlarge(problem: &Problem, zone: &ContactZone) -> ContactZone {

@@ -17,7 +17,7 @@ mod load_stepping;
 mod loads;
 mod mesh_sizing;
 mod mesh_solve;
-mod observer;
+pub(crate) mod observer;
 mod phases;
 mod problem;
 pub(crate) mod recovery;

@@ -111,6 +111,11 @@ pub trait Observer {
     }
 }
 
+/// Asks the observer whether to stop.
+pub(crate) fn ask(observer: &mut dyn Observer) -> Result<(), Interrupt> {
+    observer.on_checkpoint().break_value().map_or(Ok(()), Err)
+}
+
 /// Watches nothing, stops nothing.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unobserved;

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
+use brinell_solver::report;
 use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus, run};
 use serde_json::{Value, json};
 
@@ -88,6 +89,33 @@ impl Observer for StopSweepAt {
             None => ControlFlow::Break(Interrupt::Cancelled),
         }
     }
+}
+
+/// Questions are asked up to the last field of the report, and a job that is stopped at any of them has no field at all.
+#[test]
+fn the_report_of_a_job_can_be_stopped() {
+    let cylinder = |yield_stress: f64| {
+        json!({"shape": {"type": "cylinder", "radius": 20.0},
+            "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+                         "plasticity": {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 10_500.0}}})
+    };
+    let job: Value = json!({
+        "analysis": "plane_strain", "upper": cylinder(500.0), "lower": cylinder(400.0), "load": {"force": 400.0},
+        "mesh": {"elements_per_half_width": 5}, "output": {"fields": true, "subsurface": true},
+    });
+    let job = Job::from_json(job.to_string().as_bytes()).unwrap();
+    let mut whole = StopSweepAt(usize::MAX);
+    assert_eq!(report::run(&job, &mut whole).unwrap().status, SolveStatus::Converged);
+    let asked = usize::MAX - whole.0;
+    // Solution, stress and check of each body, stiffness; stresses over depth, plastic zone and fields of each body.
+    for questions in asked - 18..asked {
+        let stopped = report::run(&job, &mut StopSweepAt(questions)).unwrap();
+        let step = &stopped.steps[0];
+        assert_eq!((stopped.status, step.status), (SolveStatus::Cancelled, SolveStatus::Cancelled));
+        assert!(step.contact_stiffness == 0.0 && step.contact.peak_pressure > 0.0, "question {questions}");
+        assert!(step.fields.is_none() && step.subsurface.is_none() && step.plasticity.upper.is_none());
+    }
+    assert_eq!(report::run(&job, &mut StopSweepAt(asked)).unwrap().status, SolveStatus::Converged);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
 use crate::solver::body_system::transfer::{NodalField, TransferredField};
+use crate::solver::error::checkpoint;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::{Observer, SolveError};
 use sparse_cholesky::Reach;
@@ -58,6 +59,7 @@ impl BodyModel {
             let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
             (plastic_region, transferred)
         });
+        checkpoint(observer)?;
         let flexibility =
             elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
         let is_softened = plastic_region.is_softened();

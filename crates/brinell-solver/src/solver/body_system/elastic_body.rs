@@ -7,6 +7,7 @@ use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembl
 use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
+use crate::solver::error::checkpoint;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::{Observer, SolveError};
 use sparse_cholesky::dense::SymmetricMatrix;
@@ -50,6 +51,7 @@ impl ElasticBody {
     ) -> Result<Self, SolveError> {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
         let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, zone, *refinement))?;
+        checkpoint(observer)?;
         let contacts = mesh.contact_nodes.len();
         let restraint = Restraint::new(&mesh, *support);
         let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
@@ -69,8 +71,10 @@ impl ElasticBody {
             quality: OnceLock::new(),
             key,
         };
+        checkpoint(observer)?;
         body.stiffness =
             phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
+        checkpoint(observer)?;
         Ok(body)
     }
 
@@ -117,9 +121,9 @@ impl ElasticBody {
         observer: &mut dyn Observer,
     ) -> Result<SymmetricMatrix, SolveError> {
         let values = phases.time(Phase::Assembly, observer, || self.softened_by(points));
-        crate::solver::error::checkpoint(observer)?;
+        checkpoint(observer)?;
         phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
-        crate::solver::error::checkpoint(observer)?;
+        checkpoint(observer)?;
         let contacts = self.mesh.contact_nodes.len();
         Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
     }
@@ -201,10 +205,11 @@ fn structure(
         let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
         (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
     });
-    crate::solver::error::checkpoint(observer)?;
-    let symbolic =
-        phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(equations.pattern(&graph)))?;
-    crate::solver::error::checkpoint(observer)?;
+    checkpoint(observer)?;
+    let pattern = phases.time(Phase::Symbolic, observer, || equations.pattern(&graph));
+    checkpoint(observer)?;
+    let symbolic = phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(pattern))?;
+    checkpoint(observer)?;
     Ok((Arc::new(equations), symbolic))
 }
 

@@ -5,10 +5,9 @@
 //! Conjugate gradients find it with the factor K that is there already as preconditioner. K_T itself is not formed:
 //! `(K - K_T) v` is the derivative of the initial-stress load in the direction of v.
 
-use std::ops::ControlFlow;
-
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::couplings::iteration::State;
+use crate::solver::observer::ask;
 use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
 
@@ -28,6 +27,7 @@ pub(crate) fn contact_stiffness(
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
     let tangent = Tangent::new(system, &state.response.displacement);
+    ask(observer)?;
     stiffness(system, state, patch, |v| tangent.softening(v), observer)
 }
 
@@ -57,14 +57,14 @@ fn stiffness(
     let Ok(factor) = DenseCholesky::factor(block) else { return Ok(0.0) };
     let closing = ActivePairConstraint { system, active, factor };
     let (v, force) = closing.close();
+    ask(observer)?;
     let mut residual = softening(&v);
     let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(BlockVector, BlockVector, f64)> = None;
     for _ in 0..MAX_STEPS {
-        if let ControlFlow::Break(interrupt) = observer.on_checkpoint() {
-            return Err(interrupt);
-        }
+        ask(observer)?;
         let mut direction = closing.solve(&residual);
+        ask(observer)?;
         let product = system.inner(&residual, &direction);
         // `load` is K times the direction, but for contact forces, which do no work on it.
         let mut load = residual.clone();

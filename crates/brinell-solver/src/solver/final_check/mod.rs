@@ -12,7 +12,7 @@ use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
 use crate::solver::couplings::iteration::{norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
-use crate::solver::observer::{Observer, SolveStatus};
+use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
 
@@ -70,10 +70,13 @@ pub(crate) fn finish(
             }
         }
     };
-    phases.time(Phase::Output, observer, || {
-        // Before the stresses are handed over.
-        let has_collapsed = has_collapsed(pass);
-        final_check(pass, has_collapsed, contact_stiffness, load, tolerance, force_scale)
+    phases.time_observed(Phase::Output, observer, |observer| {
+        let evidence = from_fields(pass, force_scale, observer).unwrap_or_else(|interrupt| {
+            pass.outcome.status = interrupt.into();
+            from_iteration(pass)
+        });
+        let contact_stiffness = if pass.outcome.status.is_stopped() { 0.0 } else { contact_stiffness };
+        judge(pass, evidence, contact_stiffness, load, tolerance)
     })
 }
 
@@ -117,17 +120,28 @@ fn energy(system: &System, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
 }
 
 /// The quantities of the final state that are checked.
-struct Final {
+struct Evidence {
     /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
     unloaded_gap: Vec<f64>,
     /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖`.
     equilibrium_residual: f64,
+    /// Whether strains have outgrown the theory of small strains.
+    has_collapsed: bool,
     /// One for each model.
     bodies: Vec<Arc<BodySolution>>,
 }
 
-/// By the fields.
-fn from_fields(pass: &mut MeshSolve, force_scale: f64) -> Final {
+/// By the fields, unless the iteration was stopped and has none. The observer can stop it here as well.
+fn from_fields(
+    pass: &mut MeshSolve,
+    force_scale: f64,
+    observer: &mut dyn Observer,
+) -> Result<Evidence, Interrupt> {
+    if pass.outcome.status.is_stopped() {
+        return Ok(from_iteration(pass));
+    }
+    // Before the stresses are handed over.
+    let has_collapsed = has_collapsed(pass);
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let mut squares = 0.0;
@@ -135,6 +149,7 @@ fn from_fields(pass: &mut MeshSolve, force_scale: f64) -> Final {
     let mut bodies = Vec::with_capacity(system.bodies.len());
     for ((body, field), &copies) in system.bodies.iter().zip(&mut pass.fields).zip(&system.bodies_represented)
     {
+        ask(observer)?;
         let (nodal, stress) = (std::mem::take(&mut field.nodal), std::mem::take(&mut field.stress));
         let copies = copies as f64;
         squares += copies * body.residual_norm(&stress, &contact.force).powi(2);
@@ -144,15 +159,17 @@ fn from_fields(pass: &mut MeshSolve, force_scale: f64) -> Final {
         bodies.push(Arc::new(BodySolution::of(body, nodal, stress)));
     }
     let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force).max(force_scale));
-    Final { unloaded_gap, equilibrium_residual, bodies }
+    ask(observer)?;
+    Ok(Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies })
 }
 
 /// From the last iterate: an iteration that was stopped has no fields.
-fn from_iteration(pass: &MeshSolve) -> Final {
+fn from_iteration(pass: &MeshSolve) -> Evidence {
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let bodies = system.bodies.iter();
-    Final {
+    Evidence {
+        has_collapsed: false,
         unloaded_gap: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
         equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
         bodies: bodies
@@ -161,16 +178,14 @@ fn from_iteration(pass: &MeshSolve) -> Final {
     }
 }
 
-fn final_check(
-    pass: &mut MeshSolve,
-    has_collapsed: bool,
+fn judge(
+    pass: &MeshSolve,
+    evidence: Evidence,
     contact_stiffness: f64,
     load: ContactLoad,
     tolerance: f64,
-    force_scale: f64,
 ) -> StepSolution {
-    let Final { unloaded_gap, equilibrium_residual, bodies } =
-        if pass.outcome.status.is_stopped() { from_iteration(pass) } else { from_fields(pass, force_scale) };
+    let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies } = evidence;
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
     let contact_check =
