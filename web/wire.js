@@ -24,6 +24,29 @@
  * @property {number} modulus
  * @property {number} rate
  *
+ * @typedef {object} BatchAnswer
+ * @property {number} accepted
+ * @property {(BatchItem)[]} jobs
+ * @property {number} refused
+ *
+ * @typedef {object} BatchItem
+ * @property {JobId} [id]
+ * @property {Job} [job]
+ * @property {Problem} [problem]
+ * @property {boolean} [replayed]
+ * @property {number} status
+ *
+ * @typedef {object} BatchOfIds
+ * @property {(JobId)[]} ids
+ *
+ * @typedef {object} BatchOfJobs
+ * @property {(BatchedJob)[]} jobs
+ *
+ * @typedef {object} BatchedJob
+ * @property {string} [idempotency_key]
+ * @property {ContactJob} job
+ * @property {number} [priority]
+ *
  * @typedef {object} Bilinear
  * @property {(BackstressTerm)[] | null} [backstress]
  * @property {'bilinear'} law

@@ -4,11 +4,15 @@ import sys
 from http import HTTPStatus
 
 from brinell_client import AuthenticatedClient
-from brinell_client.api.jobs import cancel_job, get_events, get_job, list_jobs, post_job, post_solve
-from brinell_client.api.results import get_field_vtu, get_result, get_summary_csv
+from brinell_client.api.jobs import batch_submit, cancel_job, get_events, get_job, list_jobs, post_job, post_solve
+from brinell_client.api.results import batch_fetch, get_field_vtu, get_result, get_summary_csv
 from brinell_client.api.theory import post_validate
 from brinell_client.models import (
     Analysis,
+    BatchAnswer,
+    BatchedJob,
+    BatchOfIds,
+    BatchOfJobs,
     Bilinear,
     ContactBody,
     ContactJob,
@@ -65,6 +69,12 @@ def main() -> None:
     cancelled = cancel_job.sync(submitted.id, client=client)
     assert isinstance(cancelled, Job) and cancelled.done, cancelled
 
+    batch = batch_submit.sync(client=client, body=BatchOfJobs(jobs=[BatchedJob(job=job, priority=5)]))
+    assert isinstance(batch, BatchAnswer) and batch.accepted == 1 and isinstance(batch.jobs[0].job, Job), batch
+    fetched = batch_fetch.sync(client=client, body=BatchOfIds(ids=[submitted.id]), fields="contact")
+    assert isinstance(fetched, BatchAnswer) and isinstance(fetched.jobs[0].job, Job), fetched
+    assert isinstance(fetched.jobs[0].job.result, Report), fetched
+
     job.load = ForceLoad(force=-1.0)
     problem = post_solve.sync(client=client, body=job)
     assert isinstance(problem, Problem) and isinstance(problem.errors, list), problem
@@ -79,7 +89,7 @@ def main() -> None:
     vtu = get_field_vtu.sync_detailed(submitted.id, client=client)
     assert vtu.status_code == HTTPStatus.OK
     assert_vtu(vtu.content.decode())
-    print("openapi-python-client: nine uses")
+    print("openapi-python-client: eleven uses")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ use super::problem_type::ProblemType;
 use crate::jobs::{JobRecord, KeyId, Scope};
 
 /// Requests that change nothing although their method is POST.
-pub(super) const HARMLESS: [&str; 2] = ["/v1/validate", "/v1/hertz"];
+pub(super) const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
 
 /// Who asks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

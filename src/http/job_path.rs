@@ -21,9 +21,15 @@ impl FromRequestParts<HttpState> for JobPath {
         let named = Path::<HashMap<String, String>>::from_request_parts(parts, state).await.ok();
         let id = named.and_then(|Path(named)| named.get("id")?.parse().ok()).ok_or(StoreError::NotFound)?;
         let caller = Caller::from_request_parts(parts, state).await?;
-        if caller.confined_to().is_some() && !caller.sees(&state.jobs.get(id).await?) {
-            return Err(StoreError::NotFound.into());
-        }
+        check_seen(state, caller, id).await?;
         Ok(Self(id))
     }
+}
+
+/// Checks that a job exists for a caller who may not see every job.
+pub(super) async fn check_seen(state: &HttpState, caller: Caller, id: JobId) -> Result<(), StoreError> {
+    if caller.confined_to().is_some() && !caller.sees(&state.jobs.get(id).await?) {
+        return Err(StoreError::NotFound);
+    }
+    Ok(())
 }

@@ -5,6 +5,7 @@
 //! ([`Problem`]); every answer carries an `x-request-id`, the caller's own if it sent one.
 
 mod access;
+mod batch;
 mod body;
 mod edge;
 mod event_stream;
@@ -58,9 +59,9 @@ use rates::Rates;
 use request_log::log_request;
 use result_body::CodingChosen;
 use routes::{
-    cancel_job, delete_job, get_capacity, get_events, get_examples, get_export, get_fields, get_job,
-    get_metrics, get_openapi, get_problem, get_request, get_result, health, list_jobs, post_hertz, post_job,
-    post_solve, post_validate,
+    batch_cancel, batch_fetch, batch_submit, cancel_job, delete_job, get_capacity, get_events, get_examples,
+    get_export, get_fields, get_job, get_metrics, get_openapi, get_problem, get_request, get_result, health,
+    list_jobs, post_hertz, post_job, post_solve, post_validate,
 };
 
 use streams::EventStreamLimit;
@@ -242,6 +243,9 @@ fn guarded_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(get_result::get_result))
         .routes(routes!(get_fields::get_fields))
         .routes(routes!(cancel_job::cancel_job))
+        .routes(routes!(batch_submit::batch_submit))
+        .routes(routes!(batch_cancel::batch_cancel))
+        .routes(routes!(batch_fetch::batch_fetch))
         .routes(routes!(post_solve::post_solve))
         .routes(routes!(post_validate::post_validate))
         .routes(routes!(post_hertz::post_hertz))

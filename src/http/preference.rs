@@ -35,13 +35,17 @@ impl FromRequestParts<HttpState> for IdempotencyKey {
     }
 }
 
+/// Whether a text can be an idempotency key.
+pub(super) fn is_idempotency_key(text: &str) -> bool {
+    (1..=MAX_KEY).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_graphic())
+}
+
 fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Problem> {
     let mut lines = headers.get_all("idempotency-key").iter();
     let Some(line) = lines.next() else { return Ok(None) };
     let key = line.to_str().unwrap_or_default().trim();
     let key = key.strip_prefix('"').and_then(|key| key.strip_suffix('"')).unwrap_or(key);
-    let is_good = (1..=MAX_KEY).contains(&key.len()) && key.bytes().all(|byte| byte.is_ascii_graphic());
-    if is_good && lines.next().is_none() {
+    if is_idempotency_key(key) && lines.next().is_none() {
         return Ok(Some(key.to_owned()));
     }
     let detail = format!(

@@ -136,6 +136,14 @@ impl Problem {
         }))
     }
 
+    /// A body that is no JSON.
+    pub fn not_json(error: &serde_json::Error) -> Self {
+        let (line, column) = (error.line(), error.column());
+        let message = error.to_string();
+        let message = message.split(" at line ").next().unwrap_or_default().to_owned();
+        Rejection::Invalid(JobError::Syntax { message, line, column }).into()
+    }
+
     /// The same with faults at fields.
     #[must_use]
     pub fn with_errors(self, errors: Vec<FieldError>) -> Self {

@@ -50,6 +50,10 @@ problem_types! {
     InvalidJob, "invalid-job", UNPROCESSABLE_ENTITY, "The job is not valid",
         "The body is JSON but not a job that can be solved. `errors` lists every field at fault with its JSON \
          pointer (RFC 6901) as a URI fragment.";
+    /// A request for several jobs has a wrong form.
+    InvalidBatch, "invalid-batch", UNPROCESSABLE_ENTITY, "The request for several jobs is not valid",
+        "The body is JSON but not a list of jobs or of ids, so that nothing was done. `errors` lists every member at fault with \
+         its JSON pointer. Jobs that are at fault themselves are told apart, each in its place in the answer.";
     /// The job would need too much memory.
     JobTooLarge, "job-too-large", UNPROCESSABLE_ENTITY, "The job is too large",
         "The job is valid, but its estimated memory, or its estimated result, is above the limit of this service. \

@@ -30,7 +30,7 @@ const MAX_TAGS: usize = 8;
 const MOMENT: &str = "a time such as 2027-01-31T12:00:00Z";
 
 /// Bounds of `?priority=`.
-const MAX_PRIORITY: i16 = 100;
+pub(super) const MAX_PRIORITY: i16 = 100;
 
 /// Fewest points that stresses over depth can be thinned to.
 const MIN_DEPTHS: usize = 2;

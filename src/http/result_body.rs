@@ -9,8 +9,8 @@ use axum::http::header::{
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
-use futures_util::{StreamExt, stream};
-use tokio::sync::mpsc::{self, Sender};
+use futures_util::{Stream, StreamExt, stream};
+use tokio::sync::mpsc::{self, Receiver, Sender};
 use tokio::task::spawn_blocking;
 
 use super::HttpState;
@@ -25,7 +25,7 @@ use crate::jobs::{Deflated, GzipStream, JobId, JobRecord, ResultHead, StoreError
 use brinell_solver::report::FieldArrays;
 
 /// Pieces that wait for a client that reads slowly.
-const WAITING_PIECES: usize = 2;
+pub(super) const WAITING_PIECES: usize = 2;
 
 /// What stands between two steps.
 const COMMA: &[u8] = b",";
@@ -123,14 +123,46 @@ async fn body(
     let writer =
         ResultWriter { state: state.clone(), id, steps, selection, has_fields: form.has_fields, sender };
     tokio::spawn(writer.run(join([&before, &begin]), join([&end, &behind]), form.gzip));
-    // The connection may look for more behind the end.
-    let pieces =
-        stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver))).fuse();
-    let mut response = (about, Body::from_stream(pieces)).into_response();
+    let mut response = (about, Body::from_stream(pieces(receiver))).into_response();
     if form.gzip {
         response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
     }
     Ok(response)
+}
+
+/// What is received, as a body.
+pub(super) fn pieces<T: Send + 'static>(receiver: Receiver<T>) -> impl Stream<Item = T> + Send {
+    // The connection may look for more behind the end.
+    stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver))).fuse()
+}
+
+/// Sends a report between two other texts, plain; a problem if there is no such report, and then nothing of it was sent.
+pub(super) async fn inside_of(
+    state: &HttpState,
+    id: JobId,
+    head: ResultHead,
+    selection: &Selection,
+    (before, behind): (Bytes, Bytes),
+    sender: &Sender<Result<Bytes, StoreError>>,
+) -> Result<Result<(), Problem>, StoreError> {
+    let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
+    let Some((begin, end)) = head.around_steps() else {
+        return Ok(match whole(state, head.report, selection.clone()).await {
+            Ok(report) => {
+                let _ = sender.send(Ok(join([&join([&before, &report]), &behind]))).await;
+                Ok(())
+            }
+            Err(problem) => Err(problem),
+        });
+    };
+    if selection.step.is_some_and(|step| step >= head.steps) {
+        return Ok(Err(no_step(head.steps)));
+    }
+    let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
+    let has_fields = head.has_fields && selection.has_fields();
+    let (state, selection, sender) = (state.clone(), selection.clone(), sender.clone());
+    let writer = ResultWriter { state, id, steps, selection, has_fields, sender };
+    writer.plain(join([&before, &begin]), join([&end, &behind])).await.map(Ok)
 }
 
 /// A report of the first version, which was kept as a whole.

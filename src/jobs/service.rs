@@ -7,11 +7,11 @@ use std::time::Duration;
 use bytes::Bytes;
 use thiserror::Error;
 use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
+use tokio::task::yield_now;
 use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
-use tracing::field::display;
 
 use super::{
     ApiKey, Clock as _, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter,
@@ -116,6 +116,12 @@ pub struct JobService {
     healthy_until: Mutex<Option<Instant>>,
 }
 
+/// Leaves a line about a job that was handed in.
+fn log_queued(enqueued: &Enqueued, key: Option<KeyId>) {
+    let Enqueued { job, replayed } = enqueued;
+    tracing::info!(target: AUDIT, job = %job.id, key = key.map(display), replayed, "queued");
+}
+
 impl JobService {
     /// A service on `store`, whose changes `notifier` announces.
     pub fn new(
@@ -182,11 +188,53 @@ impl JobService {
         if self.is_closed() {
             return Err(SubmitError::Closed);
         }
+        let key = submission.submitter;
+        let enqueued = self.store.enqueue(self.new_job(submission)?).await?;
+        log_queued(&enqueued, key);
+        Ok(enqueued)
+    }
+
+    /// Checks several jobs and queues those that are in order, all in one step; of each, in order, what became of it.
+    ///
+    /// # Errors
+    /// [`SubmitError::Closed`], and what is wrong with the store; nothing is queued then.
+    pub async fn submit_all(
+        &self,
+        submissions: Vec<Submission>,
+    ) -> Result<Vec<Result<Enqueued, SubmitError>>, SubmitError> {
+        if self.is_closed() {
+            return Err(SubmitError::Closed);
+        }
+        let keys: Vec<Option<KeyId>> = submissions.iter().map(|submission| submission.submitter).collect();
+        let mut checked = Vec::with_capacity(submissions.len());
+        for submission in submissions {
+            checked.push(self.new_job(submission));
+            // Others are answered in between.
+            yield_now().await;
+        }
+        let jobs = checked.iter().flatten().cloned().collect();
+        let mut taken = self.store.enqueue_all(jobs).await?.into_iter();
+        let of = |job: Result<NewJob, Rejection>| -> Result<Enqueued, SubmitError> {
+            job?;
+            let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
+            Ok(taken.next().unwrap_or_else(|| Err(missing()))?)
+        };
+        let ended: Vec<_> = checked.into_iter().map(of).collect();
+        for (ended, key) in ended.iter().zip(keys) {
+            if let Ok(enqueued) = ended {
+                log_queued(enqueued, key);
+            }
+        }
+        Ok(ended)
+    }
+
+    /// A job that is in order, as it goes into the store.
+    fn new_job(&self, submission: Submission) -> Result<NewJob, Rejection> {
         let (job, estimate) = self.check(&submission.request)?;
         let digest = |text: &[u8]| Sha256::digest(text).into();
         let idempotency =
             submission.idempotency_key.map(|key| Idempotency { key, digest: digest(&submission.request) });
-        let new = NewJob {
+        Ok(NewJob {
             id: JobId::generate(),
             request: submission.request,
             tags: job.tags,
@@ -197,11 +245,7 @@ impl JobService {
             submitter: submission.submitter,
             idempotency,
             interactive: submission.interactive,
-        };
-        let enqueued = self.store.enqueue(new).await?;
-        let key = submission.submitter.map(display);
-        tracing::info!(target: AUDIT, job = %enqueued.job.id, key, replayed = enqueued.replayed, "queued");
-        Ok(enqueued)
+        })
     }
 
     /// What is known about a job.

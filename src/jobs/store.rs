@@ -28,6 +28,13 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::QueueFull`], [`StoreError::KeyReused`], [`StoreError::DiskFull`]; nothing is kept then.
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError>;
 
+    /// Takes in several jobs, each as [`JobStore::enqueue`] does, all in one step: of each, in order, what became of it. One
+    /// that is refused leaves nothing behind and does not touch the others.
+    ///
+    /// # Errors
+    /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; none is kept then.
+    async fn enqueue_all(&self, jobs: Vec<NewJob>) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError>;
+
     /// What is known about a job.
     ///
     /// # Errors
@@ -406,6 +413,11 @@ impl Quota {
 }
 
 impl StoreError {
+    /// Whether the storage is at fault, and not the request.
+    pub const fn is_of_storage(&self) -> bool {
+        matches!(self, Self::DiskFull | Self::Damaged(_) | Self::Unavailable(_))
+    }
+
     /// Wraps whatever made the storage fail.
     pub fn unavailable(source: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Unavailable(source.into())

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
 
 mod bad_input;
+mod batch;
 mod curl;
 mod edge;
 mod events;

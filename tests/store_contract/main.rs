@@ -64,6 +64,7 @@ macro_rules! contract {
             names a_name_is_free_again_with_its_job;
             names a_refused_job_does_not_take_its_name;
             names the_same_name_at_the_same_instant_is_one_job;
+            names jobs_together_are_taken_in_or_refused_one_by_one;
         }
     };
     ($backend:ident, $start:expr, $($part:ident $promise:ident;)*) => {

@@ -53,3 +53,26 @@ pub async fn the_same_name_at_the_same_instant_is_one_job(subject: &Subject) {
     ids.dedup();
     assert_eq!((ids.len(), fresh), (1, 1));
 }
+
+pub async fn jobs_together_are_taken_in_or_refused_one_by_one(subject: &Subject) {
+    let first = subject.submit(named("a", 1)).await.unwrap().job.id;
+    let all =
+        |names: &[(&str, u8)]| names.iter().map(|(name, digest)| named(name, *digest)).collect::<Vec<_>>();
+    let together = all(&[("b", 1), ("a", 1), ("a", 2), ("c", 1), ("b", 1), ("d", 1), ("e", 1), ("f", 1)]);
+    let taken = subject.store.enqueue_all(together).await.unwrap();
+    let told: Vec<_> = taken
+        .iter()
+        .map(|taken| match taken {
+            Ok(enqueued) if enqueued.replayed => "replayed",
+            Ok(_) => "new",
+            Err(StoreError::KeyReused) => "reused",
+            Err(StoreError::QueueFull { .. }) => "full",
+            Err(_) => "other",
+        })
+        .collect();
+    assert_eq!(told, ["new", "replayed", "reused", "new", "replayed", "new", "full", "full"]);
+    assert_eq!(taken[1].as_ref().unwrap().job.id, first);
+    assert_eq!(subject.page(ALL).await.0.len(), QUEUE_CAPACITY);
+    subject.claim_one().await;
+    assert!(!subject.submit(named("e", 2)).await.unwrap().replayed, "a refused job does not take its name");
+}

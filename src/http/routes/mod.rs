@@ -1,6 +1,9 @@
 //! One endpoint a file.
 
 mod answer;
+pub(super) mod batch_cancel;
+pub(super) mod batch_fetch;
+pub(super) mod batch_submit;
 pub(super) mod cancel_job;
 pub(super) mod delete_job;
 pub(super) mod get_capacity;

@@ -45,6 +45,27 @@ const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
          FROM jobs WHERE finished_at IS NOT NULL) AS kept
      WHERE taken > $1 AND stored_bytes > 0 ORDER BY finished_at LIMIT $2)";
 
+/// A place within a transaction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::store) enum Savepoint {
+    /// Remember it.
+    Set,
+    /// Keep what was done since.
+    Release,
+    /// Undo what was done since.
+    RollBack,
+}
+
+impl Savepoint {
+    const fn statement(self) -> &'static str {
+        match self {
+            Self::Set => "SAVEPOINT job",
+            Self::Release => "RELEASE SAVEPOINT job",
+            Self::RollBack => "ROLLBACK TO SAVEPOINT job",
+        }
+    }
+}
+
 /// Changes from outside.
 pub(in crate::store) trait Intake: Reading + Keys {
     fn enqueue(
@@ -53,6 +74,8 @@ pub(in crate::store) trait Intake: Reading + Keys {
         limits: StoreLimits,
         now: i64,
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
+    /// Marks a place in a transaction, or returns to the one marked last.
+    fn savepoint(&mut self, step: Savepoint) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Checks that an API key may submit a job.
     fn check_quotas(
         &mut self,
@@ -132,6 +155,11 @@ macro_rules! intake {
                 request.execute(&mut *self).await?;
                 self.label(job.id, job.tags).await?;
                 Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
+            }
+
+            async fn savepoint(&mut self, step: Savepoint) -> Result<(), StoreError> {
+                sqlx::query::<$database>(step.statement()).execute(self).await?;
+                Ok(())
             }
 
             async fn check_quotas(

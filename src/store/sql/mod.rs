@@ -30,7 +30,7 @@ use crate::jobs::{
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
 use claiming::Claiming;
-use intake::Intake;
+use intake::{Intake, Savepoint};
 use leasing::Leasing;
 use reading::Reading;
 
@@ -108,6 +108,25 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let durability = if job.interactive { Written } else { Synced };
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
+        self.commit(transaction, durability, &[Change::Work]).await?;
+        Ok(enqueued)
+    }
+
+    async fn enqueue_all(&self, jobs: Vec<NewJob>) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError> {
+        self.backend.check_space().await?;
+        let durability = if jobs.iter().all(|job| job.interactive) { Written } else { Synced };
+        let (mut transaction, now) = self.backend.write().await?;
+        let mut enqueued = Vec::with_capacity(jobs.len());
+        for job in jobs {
+            transaction.savepoint(Savepoint::Set).await?;
+            let taken = Intake::enqueue(&mut *transaction, job, self.limits, now).await;
+            match &taken {
+                Ok(_) => transaction.savepoint(Savepoint::Release).await?,
+                Err(error) if error.is_of_storage() => return taken.map(|taken| vec![Ok(taken)]),
+                Err(_) => transaction.savepoint(Savepoint::RollBack).await?,
+            }
+            enqueued.push(taken);
+        }
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }

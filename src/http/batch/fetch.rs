@@ -1,0 +1,95 @@
+//! Several jobs with their results, sent as they are read: no two are in memory at the same time.
+
+use axum::body::{Body, Bytes};
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use tokio::sync::mpsc::{self, Sender};
+
+use super::BatchItem;
+use crate::http::HttpState;
+use crate::http::access::Caller;
+use crate::http::job_path::check_seen;
+use crate::http::problem::Problem;
+use crate::http::query::Selection;
+use crate::http::result_body::{WAITING_PIECES, inside_of, pieces};
+use crate::http::wire::{JobDocument, Prefix};
+use crate::jobs::{JobId, StoreError};
+
+type Piece = Result<Bytes, StoreError>;
+
+/// 200 with the jobs of these ids.
+pub(in crate::http) fn fetched(
+    state: HttpState,
+    caller: Caller,
+    prefix: Prefix,
+    selection: Selection,
+    ids: Vec<JobId>,
+) -> Response {
+    let (sender, receiver) = mpsc::channel(WAITING_PIECES);
+    let fetch = Fetch { state, caller, prefix, selection, sender };
+    tokio::spawn(async move {
+        if let Err(error) = fetch.run(ids).await {
+            // The answer breaks off, so that no client takes it for whole.
+            tracing::error!(error = &error as &dyn std::error::Error, "results could not be read");
+            let _ = fetch.sender.send(Err(error)).await;
+        }
+    });
+    ([(CONTENT_TYPE, "application/json")], Body::from_stream(pieces(receiver))).into_response()
+}
+
+struct Fetch {
+    state: HttpState,
+    caller: Caller,
+    prefix: Prefix,
+    selection: Selection,
+    sender: Sender<Piece>,
+}
+
+impl Fetch {
+    async fn run(&self, ids: Vec<JobId>) -> Result<(), StoreError> {
+        let mut refused = 0;
+        let count = ids.len();
+        let mut before = "{\"jobs\":[".to_owned();
+        for id in ids {
+            if self.sender.send(Ok(std::mem::replace(&mut before, ",".to_owned()).into())).await.is_err() {
+                // The client has gone.
+                return Ok(());
+            }
+            if let Err(problem) = self.send(id).await? {
+                refused += 1;
+                let item = BatchItem::refused(Some(id), problem);
+                let item = serde_json::to_vec(&item).map_err(StoreError::unavailable)?;
+                let _ = self.sender.send(Ok(item.into())).await;
+            }
+        }
+        let end = format!("],\"accepted\":{},\"refused\":{refused}}}", count - refused);
+        let _ = self.sender.send(Ok(end.into())).await;
+        Ok(())
+    }
+
+    /// Sends one job; a problem where it cannot be sent and nothing of it was.
+    async fn send(&self, id: JobId) -> Result<Result<(), Problem>, StoreError> {
+        let found = async {
+            check_seen(&self.state, self.caller, id).await?;
+            let job = JobDocument::of(&self.state, self.state.jobs.get(id).await?, &self.prefix).await?;
+            let head = if job.done { self.state.jobs.result(id).await? } else { None };
+            Ok::<_, StoreError>((job, head))
+        };
+        let (job, head) = match found.await {
+            Ok(found) => found,
+            Err(error) => return Ok(Err(error.into())),
+        };
+        let item =
+            |job: JobDocument| serde_json::to_vec(&BatchItem::found(job)).map_err(StoreError::unavailable);
+        let Some(head) = head else {
+            let _ = self.sender.send(Ok(item(job)?.into())).await;
+            return Ok(Ok(()));
+        };
+        // The job is the last member of the item.
+        let mut before = item(job)?;
+        before.truncate(before.len().saturating_sub(2));
+        before.extend_from_slice(b",\"result\":");
+        let around = (Bytes::from(before), Bytes::from_static(b"}}"));
+        inside_of(&self.state, id, head, &self.selection, around, &self.sender).await
+    }
+}
