@@ -88,6 +88,7 @@
  *
  * @typedef {object} Contact
  * @property {number} force
+ * @property {number} [half_angle]
  * @property {number} half_width
  * @property {number} mean_pressure
  * @property {ContactNodes} nodes
@@ -240,6 +241,12 @@
  * @property {null} [forces]
  * @property {({force: number} | {approach: number})[]} history
  * @property {null} [onset]
+ *
+ * @typedef {object} Hole
+ * @property {number | null} [outer_radius]
+ * @property {number} radius
+ * @property {'hole'} type
+ * @property {number | null} [width]
  *
  * @typedef {object} Increments
  * @property {(number)[]} approach
@@ -457,7 +464,7 @@
  * @property {true} rigid
  * @property {null} [young_modulus]
  *
- * @typedef {Cylinder | Block | Groove | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power} Shape
+ * @typedef {Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power} Shape
  *
  * @typedef {'upper' | 'lower'} Side
  *

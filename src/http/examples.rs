@@ -1,9 +1,10 @@
 //! Jobs to begin with.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 4] = [
+pub(super) const EXAMPLES: [(&str, &str); 5] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
     ("case_hardened_roller", include_str!("../../api/examples/case_hardened_roller.json")),
+    ("pin_in_hole", include_str!("../../api/examples/pin_in_hole.json")),
 ];

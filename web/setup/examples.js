@@ -48,6 +48,15 @@ const OWN = [
     },
   },
   {
+    title: 'Pin in a lug',
+    job: {
+      analysis: 'plane_stress',
+      upper: { shape: { type: 'cylinder', radius: 10 }, material: steel(430) },
+      lower: { shape: { type: 'hole', radius: 10.02, outer_radius: 40 }, material: steel(355) },
+      load: { force: 2000 },
+    },
+  },
+  {
     title: 'Crowned face from measured points',
     job: {
       analysis: 'plane_strain',

@@ -174,6 +174,8 @@ export function shapeLike(type, old) {
       return { type, width: round(8 * size), depth: round(8 * size) };
     case 'groove':
       return { type, radius: round(2 * size), width: round(2 * size), depth: round(2 * size) };
+    case 'hole':
+      return { type, radius: round(1.005 * size), outer_radius: round(10 * size) };
     case 'profile': {
       const at = (/** @type {number} */ t) => [round(t * size), round((-t * t * size) / 2)];
       return { type, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), depth: round(2 * size) };

@@ -4,7 +4,10 @@
  */
 
 /** @typedef {[number, number]} Point */
-/** @typedef {{surface: Point[], base: number}} Outline the surface from left to right, closed by straight sides to the height `base` */
+/**
+ * @typedef {{surface: Point[], base: number, edge?: Point[]}} Outline the surface from left to right, closed by straight sides to
+ * the height `base`; of a body around a hole the whole circle, and its outer edge
+ */
 
 const STEPS = 48;
 
@@ -17,6 +20,8 @@ export function outline(shape) {
   switch (shape?.type) {
     case 'cylinder':
       return radius > 0 ? { surface: arc(radius, radius, -1), base: -radius } : null;
+    case 'hole':
+      return hole(radius, Number(shape?.outer_radius ?? 0), Number(shape?.width ?? 0));
     case 'block':
       return width > 0 && depth > 0
         ? {
@@ -36,6 +41,39 @@ export function outline(shape) {
     default:
       return smooth(shape);
   }
+}
+
+/**
+ * @param {number} radius
+ * @param {number} outer radius of its edge, or 0
+ * @param {number} width of a square edge, or 0
+ * @returns {Outline | null}
+ */
+function hole(radius, outer, width) {
+  const half = outer || width / 2;
+  if (!(radius > 0 && half > radius)) return null;
+  const lift = (/** @type {Point[]} */ points) => points.map(([x, y]) => /** @type {Point} */ ([x, y + radius]));
+  const square = /** @type {Point[]} */ ([
+    [-half, -half],
+    [half, -half],
+    [half, half],
+    [-half, half],
+  ]);
+  return { surface: lift(circle(radius)), base: radius - half, edge: lift(outer ? circle(half) : square) };
+}
+
+/** @param {number} radius @returns {Outline | null} a cylinder in a hole, whole */
+export function pin(radius) {
+  const lower = (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x, y - radius]);
+  return radius > 0 ? { surface: circle(radius).map(lower), base: -2 * radius } : null;
+}
+
+/** @param {number} radius @returns {Point[]} around the origin, from the bottom and back */
+function circle(radius) {
+  return Array.from({ length: 4 * STEPS + 1 }, (_, k) => {
+    const angle = (Math.PI * k) / (2 * STEPS);
+    return [radius * Math.sin(angle), -radius * Math.cos(angle)];
+  });
 }
 
 /** @param {Record<string, any> | undefined} shape @returns {Outline | null} of a shape whose height is a formula */

@@ -4,7 +4,7 @@ import { byId, svg } from '../lib/dom.js';
 import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { loadOf } from './fields.js';
 import { writeHistory } from './history.js';
-import { outline } from './outline.js';
+import { outline, pin } from './outline.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
 /** @typedef {import('./check.js').Hertz} Hertz */
@@ -26,7 +26,11 @@ export function startSketch(draft) {
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz */
 export function picture(job, hertz) {
-  const bodies = [outline(job.upper?.shape), outline(job.lower?.shape)];
+  const shapes = [job.upper?.shape, job.lower?.shape];
+  const inHole = shapes.some((shape) => shape?.type === 'hole');
+  const bodies = shapes.map((shape) =>
+    inHole && shape?.type === 'cylinder' ? pin(Number(shape.radius)) : outline(shape),
+  );
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
   const drawn = bodies.filter((body) => body !== null);
   if (drawn.length === 0) return root;
@@ -44,9 +48,10 @@ export function picture(job, hertz) {
 
 /** @param {Outline | null} upper @param {Outline | null} lower @returns {Scale} */
 function fit(upper, lower) {
-  const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...(body?.surface ?? []).map(([x]) => Math.abs(x)));
-  const top = Math.max(-(upper?.base ?? 0), ...(lower?.surface ?? []).map(([, h]) => h));
-  const bottom = Math.min(lower?.base ?? 0, ...(upper?.surface ?? []).map(([, h]) => -h));
+  const points = (/** @type {Outline | null} */ body) => [...(body?.surface ?? []), ...(body?.edge ?? [])];
+  const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...points(body).map(([x]) => Math.abs(x)));
+  const top = Math.max(-(upper?.base ?? 0), ...points(lower).map(([, h]) => h));
+  const bottom = Math.min(lower?.base ?? 0, ...points(upper).map(([, h]) => -h));
   const size = Math.min(
     (WIDTH - 2 * SIDES) / (2 * Math.max(reach(upper), reach(lower)) || 1),
     (HEIGHT - 2 * MARGIN) / (top - bottom || 1),
@@ -63,6 +68,27 @@ function fit(upper, lower) {
  * @param {string} length its unit
  */
 function drawBody(body, up, of, scale, length) {
+  const closed = (/** @type {import('./outline.js').Point[]} */ points) =>
+    `M${points
+      .map(([x, h]) =>
+        scale(x, up * h)
+          .map((c) => c.toFixed(2))
+          .join(' '),
+      )
+      .join('L')}Z`;
+  if (body.edge) {
+    const edge = closed(body.edge);
+    const text = `hole R ${plain(Number(of.shape.radius))} ${length}`;
+    return [
+      svg('path', {
+        class: `body${of?.material?.rigid ? ' rigid' : ''}`,
+        'fill-rule': 'evenodd',
+        d: edge + closed(body.surface),
+      }),
+      svg('path', { class: 'held', fill: 'none', d: edge }),
+      svg('text', { x: 8, y: scale(0, up * body.base)[1] - up * 8 }, text),
+    ];
+  }
   const points = body.surface.map(([x, h]) => scale(x, up * h));
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
   const corners = [scale(right, up * body.base), scale(left, up * body.base)];
@@ -77,7 +103,8 @@ function drawBody(body, up, of, scale, length) {
         : `${plain(right - left)} × ${plain(-body.base)} ${length}`;
   return [
     svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
-    ...support(x0, x1, y, up, of?.support === 'roller'),
+    // A pin in a hole is held over its whole section.
+    ...(x1 > x0 ? support(x0, x1, y, up, of?.support === 'roller') : []),
     svg('text', { x: 8, y: (y + scale(0, 0)[1]) / 2 + 4 }, size),
   ];
 }

@@ -30,6 +30,15 @@ export const SHAPES = {
       {"description":"From the bottom of the trough to the base.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
     ],
   },
+  hole: {
+    label: "Hole",
+    description: "A round hole in the middle of a disc or of a square plate, which holds a `cylinder` with clearance; in axisymmetry the spherical socket of a ball. Its outer edge is the support. Give `outer_radius` or `width`.",
+    fields: [
+      {"description":"Radius of the hole, larger than that of the cylinder in it.","example":20.1,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+      {"description":"Radius of the disc, larger than that of the hole.","example":200.0,"key":"outer_radius","label":"Outer radius","optional":true,"quantity":"length","symbol":"R_o"},
+      {"description":"Width of the square plate, in place of `outer_radius`; only in plane analyses.","key":"width","label":"Width of a square plate","optional":true,"quantity":"length","symbol":"w"},
+    ],
+  },
   profile: {
     label: "Profile",
     description: "A block whose upper face passes through points, smooth or straight between them.",

@@ -322,7 +322,7 @@ mod refused {
         /lower/shape/radius: must be a number, got a string
         /lower/shape/colour: unknown key "colour"; expected one of: type, radius
         /mesh/elements_per_half_width: must be a whole number between 4 and 320, got 1000000
-        /upper/shape/type: must be one of: cylinder, block, groove, profile, wedge, cone, punch, parabola, ellipse, power, got "ball"
+        /upper/shape/type: must be one of: cylinder, block, groove, hole, profile, wedge, cone, punch, parabola, ellipse, power, got "ball"
         /upper/support: must be one of: clamped, roller, got "welded"
         /units: must be one of: mm_N_MPa, SI, got "inch"
         /analysis: is required

@@ -8,13 +8,14 @@ use serde_json::{Map, Value, json};
 use super::BASE;
 
 /// What a figure of a result is, and its unit in words.
-const UNITS: [(&str, &str); 9] = [
+const UNITS: [(&str, &str); 10] = [
     ("length", "Unit: mm (SI: m)."),
     ("area", "Unit: mm² (SI: m²)."),
     ("stress", "Unit: MPa (SI: Pa)."),
     ("force", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry."),
     ("stiffness", "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m)."),
     ("energy", "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry."),
+    ("degrees", "Unit: degree."),
     ("ms", "Unit: ms."),
     ("bytes", "Unit: byte."),
     ("1", "Without unit."),

@@ -27,6 +27,19 @@ impl Stress {
         von_mises([self.sigma_x, self.sigma_y, self.sigma_z, self.tau_xy])
     }
 
+    /// The same stress in axes of which `y` is along a unit vector `normal`, and `x` to the right of it.
+    #[must_use]
+    pub fn along(&self, normal: [f64; 2]) -> Self {
+        let Self { sigma_x, sigma_y, sigma_z, tau_xy } = *self;
+        let ([n_x, n_y], twice) = (normal, 2.0 * normal[0] * normal[1]);
+        Self {
+            sigma_x: n_y * n_y * sigma_x + n_x * n_x * sigma_y - twice * tau_xy,
+            sigma_y: n_x * n_x * sigma_x + n_y * n_y * sigma_y + twice * tau_xy,
+            sigma_z,
+            tau_xy: 0.5 * twice * (sigma_x - sigma_y) + (n_y * n_y - n_x * n_x) * tau_xy,
+        }
+    }
+
     /// Largest shear stress, half the difference of the extreme principal stresses, `σ_z` being one of the three.
     pub fn tau_max(&self) -> f64 {
         let middle = 0.5 * (self.sigma_x + self.sigma_y);

@@ -49,6 +49,7 @@ pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
 pub use shape::{
-    Block, Cone, Cylinder, Ellipse, Groove, Interpolation, Parabola, Power, Profile, Punch, Shape, Wedge,
+    Block, Cone, Cylinder, Ellipse, Groove, Hole, Interpolation, OuterEdge, Parabola, Power, Profile, Punch,
+    Shape, Wedge,
 };
 pub use units::Units;

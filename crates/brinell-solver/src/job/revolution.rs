@@ -1,6 +1,6 @@
 //! What a shape asks of the analysis and of the material.
 
-use super::{Analysis, FieldError, Job, Material, Profile, Shape};
+use super::{Analysis, FieldError, Job, Material, OuterEdge, Profile, Shape};
 
 impl Job {
     /// Shapes that are of one kind of analysis, or of rigid bodies only.
@@ -15,6 +15,11 @@ impl Job {
                 Shape::Wedge(_) if is_revolved => {
                     Some("\"wedge\" is a plane body; the one of revolution is \"cone\"")
                 }
+                Shape::Hole(hole) if is_revolved && matches!(hole.edge(), OuterEdge::Square(_)) => {
+                    let detail = "a square plate is no body of revolution; give `outer_radius` instead";
+                    faults.push(FieldError::new(format!("/{side}/shape/width"), detail));
+                    None
+                }
                 _ => None,
             };
             faults.extend(misplaced.map(|detail| FieldError::new(format!("/{side}/shape/type"), detail)));
@@ -22,6 +27,29 @@ impl Job {
                 let detail = "a punch is rigid (`{\"rigid\": true}`), because its contact reaches to the edge of its \
                               face; give a face that deforms as a `profile`";
                 faults.push(FieldError::new(format!("/{side}/material"), detail));
+            }
+        }
+        faults.extend(self.faults_of_holes());
+        faults
+    }
+
+    /// A hole holds a cylinder that is smaller.
+    fn faults_of_holes(&self) -> Vec<FieldError> {
+        let sides = [("upper", &self.upper.shape), ("lower", &self.lower.shape)];
+        let mut faults = Vec::new();
+        for (k, (side, shape)) in sides.into_iter().enumerate() {
+            let ((other, opposite), Shape::Hole(hole)) = (sides[1 - k], shape) else { continue };
+            match opposite {
+                Shape::Cylinder(cylinder) if cylinder.radius.get() < hole.radius().get() => {}
+                Shape::Cylinder(_) => {
+                    let detail = "must be greater than the radius of the cylinder in the hole: contact without \
+                                  clearance is not solved";
+                    faults.push(FieldError::new(format!("/{side}/shape/radius"), detail));
+                }
+                _ => {
+                    let detail = "the body in a \"hole\" is a \"cylinder\", in axisymmetry a ball";
+                    faults.push(FieldError::new(format!("/{other}/shape/type"), detail));
+                }
             }
         }
         faults

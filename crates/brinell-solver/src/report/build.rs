@@ -197,13 +197,14 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
             (strain, position) = (point.equivalent_plastic_strain, point.position);
         }
     }
+    let [place, depth] = solution.mesh.frame.place(position);
     let zone = plastic_zone::outline(solution, symmetric);
     let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded,
         max_equivalent_plastic_strain: strain,
-        position: write.length(position[0]),
-        depth: write.length(-position[1]),
+        position: write.length(place),
+        depth: write.length(depth),
         area: write.area(copies * area),
         reached_surface: zone.reached_surface,
         outline: zone.outline.iter().map(written).collect(),
@@ -211,8 +212,10 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
 }
 
 fn approach_datum(job: &Job, write: UnitConverter) -> String {
+    let in_hole = matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
+        (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
         (_, Shape::Cylinder(Cylinder { radius })) => {
             format!(
                 "the diametral plane of the {side} body, {} from the contact",
@@ -220,6 +223,9 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
             )
         }
         (_, Shape::Block(Block { depth, .. })) => block_base(side, depth.get(), write),
+        (_, Shape::Hole(hole)) => {
+            format!("the outer edge of the {side} body, {} from the hole", write.length_text(hole.wall()))
+        }
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
         (_, Shape::Profile(profile)) => block_base(side, profile.depth().get(), write),
         (_, Shape::Wedge(wedge)) => block_base(side, wedge.depth().get(), write),

@@ -12,15 +12,19 @@ use crate::solver::{ContactPatch, StepSolution};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Contact))]
 pub struct ContactReport {
-    /// Sum of the nodal forces \[force >= 0\].
+    /// Sum of the nodal forces along the approach \[force >= 0\].
     pub force: f64,
-    /// Half of the distance between the ends of the pressure \[length >= 0\].
+    /// Half of the distance between the ends of the pressure, along the arc for a pin in a hole \[length >= 0\].
     pub half_width: f64,
+    /// Angle over which a pin touches its hole to each side of the middle; only of these \[degrees >= 0\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half_angle: Option<f64>,
     /// Largest pressure \[stress >= 0\].
     pub peak_pressure: f64,
     /// x of the largest pressure; where nothing touches, of the largest that the history had \[length\].
     pub peak_position: f64,
-    /// Force over width, or over the area of the contact circle \[stress >= 0\].
+    /// Force over width, or over the area of the contact circle; of a pin in a hole over those across the approach
+    /// \[stress >= 0\].
     pub mean_pressure: f64,
     /// The connected parts of the contact, from left to right.
     pub patches: Vec<Patch>,
@@ -43,11 +47,11 @@ pub struct Patch {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ContactNodes {
-    /// Tangential position \[length\].
+    /// Tangential position, along the arc for a pin in a hole \[length\].
     pub x: Vec<f64>,
     /// Contact pressure \[stress\].
     pub pressure: Vec<f64>,
-    /// Nodal force \[force\].
+    /// Nodal force along the normal \[force\].
     pub force: Vec<f64>,
     /// Gap after loading \[length\].
     pub gap: Vec<f64>,
@@ -55,13 +59,14 @@ pub struct ContactNodes {
 
 /// Force on both sides of the axis \[N/mm, or N in axisymmetry\].
 pub(super) fn force(step: &StepSolution) -> f64 {
-    let meshed: f64 = step.pairs.iter().map(|pair| pair.force).sum();
+    let meshed: f64 = step.pairs.iter().map(|pair| pair.closing * pair.force).sum();
     let on_axis = step.pairs.first().map_or(0.0, |pair| pair.force);
     if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
 }
 
-/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\].
+/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\]; of a pin in a hole across the approach.
 fn area(step: &StepSolution, half_width: f64) -> f64 {
+    let half_width = step.conforming.map_or(half_width, |pair| pair.half_chord(half_width));
     match step.stress_state {
         StressState::PlaneStrain | StressState::PlaneStress => 2.0 * half_width,
         StressState::Axisymmetric => PI * half_width * half_width,
@@ -80,6 +85,7 @@ pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport
     ContactReport {
         force: write.force(force),
         half_width: write.length(half_width),
+        half_angle: step.conforming.map(|pair| pair.angle(half_width).to_degrees()),
         peak_pressure: write.stress(step.peak_pressure),
         peak_position: write.length(step.peak_position),
         mean_pressure: write.stress(mean),

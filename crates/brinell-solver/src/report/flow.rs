@@ -56,7 +56,7 @@ pub struct IncrementsReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Surface))]
 pub struct SurfaceReport {
-    /// x of the nodes, both sides of the axis \[length\].
+    /// x of the nodes, both sides of the axis; arc lengths for a pin in a hole \[length\].
     pub x: Vec<f64>,
     /// How far each has moved outward from the undeformed surface; a dent is negative \[length\].
     pub height: Vec<f64>,
@@ -113,7 +113,11 @@ fn surface(body: &BodySolution, symmetric: bool, write: UnitConverter) -> Surfac
     let mut surface: Vec<[f64; 2]> = body
         .mesh
         .free_surface_nodes()
-        .map(|node| [body.mesh.nodes[node as usize][0], body.displacement[node as usize][1]])
+        .map(|node| {
+            let (position, u) = (body.mesh.nodes[node as usize], body.displacement[node as usize]);
+            let ([x, _], [n_x, n_y]) = (body.mesh.frame.place(position), body.mesh.frame.normal(position));
+            [x, n_x * u[0] + n_y * u[1]]
+        })
         .filter(|[x, _]| (x - zone.centre()).abs() <= limit)
         .collect();
     surface.sort_by(|a, b| a[0].total_cmp(&b[0]));

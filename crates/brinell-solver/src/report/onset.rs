@@ -43,7 +43,8 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
         return None;
     }
     let first = highest_utilisation(step, &Problem::of(job))?;
-    let [x, y] = first.position;
+    let solution = step.bodies.get(first.body)?.as_ref()?;
+    let [x, depth] = solution.mesh.frame.place(first.position);
     // The force that was prescribed; the nodal ones add up to it but for rounding.
     let force = match step.load {
         ContactLoad::Force(force) => force,
@@ -55,6 +56,6 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
         peak_pressure: write.stress(step.peak_pressure),
         body: if first.body == 0 { Side::Upper } else { Side::Lower },
         position: write.length(x),
-        depth: write.length(-y),
+        depth: write.length(depth),
     })
 }

@@ -154,8 +154,8 @@ fn position((a, b, mirrored): Corner, solution: &BodySolution, values: &BTreeMap
     let ([xa, ya], [xb, yb]) = (node(a), node(b));
     let (fa, fb) = (value(a), value(b));
     let t = if a == b { 0.0 } else { fa / (fa - fb) };
-    let (x, y) = (xa + t * (xb - xa), ya + t * (yb - ya));
-    [if mirrored { -x } else { x }, 0.0 - y]
+    let [x, depth] = solution.mesh.frame.place([xa + t * (xb - xa), ya + t * (yb - ya)]);
+    [if mirrored { -x } else { x }, depth]
 }
 
 /// Directed edges that have not met their opposite.

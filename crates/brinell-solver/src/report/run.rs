@@ -41,7 +41,9 @@ impl RunError {
         };
         let pointers = match error {
             SolveError::Interrupted(interrupt) => return Self::Interrupted(*interrupt),
-            SolveError::TooWide { .. } | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
+            SolveError::TooWide { .. }
+            | SolveError::TooFarRound { .. }
+            | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
                 vec!["/load".to_owned()]
             }
             SolveError::NoLoad => vec!["/load/history".to_owned()],

@@ -3,6 +3,7 @@
 use super::SubsurfaceReport;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
+use crate::fem::mesh::SurfaceFrame;
 use crate::job::{HardeningLaw, Quantity};
 use crate::solver::BodySolution;
 use crate::solver::recovery::Recovery;
@@ -18,7 +19,8 @@ pub(super) fn profile(
     let mesh = &body.mesh;
     let mut recovery = Recovery::new(body, symmetric);
     let line = normal_line(body, x);
-    let surface = line.first().map_or(0.0, |&node| mesh.nodes[node as usize][1]);
+    let place = |node: u32| mesh.frame.place(mesh.nodes[node as usize]);
+    let surface = line.first().map_or(0.0, |&node| place(node)[1]);
     let mut report = SubsurfaceReport {
         depth: Vec::new(),
         sigma_x: Vec::new(),
@@ -33,17 +35,18 @@ pub(super) fn profile(
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {
-        let y = mesh.nodes[node as usize][1];
-        // A node on the very line needs no interpolation.
-        let is_on_line = (mesh.nodes[node as usize][0] - x).abs() <= 1e-12 * mesh.zone.half_width();
-        let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, y]) };
+        let position = mesh.nodes[node as usize];
+        // A node on the very line needs no interpolation; rays about the centre of a pin or a hole are normals themselves.
+        let is_on_line = (place(node)[0] - x).abs() <= 1e-12 * mesh.zone.half_width()
+            || mesh.frame != SurfaceFrame::Tangent;
+        let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
         let Some([sigma_x, sigma_y, sigma_z, tau_xy, plastic_strain, _]) = values else { continue };
-        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy };
+        let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
         let strength = body.model.strength(mesh.nodes[node as usize]);
         yield_stress.extend(limit.map(|limit| write.figure(Quantity::Stress, limit * strength)));
-        report.depth.push(write.figure(Quantity::Length, surface - y));
-        report.sigma_x.push(write.figure(Quantity::Stress, sigma_x));
-        report.sigma_y.push(write.figure(Quantity::Stress, sigma_y));
+        report.depth.push(write.figure(Quantity::Length, place(node)[1] - surface));
+        report.sigma_x.push(write.figure(Quantity::Stress, stress.sigma_x));
+        report.sigma_y.push(write.figure(Quantity::Stress, stress.sigma_y));
         report.sigma_z.push(write.figure(Quantity::Stress, sigma_z));
         report.tau_max.push(write.figure(Quantity::Stress, stress.tau_max()));
         report.von_mises.push(write.figure(Quantity::Stress, stress.von_mises()));
@@ -61,7 +64,7 @@ pub(super) fn profile(
 /// rings.
 fn normal_line(body: &BodySolution, x: f64) -> Vec<u32> {
     let mesh = &body.mesh;
-    let offset = |node: &u32| (mesh.nodes[*node as usize][0] - x).abs();
+    let offset = |node: &u32| (mesh.frame.place(mesh.nodes[*node as usize])[0] - x).abs();
     let Some(&top) = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b))) else {
         return Vec::new();
     };

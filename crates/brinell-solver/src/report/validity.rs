@@ -67,15 +67,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         say(code, message);
     }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    if half_width > WIDE_CONTACT * radius {
-        say(
-            "wide_contact",
-            format!(
-                "The half-width is {:.0} % of the smallest radius; contact theory with small displacements and \
-                 vertical gaps is meant for up to 10 %.",
-                100.0 * half_width / radius
-            ),
-        );
+    if let Some(message) = wide_contact(step, half_width, radius) {
+        say("wide_contact", message);
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
     if let Some((code, message)) = strain_remark(step, strain) {
@@ -149,6 +142,27 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     notes
+}
+
+/// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what their clearance leaves of them.
+fn wide_contact(step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
+    if let Some(pair) = &step.conforming {
+        let between_normals = half_width / pair.effective_radius();
+        return (between_normals > WIDE_CONTACT).then(|| {
+            format!(
+                "At the ends of the contact the normals of pin and hole differ by {:.0}° before loading; the theory takes them \
+                 for one, and is meant for a clearance that is small beside the radii.",
+                between_normals.to_degrees()
+            )
+        });
+    }
+    (half_width > WIDE_CONTACT * radius).then(|| {
+        format!(
+            "The half-width is {:.0} % of the smallest radius; contact theory with small displacements and \
+             vertical gaps is meant for up to 10 %.",
+            100.0 * half_width / radius
+        )
+    })
 }
 
 /// What is said of a step that did not converge.

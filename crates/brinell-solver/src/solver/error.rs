@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
+use crate::solver::conforming::MAX_HALF_ANGLE;
 use crate::solver::observer::{Interrupt, Observer, ask};
 use sparse_cholesky::FactorizationError;
 
@@ -29,6 +30,15 @@ pub enum SolveError {
         half_width: f64,
         /// Half-span of the narrower surface \[mm\].
         available: f64,
+    },
+    /// The load would press a pin round more of its hole than is solved.
+    #[error(
+        "the contact would reach about {half_angle:.0}° to each side; a contact in a hole is solved up to {MAX_HALF_ANGLE}°: \
+         reduce the load, or widen the clearance"
+    )]
+    TooFarRound {
+        /// Expected angle to each side \[degrees\].
+        half_angle: f64,
     },
     /// The surfaces do not open away from the contact.
     #[error("the surfaces do not open away from where they first touch; conforming contacts are not solved")]

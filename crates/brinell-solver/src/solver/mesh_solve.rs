@@ -284,7 +284,7 @@ pub(crate) fn run(
         }
         if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS && narrowings == 0 {
             let wider = enlarge(problem, &pass.system.zone);
-            if fits(problem, &wider) {
+            if fits(problem, &wider) && wider.half_width() > pass.system.zone.half_width() {
                 enlargements += 1;
                 request.zone = wider;
                 continue;
@@ -331,8 +331,13 @@ pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
 
 /// A zone so many times as wide, with elements of the same size.
 fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
-    let (centre, half) = (zone.centre(), factor * zone.half_width());
-    let columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor).round() as usize;
+    let (centre, mut half) = (zone.centre(), factor * zone.half_width());
+    let mut columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor).round() as usize;
+    if problem.conforming.is_some() && half > problem.span().1 {
+        // As much as there is of a pin in a hole.
+        columns = (problem.span().1 / zone.spacing()).floor() as usize;
+        half = columns as f64 * zone.spacing();
+    }
     let x_min = if zone.is_symmetric() { 0.0 } else { centre - half };
     problem.zone(x_min, centre + half, columns, zone.is_symmetric())
 }

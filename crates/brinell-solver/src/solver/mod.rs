@@ -10,6 +10,7 @@
 //! ```
 
 mod body_system;
+mod conforming;
 mod couplings;
 mod error;
 mod final_check;
@@ -26,6 +27,7 @@ mod solution;
 
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
+pub use conforming::ConformingPair;
 pub use error::SolveError;
 pub(crate) use load_stepping::onset::highest_utilisation;
 pub use load_stepping::run::{Options, run, run_each, run_with};

@@ -12,6 +12,7 @@ use crate::material::{
     BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity,
     HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
 };
+use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::first_contact::smallest_gap;
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
@@ -29,6 +30,8 @@ pub(crate) struct Problem {
     knots: Vec<f64>,
     /// Corners of both surfaces, ascending.
     corners: Vec<Corner>,
+    /// A pin and its hole, whose abscissae are arc lengths.
+    pub conforming: Option<ConformingPair>,
 }
 
 pub(crate) struct ProblemBody {
@@ -122,12 +125,13 @@ impl Problem {
             Analysis::PlaneStress => StressState::PlaneStress,
             Analysis::Axisymmetric => StressState::Axisymmetric,
         };
-        let body = |body: &Body| {
+        let [upper_outline, lower_outline] = Outline::of_pair([&job.upper.shape, &job.lower.shape]);
+        let conforming = ConformingPair::of([&upper_outline, &lower_outline]);
+        let body = |body: &Body, outline: Outline| {
             let material = match &body.material {
                 Material::Rigid => None,
                 Material::Deformable(material) => Some(material.clone()),
             };
-            let outline = Outline::of(&body.shape);
             ProblemBody {
                 model: material
                     .as_ref()
@@ -140,12 +144,13 @@ impl Problem {
         };
         let mut problem = Self {
             stress_state,
-            bodies: [body(&job.upper), body(&job.lower)],
+            bodies: [body(&job.upper, upper_outline), body(&job.lower, lower_outline)],
             use_symmetry: true,
             first_contact_x: 0.0,
             smallest_gap: 0.0,
             knots: Vec::new(),
             corners: Vec::new(),
+            conforming,
         };
         let (left, right) = problem.span();
         let mut knots: Vec<f64> = problem.bodies.iter().flat_map(|body| body.outline.knots()).collect();
@@ -184,6 +189,7 @@ impl Problem {
 
     /// Force over the area of a contact of this half-width \[MPa\].
     pub fn mean_pressure(&self, force: f64, half_width: f64) -> f64 {
+        let half_width = self.conforming.map_or(half_width, |pair| pair.half_chord(half_width));
         match self.stress_state {
             StressState::PlaneStrain | StressState::PlaneStress => force / (2.0 * half_width),
             StressState::Axisymmetric => force / (PI * half_width * half_width),
@@ -245,7 +251,15 @@ impl Problem {
 
     /// Initial gap `δ0 = f_u + f_l` at an abscissa \[mm\], zero where the surfaces first touch.
     pub fn initial_gap(&self, x: f64) -> f64 {
+        if let Some(pair) = &self.conforming {
+            return pair.initial_gap(x);
+        }
         -self.bodies.iter().map(|body| body.outline.height(x)).sum::<f64>() - self.smallest_gap
+    }
+
+    /// By how much an approach of 1 closes the gap at an abscissa: nearly 1 where a contact is narrow beside the radii.
+    pub fn closing(&self, x: f64) -> f64 {
+        self.conforming.map_or(1.0, |pair| pair.closing(x))
     }
 
     /// Whether both surfaces are circular arcs or planes.
@@ -271,6 +285,9 @@ impl Problem {
     /// arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson, *Contact Mechanics* (1985), section 2.7.
     pub fn elastic_force(&self, a: f64) -> f64 {
         let modulus = self.effective_modulus();
+        if let Some(pair) = &self.conforming {
+            return pair.elastic_force(self.stress_state, modulus, a);
+        }
         if self.has_arcs() {
             return match self.stress_state {
                 StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * modulus * self.opening(a),
@@ -294,7 +311,9 @@ impl Problem {
 
     /// Whether one half of the bodies stands for the whole.
     pub fn is_symmetric(&self) -> bool {
-        self.stress_state == StressState::Axisymmetric || (self.use_symmetry && self.has_symmetric_outlines())
+        // A pin and its hole are meshed from the contact round to the far side, which is on the axis.
+        let is_half = self.stress_state == StressState::Axisymmetric || self.conforming.is_some();
+        is_half || (self.use_symmetry && self.has_symmetric_outlines())
     }
 
     /// Whether the answer is symmetric, even if the whole is meshed.

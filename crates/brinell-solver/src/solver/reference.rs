@@ -27,9 +27,12 @@ pub struct ElasticReference {
 
 impl ElasticReference {
     /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's theory does not
-    /// apply: surfaces that are no arcs or do not open away from the origin.
+    /// apply: a pin in its hole, surfaces that are no arcs or do not open away from the origin.
     pub fn of(job: &Job, force: f64) -> Option<Self> {
         let problem = Problem::of(job);
+        if problem.conforming.is_some() {
+            return None;
+        }
         let (curvature, modulus) = (problem.curvature()?, problem.effective_modulus());
         if curvature <= 0.0 || !modulus.is_finite() {
             return None;

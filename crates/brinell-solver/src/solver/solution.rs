@@ -5,9 +5,10 @@ use std::sync::Arc;
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::assembly::{MaterialModel, StressField};
 use crate::fem::element::StressState;
-use crate::fem::mesh::{Mesh, Quality};
+use crate::fem::mesh::{Mesh, Quality, SurfaceFrame};
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
+use crate::solver::conforming::ConformingPair;
 use crate::solver::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::phases::PhaseTimes;
 
@@ -37,6 +38,8 @@ pub struct StepSolution {
     pub symmetric: bool,
     /// Third direction.
     pub stress_state: StressState,
+    /// A pin and its hole, whose abscissae are arc lengths.
+    pub conforming: Option<ConformingPair>,
     /// The smallest gap of the outlines as they are given, in whose place the gaps and the approach begin \[mm\].
     pub smallest_gap: f64,
     /// Tangential spacing of the candidate pairs \[mm\].
@@ -130,12 +133,14 @@ impl Energy {
 /// One candidate pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairState {
-    /// Abscissa \[mm\].
+    /// Abscissa, or arc length on a pin in a hole \[mm\].
     pub x: f64,
     /// Contact pressure \[MPa\].
     pub pressure: f64,
-    /// Contact force, both sides of the axis for a pair on it \[N/mm\].
+    /// Contact force along the normal, both sides of the axis for a pair on it \[N/mm\].
     pub force: f64,
+    /// The part of that force along the approach.
+    pub closing: f64,
     /// Gap after loading \[mm\].
     pub gap: f64,
 }
@@ -190,8 +195,12 @@ impl BodySolution {
         self.stress.points.iter().flatten().map(|point| point.strain(accumulates)).fold(0.0, f64::max)
     }
 
-    /// Depth of the lowest node below the contact \[mm\].
+    /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its centre.
     pub fn depth(&self) -> f64 {
+        if let SurfaceFrame::Circle { radius } = self.mesh.frame {
+            let depths = self.mesh.nodes.iter().map(|&node| self.mesh.frame.place(node)[1]);
+            return if radius > 0.0 { f64::INFINITY } else { depths.fold(0.0, f64::max) };
+        }
         -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)
     }
 }

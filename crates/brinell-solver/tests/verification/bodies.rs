@@ -7,7 +7,7 @@ use brinell_solver::fem::assembly::{
     out_of_plane,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
-use brinell_solver::fem::mesh::{ContactZone, Mesh};
+use brinell_solver::fem::mesh::{ContactZone, Mesh, SurfaceFrame};
 use brinell_solver::job::{Deformable, Elastic, Hardening, PoissonRatio, PositiveF64};
 use brinell_solver::material::{DeformationPlasticity, ElasticModuli};
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, LatticePoint, SymbolicCholesky};
@@ -37,6 +37,8 @@ pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Me
         axis_nodes: Vec::new(),
         lattice: points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect(),
         zone: ContactZone::uniform(0.0, 1.0, 1, false),
+        contact_normals: Vec::new(),
+        frame: SurfaceFrame::Tangent,
     }
 }
 

@@ -7,6 +7,7 @@ mod approach;
 mod autofrettage;
 mod bodies;
 mod bodies_of_revolution;
+mod conforming;
 mod contact_solvers;
 #[path = "../support/contacts.rs"]
 mod contacts;

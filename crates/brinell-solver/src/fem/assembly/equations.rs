@@ -47,15 +47,14 @@ impl Restraint {
 
 /// Equation number of every free displacement component, in elimination order.
 ///
-/// The normal components of the contact nodes come last, in order of x, so that the flexibility of the contact
-/// is the trailing block of the inverse stiffness.
+/// The components of the contact nodes along y come last, in order of x, and before them those along x, so that the
+/// flexibility of the contact is of the trailing block of the inverse stiffness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Equations {
     /// `[x, y]` for each node; held components have the number one past the last equation.
     number: Vec<[u32; 2]>,
     /// Node and component of each equation.
     origin: Vec<(u32, u8)>,
-    contact_count: usize,
 }
 
 impl Equations {
@@ -79,7 +78,7 @@ impl Equations {
         for (equation, &(node, component)) in (0u32..).zip(&origin) {
             number[node as usize][component as usize] = equation;
         }
-        Self { number, origin, contact_count }
+        Self { number, origin }
     }
 
     /// Number of equations.
@@ -90,11 +89,6 @@ impl Equations {
     /// Whether everything is held.
     pub fn is_empty(&self) -> bool {
         self.origin.is_empty()
-    }
-
-    /// First of the contact normal equations, which run to the end.
-    pub fn contact_start(&self) -> usize {
-        self.len() - self.contact_count
     }
 
     /// Equation numbers `[x, y]` of a node; [`Self::len`] stands for a held component. Vectors that are

@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use super::{ContactZone, Mesh, MeshError, Outline};
+use super::{ContactZone, Mesh, MeshError, Outline, SurfaceFrame};
 use sparse_cholesky::LatticePoint;
 
 /// How fine the rings are.
@@ -90,10 +90,12 @@ impl<'a> Builder<'a> {
             nodes: Vec::new(),
             elements: Vec::new(),
             contact_nodes: Vec::new(),
+            contact_normals: Vec::new(),
             support_nodes: Vec::new(),
             axis_nodes: Vec::new(),
             lattice: Vec::new(),
             zone: zone.clone(),
+            frame: SurfaceFrame::Tangent,
         };
         let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (outline.depth() + lowest));
         let base = lowest - depth;

@@ -1,4 +1,4 @@
-//! Half-O-grid meshes of the two bodies.
+//! Meshes of the two bodies: half-O-grids, and polar grids of a pin in a hole.
 //!
 //! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y` points out
 //! of the body, so the material lies at `y <= surface(x)`. The upper body of a job is this picture mirrored,
@@ -15,18 +15,21 @@
 //!     +-----------------+---------+   support
 //! ```
 
+mod frame;
 mod half_o_grid;
 mod interpolation;
 mod locator;
 mod outline;
+mod polar;
 mod quality;
 mod smoothing;
 mod zone;
 
+pub use frame::SurfaceFrame;
 pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
 use outline::MESHED_SLOPE;
-pub use outline::Outline;
+pub use outline::{Outline, Ring};
 pub use quality::Quality;
 pub use zone::{ContactZone, Corner};
 
@@ -68,6 +71,9 @@ pub enum MeshError {
 
 /// About how many nodes a mesh will have.
 pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refinement) -> usize {
+    if let Some(ring) = outline.ring() {
+        return polar::estimated_nodes(ring, zone, refinement);
+    }
     half_o_grid::estimated_nodes(outline, zone, refinement)
 }
 
@@ -83,6 +89,8 @@ pub struct Mesh {
     pub elements: Vec<[u32; 4]>,
     /// Candidate contact nodes in order of x.
     pub contact_nodes: Vec<u32>,
+    /// Outward unit vectors along the normals of the contact at these nodes; none where all of them are `[0, 1]`.
+    pub contact_normals: Vec<[f64; 2]>,
     /// Nodes of the far boundary.
     pub support_nodes: Vec<u32>,
     /// Nodes on the symmetry axis `x = 0`; empty for a full model.
@@ -91,6 +99,8 @@ pub struct Mesh {
     pub lattice: Vec<LatticePoint>,
     /// The contact zone the mesh was made for.
     pub zone: ContactZone,
+    /// How places on and below the surface are described.
+    pub frame: SurfaceFrame,
 }
 
 impl Mesh {
@@ -104,6 +114,10 @@ impl Mesh {
         zone: &ContactZone,
         refinement: Refinement,
     ) -> Result<Self, MeshError> {
+        if let Some(ring) = outline.ring() {
+            let mesh = polar::generate(outline, ring, zone, refinement)?;
+            return quality::require_positive_jacobians(&mesh).map(|()| mesh);
+        }
         // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
         // folds the rings there; a steeper fade keeps it near the surface.
         let centre = [zone.centre(), outline.height(zone.centre())];
@@ -134,12 +148,14 @@ impl Mesh {
         size_of_val(self.nodes.as_slice())
             + size_of_val(self.elements.as_slice())
             + size_of_val(self.lattice.as_slice())
+            + size_of_val(self.contact_normals.as_slice())
             + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
     }
 
     /// Nodes of the free surface, the contact zone included, in no particular order.
     pub fn free_surface_nodes(&self) -> impl Iterator<Item = u32> {
-        // Patch 0 is the block below the zone, with the surface at j = 0; the rings of patch 1 end on the surface.
+        // Patch 0 is the block below the zone, or the polar grid, with the surface at j = 0; the rings of patch 1 end on the
+        // surface.
         let last_ray = self.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
         let is_end = move |ray: i32| ray == 0 || (!self.zone.is_symmetric() && Some(ray) == last_ray);
         let is_free = move |p: &LatticePoint| if p.patch == 0 { p.j == 0 } else { is_end(p.i) };

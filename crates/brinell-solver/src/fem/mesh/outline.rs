@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::interpolation::{MonotoneCubic, Polyline};
 use super::zone::Corner;
-use crate::job::{Block, Cylinder, Ellipse, Interpolation, Shape};
+use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
 
 /// Surface, width and depth of a body in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +14,55 @@ pub struct Outline {
     span: (f64, f64),
     /// Depth of the far boundary below the origin \[mm\].
     depth: f64,
+    /// What makes it a pin in a hole, or the body around one.
+    ring: Option<Ring>,
 }
+
+/// A whole pin, or the body around a hole. Abscissae are arc lengths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ring {
+    /// Radius of the surface, negative for a hole \[mm\].
+    pub(super) radius: f64,
+    /// Geometric mean of the radii of pin and hole: an arc length over it is the angle of the common normal \[mm\].
+    pub(super) common_radius: f64,
+    /// Where the body is held.
+    pub(super) far: FarBoundary,
+}
+
+/// The boundary on which a pin or the body around a hole is held, around the centre of the circle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum FarBoundary {
+    /// A circle of this radius \[mm\].
+    Circle(f64),
+    /// A square of this half-width \[mm\].
+    Square(f64),
+}
+
+impl Ring {
+    /// Radius of the surface, negative for a hole \[mm\].
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Geometric mean of the radii of pin and hole \[mm\].
+    pub fn common_radius(&self) -> f64 {
+        self.common_radius
+    }
+
+    /// Distance of the far boundary from the centre, at an angle from the middle of the contact \[mm\].
+    pub(super) fn far_distance(&self, angle: f64) -> f64 {
+        match self.far {
+            FarBoundary::Circle(radius) => radius,
+            FarBoundary::Square(half) => half / angle.cos().abs().max(angle.sin().abs()),
+        }
+    }
+}
+
+/// Largest angle of a contact zone to each side of the middle \[degrees\]; beyond it an approach would hardly close gaps.
+const MAX_ZONE_ANGLE: f64 = 87.0;
+/// Radius of the rigid core of a pin over its own. The forces that hold the pin are spread over its section, so that the core
+/// carries nothing.
+const PIN_CORE: f64 = 0.05;
 
 #[derive(Debug, Clone, PartialEq)]
 enum Surface {
@@ -52,6 +100,10 @@ impl Outline {
             Shape::Groove(groove) => {
                 Self::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
             }
+            Shape::Hole(hole) => {
+                let radius = hole.radius().get();
+                Self::arc(-radius.recip(), radius, hole.wall())
+            }
             Shape::Profile(profile) => {
                 let points = whole_face(profile.points());
                 let line = Polyline::new(points);
@@ -60,7 +112,7 @@ impl Outline {
                     Some(Interpolation::Linear) => Surface::Linear(line),
                     _ => Surface::Smooth(MonotoneCubic::new(line.points().to_vec())),
                 };
-                Self { surface, span, depth: profile.depth().get() }
+                Self { surface, span, depth: profile.depth().get(), ring: None }
             }
             Shape::Wedge(wedge) => {
                 let surface = Surface::Wedge { slope: wedge.slope(), tip_radius: wedge.tip_radius() };
@@ -74,7 +126,7 @@ impl Outline {
                 let (half_width, depth) = (0.5 * punch.width().get(), punch.depth().get());
                 let surface = Surface::Punch { half_width, edge_radius: punch.edge_radius(), drop: depth };
                 // Nothing of a rigid body is meshed: its side walls and base bound no contact.
-                Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth }
+                Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth, ring: None }
             }
             Shape::Parabola(parabola) => {
                 let surface = Surface::Power { exponent: 2.0, scale: 2.0 * parabola.radius().get() };
@@ -96,7 +148,40 @@ impl Outline {
     }
 
     fn of_width(surface: Surface, width: f64, depth: f64) -> Self {
-        Self { surface, span: (-0.5 * width, 0.5 * width), depth }
+        Self { surface, span: (-0.5 * width, 0.5 * width), depth, ring: None }
+    }
+
+    /// Outlines of both bodies of a job: those of a pin and its hole know of each other.
+    pub fn of_pair(shapes: [&Shape; 2]) -> [Self; 2] {
+        let mut outlines = shapes.map(Self::of);
+        let radius = |shape: &Shape| match shape {
+            Shape::Cylinder(cylinder) => Some(cylinder.radius.get()),
+            Shape::Hole(hole) => Some(-hole.radius().get()),
+            _ => None,
+        };
+        let [Some(upper), Some(lower)] = shapes.map(radius) else { return outlines };
+        if upper * lower > 0.0 {
+            return outlines;
+        }
+        let common_radius = (-upper * lower).sqrt();
+        let reach = MAX_ZONE_ANGLE.to_radians() * common_radius;
+        for ((outline, shape), radius) in outlines.iter_mut().zip(shapes).zip([upper, lower]) {
+            let far = match shape {
+                Shape::Hole(hole) => match hole.edge() {
+                    OuterEdge::Circle(radius) => FarBoundary::Circle(radius.get()),
+                    OuterEdge::Square(width) => FarBoundary::Square(0.5 * width.get()),
+                },
+                _ => FarBoundary::Circle(PIN_CORE * radius),
+            };
+            outline.span = (-reach, reach);
+            outline.ring = Some(Ring { radius, common_radius, far });
+        }
+        outlines
+    }
+
+    /// What makes it a pin in a hole, or the body around one.
+    pub fn ring(&self) -> Option<&Ring> {
+        self.ring.as_ref()
     }
 
     /// Height of the surface over the tangent at the origin, along the outward normal \[mm\]; a convex surface

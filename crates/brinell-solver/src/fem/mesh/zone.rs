@@ -177,7 +177,9 @@ impl ContactZone {
     /// Whether the zone leaves enough of a body's surface beside it to be meshed.
     pub fn fits(&self, outline: &Outline) -> bool {
         let (left, right) = outline.span();
-        self.x_max() <= MAX_ZONE_SPAN * right && self.x_min() >= MAX_ZONE_SPAN * left
+        // The span of a pin or a hole is where a zone may be.
+        let part = if outline.ring().is_some() { 1.0 } else { MAX_ZONE_SPAN };
+        self.x_max() <= part * right && self.x_min() >= part * left
     }
 
     /// Largest half-width of a zone on a body \[mm\].

@@ -7,6 +7,7 @@
 mod block;
 mod cylinder;
 mod groove;
+mod hole;
 mod power;
 mod profile;
 mod punch;
@@ -15,6 +16,7 @@ mod wedge;
 pub use block::Block;
 pub use cylinder::Cylinder;
 pub use groove::Groove;
+pub use hole::{Hole, OuterEdge};
 pub use power::{Ellipse, Parabola, Power};
 pub use profile::{Interpolation, Profile};
 pub use punch::Punch;
@@ -24,5 +26,7 @@ use super::fields::tagged;
 
 tagged! {
     /// The undeformed outline of a body.
-    pub enum Shape by "type" { Cylinder, Block, Groove, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power }
+    pub enum Shape by "type" {
+        Cylinder, Block, Groove, Hole, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power
+    }
 }

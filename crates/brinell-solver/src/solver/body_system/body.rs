@@ -179,7 +179,7 @@ impl PlasticRegion {
     ) -> Self {
         let ElasticBody { mesh, equations, symbolic, .. } = elastic;
         let elements = searched_elements(mesh, &**model, search_region);
-        let nodes = active_nodes(mesh, &elements);
+        let nodes = active_nodes(elastic, &elements);
         let active_equations = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&active_equations);
         let points =
@@ -237,7 +237,7 @@ impl PlasticRegion {
             *inside |= more;
         }
         points.extend(&elastic.unloaded(), equations, &self.elements, accepted);
-        self.nodes = active_nodes(mesh, &self.elements);
+        self.nodes = active_nodes(elastic, &self.elements);
         self.active_equations = equations.of_nodes(&self.nodes);
         self.reach = symbolic.reach(&self.active_equations);
     }
@@ -260,8 +260,12 @@ fn searched_elements(
     }
 }
 
-/// The nodes of these elements and the contact nodes.
-fn active_nodes(mesh: &Mesh, elements: &[bool]) -> Vec<bool> {
+/// The nodes of these elements and those that contact forces and supports act on.
+fn active_nodes(elastic: &ElasticBody, elements: &[bool]) -> Vec<bool> {
+    let mesh = &elastic.mesh;
+    if elastic.has_spread_support() {
+        return vec![true; mesh.nodes.len()];
+    }
     let mut nodes = nodes_of(mesh, elements);
     for &node in &mesh.contact_nodes {
         nodes[node as usize] = true;

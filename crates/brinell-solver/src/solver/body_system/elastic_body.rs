@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler, Unloaded};
-use crate::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
+use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
 use crate::solver::error::checkpoint;
@@ -31,9 +31,12 @@ pub(crate) struct ElasticBody {
     pub mesh: Arc<Mesh>,
     pub equations: Arc<Equations>,
     pub symbolic: Arc<SymbolicCholesky>,
-    /// Supernodes of the contact normals.
+    /// Supernodes of the equations that contact forces act on.
     pub contact_reach: Reach,
     restraint: Restraint,
+    /// How a pin is held: by equation, forces along the outward direction of the approach that are spread evenly over its
+    /// section, of resultant 1. None of a body that is held at its boundary.
+    spread_support: Option<Vec<f64>>,
     bulk_modulus: f64,
     /// The elastic stiffness, entry by entry of its pattern.
     stiffness: Vec<f64>,
@@ -52,7 +55,6 @@ impl ElasticBody {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
         let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, zone, *refinement))?;
         checkpoint(observer)?;
-        let contacts = mesh.contact_nodes.len();
         let restraint = Restraint::new(&mesh, *support);
         let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
         let (equations, symbolic) = match phases.time(Phase::Ordering, observer, || like(&is_like)) {
@@ -60,9 +62,19 @@ impl ElasticBody {
             None => structure(&mesh, &restraint, phases, observer)?,
         };
         let shear = constants.shear_modulus();
+        let spread_support = key
+            .outline
+            .ring()
+            .filter(|ring| ring.radius() > 0.0)
+            .map(|_| spread_support(&mesh, &equations, key.stress_state));
         let mut body = Self {
+            contact_reach: if spread_support.is_some() {
+                symbolic.reach(&equations.of_nodes(&vec![true; mesh.nodes.len()]))
+            } else {
+                symbolic.trailing_reach(contact_equations(&mesh, &equations))
+            },
+            spread_support,
             mesh: Arc::new(mesh),
-            contact_reach: symbolic.trailing_reach(contacts),
             equations,
             symbolic,
             restraint,
@@ -84,6 +96,7 @@ impl ElasticBody {
             + self.equations.bytes()
             + self.symbolic.bytes()
             + size_of_val(self.stiffness.as_slice())
+            + self.spread_support.as_ref().map_or(0, |spread| size_of_val(spread.as_slice()))
     }
 
     /// Third direction.
@@ -124,8 +137,51 @@ impl ElasticBody {
         checkpoint(observer)?;
         phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
         checkpoint(observer)?;
-        let contacts = self.mesh.contact_nodes.len();
-        Ok(phases.time(Phase::Flexibility, observer, || factor.trailing_inverse(contacts)))
+        Ok(phases.time(Phase::Flexibility, observer, || self.flexibility(factor)))
+    }
+
+    /// Inward normal displacements of the contact nodes under unit forces that press on them, with a factor of this body
+    /// \[mm/N\].
+    pub fn flexibility(&self, factor: &Cholesky) -> SymmetricMatrix {
+        let Self { mesh, equations, .. } = self;
+        let count = contact_equations(mesh, equations);
+        let inverse = factor.trailing_inverse(count);
+        if mesh.contact_normals.is_empty() {
+            return inverse;
+        }
+        let start = equations.len() - count;
+        // What is held has no entry.
+        let entries = |k: usize| -> Vec<(usize, f64)> {
+            let components = self.normal_components(k).into_iter().filter(|(_, n)| *n != 0.0);
+            components.map(|(equation, n)| (equation - start, n)).collect()
+        };
+        let entries: Vec<_> = (0..mesh.contact_nodes.len()).map(entries).collect();
+        let fixed = SymmetricMatrix::from_fn(entries.len(), |i, j| {
+            let products = entries[i].iter().flat_map(|&(row, n)| {
+                let inverse = &inverse;
+                entries[j].iter().map(move |&(column, m)| n * m * inverse[(row, column)])
+            });
+            products.sum()
+        });
+        let Some(spread) = &self.spread_support else { return fixed };
+        // Displacements under the forces of the support.
+        let mut held = spread.clone();
+        factor.solve(&mut held);
+        let own = dot(spread, &held);
+        let closing = |k: usize| mesh.contact_normals[k][1];
+        let outward: Vec<f64> = (0..entries.len())
+            .map(|k| self.normal_components(k).map(|(equation, n)| n * held[equation]).iter().sum())
+            .collect();
+        SymmetricMatrix::from_fn(entries.len(), |i, j| {
+            fixed[(i, j)] - closing(i) * outward[j] - closing(j) * outward[i] + closing(i) * closing(j) * own
+        })
+    }
+
+    /// The equations of contact node `k` and the components of its normal; 0 for one that is held.
+    fn normal_components(&self, k: usize) -> [(usize, f64); 2] {
+        let [x, y] = self.equations.of_node(self.mesh.contact_nodes[k]).map(|equation| equation as usize);
+        let [n_x, n_y] = self.mesh.contact_normals.get(k).copied().unwrap_or([0.0, 1.0]);
+        [(x, if x < self.equations.len() { n_x } else { 0.0 }), (y, n_y)]
     }
 
     fn softened_by(&self, points: Option<&dyn PlasticPoints>) -> Vec<f64> {
@@ -164,18 +220,35 @@ impl ElasticBody {
             .collect()
     }
 
-    /// Adds contact forces that press on the body to a load vector.
+    /// Whether forces that are spread over the whole body hold it.
+    pub fn has_spread_support(&self) -> bool {
+        self.spread_support.is_some()
+    }
+
+    /// Adds contact forces that press on the body to a load vector, and what holds a pin against them.
     pub fn add_contact_forces(&self, force: &[f64], load: &mut [f64]) {
-        let start = self.equations.contact_start();
-        for (entry, r) in load[start..].iter_mut().zip(force) {
-            *entry -= r;
+        if let Some(spread) = &self.spread_support {
+            let total: f64 = force.iter().zip(&self.mesh.contact_normals).map(|(r, [_, e])| r * e).sum();
+            for (entry, share) in load.iter_mut().zip(spread) {
+                *entry += share * total;
+            }
+        }
+        for (k, r) in force.iter().enumerate() {
+            for (equation, component) in self.normal_components(k) {
+                load[equation] -= component * r;
+            }
         }
     }
 
-    /// Inward normal displacements of the contact nodes \[mm\].
-    pub fn contact_displacement<'a>(&self, x: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
-        let start = self.equations.contact_start();
-        x[start..start + self.mesh.contact_nodes.len()].iter().map(|u| -u)
+    /// Inward normal displacements of the contact nodes \[mm\]; of a pin relative to the mean displacement of its section
+    /// along the approach.
+    pub fn contact_displacement(&self, x: &[f64]) -> impl Iterator<Item = f64> {
+        let mean = self.spread_support.as_ref().map_or(0.0, |spread| dot(spread, x));
+        (0..self.mesh.contact_nodes.len()).map(move |k| {
+            let components = self.normal_components(k);
+            let [along, across] = components.map(|(equation, component)| component * x[equation]);
+            components[1].1 * mean - (along + across)
+        })
     }
 
     /// `[x, inward normal displacement]` of the nodes on the whole free surface, in order of x \[mm\].
@@ -191,6 +264,39 @@ impl ElasticBody {
         surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
         surface
     }
+}
+
+/// Forces along y by equation, spread evenly over the free nodes of a body, of resultant 1.
+fn spread_support(mesh: &Mesh, equations: &Equations, stress_state: StressState) -> Vec<f64> {
+    let mut spread = vec![0.0; equations.len() + 1];
+    for (element, nodes) in mesh.elements.iter().enumerate() {
+        let quad = Quad::new(&mesh.corners(element), stress_state);
+        for (&node, shape) in nodes.iter().zip(SHAPE_AT_POINTS) {
+            let share: f64 = shape.iter().zip(quad.weight).map(|(n, weight)| n * weight).sum();
+            spread[equations.of_node(node)[1] as usize] += share;
+        }
+    }
+    spread[equations.len()] = 0.0;
+    let total: f64 = spread.iter().sum();
+    for share in &mut spread {
+        *share /= total;
+    }
+    spread
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Number of equations at the end that contact forces act on: the normal components of the contact nodes, and before these
+/// the tangential ones where normals are inclined.
+fn contact_equations(mesh: &Mesh, equations: &Equations) -> usize {
+    let nodes = mesh.contact_nodes.len();
+    if mesh.contact_normals.is_empty() {
+        return nodes;
+    }
+    let is_free = |node: &&u32| (equations.of_node(**node)[0] as usize) < equations.len();
+    nodes + mesh.contact_nodes.iter().filter(is_free).count()
 }
 
 /// Numbers the equations of a mesh, and analyses their factor.

@@ -15,6 +15,7 @@ use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::preparation::prepare;
 use crate::solver::body_system::transfer::NodalField;
+use crate::solver::conforming::ConformingPair;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
 use crate::solver::{Observer, SolveError};
@@ -31,6 +32,8 @@ pub(crate) struct System {
     pub model_of: [Option<usize>; 2],
     pub stress_state: StressState,
     pub zone: ContactZone,
+    /// A pin and its hole, whose abscissae are arc lengths.
+    pub conforming: Option<ConformingPair>,
     /// The smallest gap as the outlines are given, which gaps are counted from \[mm\].
     pub smallest_gap: f64,
     /// Initial gap δ0 of each candidate pair along its normal \[mm\].
@@ -117,9 +120,9 @@ impl System {
             model_of,
             stress_state: problem.stress_state,
             zone: zone.clone(),
+            conforming: problem.conforming,
             smallest_gap: problem.smallest_gap,
-            // The surfaces of a contact that is narrow beside their radii face each other along the approach.
-            closing: vec![1.0; initial_gap.len()],
+            closing: zone.abscissae().iter().map(|&x| problem.closing(x)).collect(),
             initial_gap,
             flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
         };
@@ -247,7 +250,15 @@ impl System {
         let (inner, outer) = (inner.unwrap_or(0.0), outer.unwrap_or(0.0));
         match self.stress_state {
             StressState::PlaneStrain | StressState::PlaneStress => 0.5 * (inner + outer),
-            StressState::Axisymmetric => PI * (inner * (here - inner / 3.0) + outer * (here + outer / 3.0)),
+            StressState::Axisymmetric => {
+                let Some(pair) = &self.conforming else {
+                    return PI * (inner * (here - inner / 3.0) + outer * (here + outer / 3.0));
+                };
+                // Simpson's rule with the distance from the axis at the node and half an element beside it.
+                let side =
+                    |width: f64, middle: f64| width * (2.0 * pair.half_chord(middle) + pair.half_chord(here));
+                PI / 3.0 * (side(inner, here - 0.5 * inner) + side(outer, here + 0.5 * outer))
+            }
         }
     }
 

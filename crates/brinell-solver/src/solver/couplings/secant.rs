@@ -91,7 +91,9 @@ fn solve_equilibrium(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Res
     let system = iteration.system;
     let n = system.initial_gap.len();
     let flexibility = iteration.phases.time(Phase::Flexibility, iteration.observer, || {
-        let parts: Vec<SymmetricMatrix> = factors.iter().map(|factor| factor.trailing_inverse(n)).collect();
+        let bodies = system.bodies.iter().zip(factors);
+        let parts: Vec<SymmetricMatrix> =
+            bodies.map(|(body, factor)| body.elastic.flexibility(factor)).collect();
         total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.bodies_represented)
     });
     let problem = ContactProblem {

@@ -1,7 +1,8 @@
 //! Contact stiffness: the slope dP/dα of the load-approach curve at an answer.
 //!
 //! With the tangent stiffness K_T of the answer and its set of pairs in contact, the displacements v that go with
-//! `dα = 1` are those of the least energy `v·K_T v` that close every active pair by 1, and that energy is dP/dα.
+//! `dα = 1` are those of the least energy `v·K_T v` that close every active pair by its cosine e to the approach, mostly 1, and
+//! that energy is dP/dα.
 //! Conjugate gradients find it with the factor K that is there already as preconditioner. K_T itself is not formed:
 //! `(K - K_T) v` is the derivative of the initial-stress load in the direction of v.
 
@@ -59,7 +60,8 @@ fn stiffness(
     let (v, force) = closing.close();
     ask(observer)?;
     let mut residual = softening(&v);
-    let mut stiffness = force.iter().sum::<f64>() - system.inner(&v, &residual);
+    let along = force.iter().zip(&system.closing).map(|(r, e)| r * e);
+    let mut stiffness = along.sum::<f64>() - system.inner(&v, &residual);
     let mut last: Option<(BlockVector, BlockVector, f64)> = None;
     for _ in 0..MAX_STEPS {
         ask(observer)?;
@@ -102,9 +104,10 @@ const OVERHANG: f64 = 0.25;
 fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f64 {
     let stiffness = |pairs: &[usize]| -> Option<f64> {
         let factor = DenseCholesky::factor(system.flexibility.principal_block(pairs)).ok()?;
-        let mut force = vec![1.0; pairs.len()];
+        let closing: Vec<f64> = pairs.iter().map(|&k| system.closing[k]).collect();
+        let mut force = closing.clone();
         factor.solve_in_place(&mut force);
-        Some(force.iter().sum())
+        Some(force.iter().zip(closing).map(|(r, e)| r * e).sum())
     };
     let (Some(&first), Some(&last), Some(whole)) = (active.first(), active.last(), stiffness(active)) else {
         return 1.0;
@@ -146,9 +149,9 @@ struct ActivePairConstraint<'a> {
 }
 
 impl ActivePairConstraint<'_> {
-    /// The contact forces that close every active pair by 1, and the displacements under them.
+    /// The contact forces that close every active pair by its cosine, and the displacements under them.
     fn close(&self) -> (BlockVector, Vec<f64>) {
-        let force = self.forces(|_| 1.0);
+        let force = self.forces(|k| self.system.closing[k]);
         (self.system.substitute(self.system.zeros(), &force), force)
     }
 

@@ -170,7 +170,12 @@ fn from_iteration(pass: &MeshSolve) -> Evidence {
     let bodies = system.bodies.iter();
     Evidence {
         has_collapsed: false,
-        unloaded_gap: contact.gap.iter().map(|gap| gap + contact.approach).collect(),
+        unloaded_gap: contact
+            .gap
+            .iter()
+            .zip(&system.closing)
+            .map(|(gap, closing)| gap + contact.approach * closing)
+            .collect(),
         equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
         bodies: bodies
             .map(|body| Arc::new(BodySolution::of(body, Vec::new(), StressField::default())))
@@ -203,6 +208,7 @@ fn judge(
         approach: contact.approach,
         symmetric: system.zone.is_symmetric(),
         stress_state: system.stress_state,
+        conforming: system.conforming,
         smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force),
@@ -258,6 +264,7 @@ fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f
                 x: system.zone.abscissa(k),
                 pressure: pressures[k],
                 force: force[k] * if on_axis { 2.0 } else { 1.0 },
+                closing: system.closing[k],
                 // In contact the gap is zero by definition; the rounding error there is checked, not reported.
                 gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach * system.closing[k] },
             }

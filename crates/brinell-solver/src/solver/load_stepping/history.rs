@@ -304,7 +304,8 @@ impl MeshHistory<'_> {
             let wider = mesh_solve::enlarge(self.request.problem, &mesh.zone);
             let can_enlarge = narrowings == 0
                 && enlargements < MAX_ENLARGEMENTS
-                && mesh_solve::fits(self.request.problem, &wider);
+                && mesh_solve::fits(self.request.problem, &wider)
+                && wider.half_width() > mesh.zone.half_width();
             match run.solve_on_zone(estimates, enlargements, can_enlarge, solution, observer) {
                 Ok(Some(mut found)) => {
                     solution.passes += 1;

@@ -224,7 +224,9 @@ impl<'a> LoadStepper<'a> {
         solver: SolverSettings,
     ) -> MeshSolveRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
-        let search_region = if couplings::of(solver.coupling).needs_whole_body() {
+        // An envelope of distances from the middle of the contact does not follow a surface that bends round.
+        let is_whole = couplings::of(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
+        let search_region = if is_whole {
             PlasticSearchRegion::WholeBody
         } else {
             PlasticSearchRegion::Within(extent.plastic.scaled(PLASTIC_MARGIN))

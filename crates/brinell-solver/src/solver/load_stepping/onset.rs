@@ -121,8 +121,12 @@ pub(crate) fn highest_utilisation(step: &StepSolution, problem: &Problem) -> Opt
 
 /// The highest ratio of an element and its centroid.
 fn highest_of_elements(solution: &BodySolution, limits: &ProblemBody) -> Option<(f64, [f64; 2])> {
+    let frame = solution.mesh.frame;
     let elements = solution.stress.points.iter().filter_map(|points| {
         let mean = GaussPoint::mean(points);
+        if frame.is_near_core(mean.position) {
+            return None;
+        }
         Some((von_mises(mean.stress) / limits.yield_stress_at(mean.position)?, mean.position))
     });
     elements.max_by(|a, b| a.0.total_cmp(&b.0))
@@ -141,11 +145,17 @@ fn highest_of_graded(
     let stress: Vec<[f64; 4]> =
         Recovery::new(solution, symmetric).nodes().into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
     let ratio = |stress, position| Some(von_mises(stress) / limits.yield_stress_at(position)?);
-    let at_node = |node: u32| ratio(stress[node as usize], mesh.nodes[node as usize]);
+    let is_near_core = |node: u32| mesh.frame.is_near_core(mesh.nodes[node as usize]);
+    let at_node = |node: u32| {
+        if is_near_core(node) { Some(0.0) } else { ratio(stress[node as usize], mesh.nodes[node as usize]) }
+    };
     let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect::<Option<Vec<_>>>()?;
     let highest = nodal.iter().copied().fold(0.0, f64::max);
     let mut best = (0.0, [0.0; 2]);
     for (element, nodes) in mesh.elements.iter().enumerate() {
+        if nodes.iter().any(|&node| is_near_core(node)) {
+            continue;
+        }
         // Between nodes it is higher by no more than the strength varies within an element.
         if nodes.iter().all(|&node| nodal[node as usize] < 0.5 * highest) {
             continue;

@@ -3,12 +3,14 @@
 use std::f64::consts::PI;
 
 use super::trace::resolving_spacing;
+use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::solver::SolveError;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
+use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
 
@@ -59,9 +61,12 @@ impl ContactSizeEstimate {
     /// approach the width is where the undeformed surfaces would overlap, which is too much.
     ///
     /// # Errors
-    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TooWide`] where the contact would
-    /// take up more of the surfaces than is solved.
+    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where
+    /// the contact would take up more of the surfaces than is solved.
     pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
+        if let Some(pair) = &problem.conforming {
+            return Self::round(problem, pair, load);
+        }
         let (left, right) = problem.span();
         // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
         let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
@@ -108,6 +113,32 @@ impl ContactSizeEstimate {
                 Err(SolveError::TooWide { half_width, available })
             }
         }
+    }
+
+    /// The same of a pin in a hole, by arc lengths. How far it goes round under a prescribed approach is not known before a
+    /// mesh has found it.
+    fn round(problem: &Problem, pair: &ConformingPair, load: ContactLoad) -> Result<Self, SolveError> {
+        let limit = pair.largest_arc();
+        let bears = |a: f64| match load {
+            ContactLoad::Force(force) => problem.elastic_force(a) >= force,
+            ContactLoad::Approach(approach) => pair.initial_gap(a) >= approach * pair.closing(a),
+        };
+        let elastic = (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a));
+        let (elastic, plastic) = match load {
+            ContactLoad::Force(force) => {
+                let Some(elastic) = elastic else {
+                    let ratio = 2.0 * problem.effective_modulus() * pair.clearance / force;
+                    let half_angle = PinInHole::of_clearance_ratio(ratio).half_angle().to_degrees();
+                    return Err(SolveError::TooFarRound { half_angle });
+                };
+                (elastic, pair.arc_of_chord(plastic_half_width(problem, force)))
+            }
+            ContactLoad::Approach(_) => (elastic.unwrap_or(limit), 0.0),
+        };
+        if plastic > limit {
+            return Err(SolveError::TooFarRound { half_angle: pair.angle(plastic).to_degrees() });
+        }
+        Ok(Self::around(0.0, elastic.max(plastic), elastic, true))
     }
 
     fn around(first_contact_x: f64, a: f64, hertz_half_width: f64, symmetric: bool) -> Self {
@@ -224,7 +255,11 @@ impl ContactSizeEstimate {
     /// A zone that covers the contact and more, with elements of a given size.
     pub fn zone(&self, problem: &Problem, spacing: f64) -> ContactZone {
         let symmetric = problem.is_symmetric();
-        let columns = (ZONE * self.half_width / spacing).round().max(4.0);
+        let mut columns = (ZONE * self.half_width / spacing).round().max(4.0);
+        if problem.conforming.is_some() {
+            // As much as there is, for a contact that reaches far round.
+            columns = columns.min((problem.span().1 / spacing).floor());
+        }
         let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
