@@ -1,5 +1,6 @@
 /** The real server on a free port and a real Chromium before it. */
 
+import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { existsSync } from 'node:fs';
@@ -7,19 +8,25 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
-const QUIET = [
+export const flags = [
   '--no-sandbox',
   '--disable-background-networking',
   '--no-first-run',
   '--disable-component-update',
   '--disable-sync',
+  // Without a graphics card the page is put together faster by the processor than by a card that it plays.
+  '--disable-gpu-compositing',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
 ];
+
+export const WIDE = { viewport: { width: 1440, height: 900 } };
+export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** The first of these that is there. @param {string} what @param {(string | undefined)[]} paths @param {string} help */
 function found(what, paths, help) {
@@ -61,15 +68,15 @@ export async function serve(args = []) {
   return { url, binary, data, kill, again, stop };
 }
 
-/** @returns {Promise<import('playwright-core').Browser>} */
-export function launch() {
-  const executablePath = found(
+export const chromiumPath = () =>
+  found(
     'Chromium',
     [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'],
     'apt-get install chromium',
   );
-  return chromium.launch({ executablePath, headless: true, args: QUIET });
-}
+
+/** @returns {Promise<import('playwright-core').Browser>} */
+export const launch = () => chromium.launch({ executablePath: chromiumPath(), headless: true, args: flags });
 
 /**
  * A fresh page at the service that notes everything it should not do.
@@ -78,19 +85,74 @@ export function launch() {
  * @param {import('playwright-core').BrowserContextOptions} [options]
  */
 export async function visit(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  const context = await browser.newContext({ ...WIDE, ...options });
   const page = await context.newPage();
   const faults = /** @type {string[]} */ ([]);
   page.on('console', (message) => {
     // A refused draft is answered 422, which Chromium notes by itself.
     const answered = /status of 4\d\d/.test(message.text());
-    if (['error', 'warning'].includes(message.type()) && !answered) faults.push(`console: ${message.text()}`);
+    // Without a graphics card pictures are read back, of which it complains.
+    const readBack = /GL Driver Message/.test(message.text());
+    if (['error', 'warning'].includes(message.type()) && !answered && !readBack)
+      faults.push(`console: ${message.text()}`);
   });
   page.on('pageerror', (error) => faults.push(`uncaught: ${error.stack ?? error}`));
   page.on('request', (request) => {
-    if (!request.url().startsWith(url) && !request.url().startsWith('blob:'))
+    if (!request.url().startsWith(new URL(url).origin) && !request.url().startsWith('blob:'))
       faults.push(`asked elsewhere: ${request.url()}`);
   });
   await page.goto(url);
   return { page, faults, close: () => context.close() };
+}
+
+/** @typedef {Awaited<ReturnType<typeof serve>>} Server */
+/**
+ * @typedef {object} About a test
+ * @property {string[]} [own] arguments of a service of its own
+ * @property {string} [hash] where the page begins
+ * @property {boolean} [amiss] whether something goes wrong that the browser notes; the first example may not be there
+ */
+
+/**
+ * A service and a browser for the tests of a file.
+ * @param {string[]} [args] of the service
+ */
+export function suite(args) {
+  /** @type {Server} */
+  let shared;
+  /** @type {import('playwright-core').Browser} */
+  let browser;
+  before(async () => {
+    [shared, browser] = await Promise.all([serve(args), launch()]);
+  });
+  after(async () => {
+    await browser?.close();
+    await shared?.stop();
+  });
+  return {
+    get url() {
+      return shared.url;
+    },
+    /** Another visitor. @param {string} url @param {import('playwright-core').BrowserContextOptions} [options] */
+    visit: (url, options) => visit(browser, url, options),
+    /**
+     * A test on a fresh page that shows the first example, and at which nothing else goes wrong than what is looked for.
+     * @param {string} name
+     * @param {(page: import('playwright-core').Page, with_: {server: Server, note: (text: string) => void}) => Promise<void>} work
+     * @param {About & import('playwright-core').BrowserContextOptions} [about]
+     */
+    test: (name, work, { own, hash = '', amiss = false, ...options } = {}) =>
+      test(name, async (context) => {
+        const server = own ? await serve(own) : shared;
+        const { page, faults, close } = await visit(browser, `${server.url}/${hash}`, options);
+        try {
+          if (!amiss) await page.getByText('1500.0 MPa').waitFor();
+          await work(page, { server, note: (text) => context.diagnostic(text) });
+          if (!amiss) assert.deepEqual(faults, []);
+        } finally {
+          await close();
+          if (own) await server.stop();
+        }
+      }),
+  };
 }

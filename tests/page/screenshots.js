@@ -2,7 +2,7 @@
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { launch, serve, visit } from './browser.js';
+import { PHONE, launch, serve, visit } from './browser.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -10,7 +10,6 @@ const given = process.argv[2];
 const folder = given ?? fileURLToPath(new URL('../../docs/figures', import.meta.url));
 const WIDE = { viewport: { width: 1440, height: 1000 } };
 const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
-const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 1, hasTouch: true, isMobile: true };
 
 /** @param {Page} page */
 const drawn = async (page) => {
@@ -40,7 +39,7 @@ const made = (page, change) =>
 
 /** @param {Page} page */
 async function sweep(page) {
-  await page.locator('#example').selectOption({ index: 4 });
+  await page.locator('#example').selectOption({ label: 'Bearing ball pressed into a steel plate, ten loads' });
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.locator('[data-status=succeeded]').waitFor();
   await drawn(page);

@@ -1,51 +1,100 @@
 /**
  * The binary form of the fields of a step: eight letters, the length of a JSON header (u32), zero (u32), the header, which lists the
- * arrays of both bodies with their places, and the arrays.
+ * arrays of both bodies with their places, and the arrays. They are put in their places as they come, so that nothing is held twice.
  */
 
 const MAGIC = 'BRNFLD01';
 const HEADER = 16;
 
 /** @typedef {{body: 'upper' | 'lower', name: string, type: 'f32' | 'f64' | 'u32', components: number, count: number, offset: number}} Entry */
+/** @typedef {{upper: any, lower: any}} Arrays as {@link import('../types.js').Mesh}; `null` for a rigid body */
+
+/** @param {Entry} entry @returns {number} bytes */
+const sizeOf = ({ type, components, count }) => components * count * (type === 'f64' ? 8 : 4);
+
+export class FieldReader {
+  /** Bytes of the header so far. @type {number[]} */
+  #head = [];
+  /** Each array with its bytes so far; nothing until the header is there. @type {{entry: Entry, bytes: Uint8Array}[] | undefined} */
+  #targets;
+  /** The target that is being filled. */
+  #filling = 0;
+  /** Place of the next byte among those of the arrays. */
+  #at = 0;
+
+  /** @param {Uint8Array} chunk that comes next */
+  push(chunk) {
+    if (!this.#targets) return this.#begin(chunk);
+    const end = this.#at + chunk.length;
+    for (; this.#filling < this.#targets.length; this.#filling++) {
+      const { entry, bytes } = this.#targets[this.#filling];
+      const [from, to] = [Math.max(entry.offset, this.#at), Math.min(entry.offset + bytes.length, end)];
+      if (to > from) bytes.set(chunk.subarray(from - this.#at, to - this.#at), from - entry.offset);
+      if (entry.offset + bytes.length > end) break;
+    }
+    this.#at = end;
+  }
+
+  /** @param {Uint8Array} chunk */
+  #begin(chunk) {
+    const known = this.#head.length;
+    // The header is a few kilobytes; a chunk may be more.
+    for (let k = 0; k < chunk.length && this.#head.length < this.#headLength(); k++) this.#head.push(chunk[k]);
+    if (this.#head.length < this.#headLength()) return;
+    const text = new TextDecoder().decode(Uint8Array.from(this.#head.slice(HEADER)));
+    const base = this.#head.length;
+    const entries = /** @type {Entry[]} */ (JSON.parse(text).arrays);
+    this.#targets = entries.map((entry) => ({ entry, bytes: new Uint8Array(sizeOf(entry)) }));
+    this.push(chunk.subarray(base - known));
+  }
+
+  /** How long the header is, as far as is known. */
+  #headLength() {
+    if (this.#head.length < HEADER) return HEADER;
+    if (String.fromCharCode(...this.#head.slice(0, MAGIC.length)) !== MAGIC) throw new Error('these are no fields');
+    return HEADER + new DataView(Uint8Array.from(this.#head.slice(8, 12)).buffer).getUint32(0, true);
+  }
+
+  /** @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over @returns {Arrays} */
+  finish(buffers) {
+    if (!this.#targets || this.#filling < this.#targets.length) throw new Error('the fields are cut short');
+    const fields = /** @type {Arrays} */ ({ upper: null, lower: null });
+    for (const { entry, bytes } of this.#targets) {
+      const { buffer } = bytes;
+      const values =
+        entry.type === 'u32'
+          ? new Uint32Array(buffer)
+          : entry.type === 'f32'
+            ? new Float32Array(buffer)
+            : Float32Array.from(new Float64Array(buffer));
+      const array = entry.name === 'elements' ? triangles(values) : values;
+      // Millions of numbers of which nobody would clean up soon.
+      if (array !== values) release([values]);
+      fields[entry.body] ??= {};
+      fields[entry.body][entry.name === 'elements' ? 'triangles' : entry.name] = array;
+      buffers.push(/** @type {ArrayBuffer} */ (array.buffer));
+    }
+    this.#targets = undefined;
+    return fields;
+  }
+}
 
 /**
- * @param {Uint8Array} bytes
- * @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over
- * @returns {{upper: any, lower: any}} as {@link import('../types.js').Mesh}; `null` for a rigid body
+ * Frees the memory of arrays at once, by handing it over to nobody: a collector that sees small objects only lets hundreds of
+ * megabytes pass.
+ * @param {{buffer: ArrayBufferLike}[]} arrays
  */
-export function decodeFields(bytes, buffers) {
-  if (new TextDecoder().decode(bytes.subarray(0, 8)) !== MAGIC) throw new Error('these are no fields');
-  const view = new DataView(bytes.buffer, bytes.byteOffset);
-  const length = view.getUint32(8, true);
-  const { arrays } = JSON.parse(new TextDecoder().decode(bytes.subarray(HEADER, HEADER + length)));
-  const fields = /** @type {Record<string, any>} */ ({ upper: null, lower: null });
-  for (const entry of /** @type {Entry[]} */ (arrays)) {
-    const values = read(bytes, HEADER + length, entry);
-    fields[entry.body] ??= {};
-    if (entry.name === 'elements') fields[entry.body].triangles = triangles(values);
-    else fields[entry.body][entry.name] = values;
-  }
-  for (const mesh of [fields.upper, fields.lower])
-    if (mesh) for (const array of Object.values(mesh)) buffers.push(/** @type {any} */ (array).buffer);
-  return /** @type {any} */ (fields);
-}
-
-/** @param {Uint8Array} bytes @param {number} base @param {Entry} entry @returns {Float32Array | Uint32Array} a copy of its own */
-function read(bytes, base, { type, components, count, offset }) {
-  const from = bytes.byteOffset + base + offset;
-  const numbers = count * components;
-  const width = type === 'f64' ? 8 : 4;
-  const part = bytes.buffer.slice(from, from + numbers * width);
-  if (type === 'u32') return new Uint32Array(part);
-  return type === 'f32' ? new Float32Array(part) : Float32Array.from(new Float64Array(part));
-}
+export const release = (arrays) =>
+  structuredClone(null, { transfer: arrays.map(({ buffer }) => /** @type {ArrayBuffer} */ (buffer)) });
 
 /** Each quadrilateral as two triangles. @param {ArrayLike<number>} corners four of each */
 export function triangles(corners) {
   const packed = new Uint32Array(1.5 * corners.length);
-  for (let k = 0; k < corners.length / 4; k++) {
-    const [a, b, c, d] = [corners[4 * k], corners[4 * k + 1], corners[4 * k + 2], corners[4 * k + 3]];
-    packed.set([a, b, c, a, c, d], 6 * k);
+  for (let k = 0, j = 0; k < corners.length; k += 4, j += 6) {
+    packed[j] = packed[j + 3] = corners[k];
+    packed[j + 1] = corners[k + 1];
+    packed[j + 2] = packed[j + 4] = corners[k + 2];
+    packed[j + 5] = corners[k + 3];
   }
   return packed;
 }

@@ -1,6 +1,6 @@
 /** Fetches results and fields, packs mesh fields into typed arrays and hands them over without copying. */
 
-import { decodeFields, triangles } from './field-arrays.js';
+import { FieldReader, triangles } from './field-arrays.js';
 
 /** Nodal fields that are shown. */
 const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
@@ -9,21 +9,14 @@ const REPORTED = 1 << 20;
 
 const running = /** @type {Map<number, AbortController>} */ (new Map());
 
-self.addEventListener('message', async ({ data: { number, url, options, abort } }) => {
+self.addEventListener('message', async ({ data: { number, abort, ...question } }) => {
   if (abort) return running.get(number)?.abort();
   const controller = new AbortController();
   running.set(number, controller);
   try {
-    const response = await fetch(url, { ...options, signal: controller.signal });
-    const bytes = await received(response, number);
-    // 202: it takes longer than one waits, and goes on as a job.
-    if (response.status === 202) return self.postMessage({ number, status: 202, problem: {} });
-    if (!response.ok) return self.postMessage({ number, status: response.status, problem: problemOf(bytes) });
     const buffers = /** @type {ArrayBuffer[]} */ ([]);
-    const answer = /^application\/json/.test(response.headers.get('content-type') ?? '')
-      ? report(bytes, buffers)
-      : decodeFields(bytes, buffers);
-    /** @type {any} */ (self).postMessage({ number, answer }, buffers);
+    const answer = await answerOf(question, number, controller.signal, buffers);
+    /** @type {any} */ (self).postMessage({ number, ...answer }, buffers);
   } catch (error) {
     self.postMessage({ number, status: 0, problem: {}, aborted: controller.signal.aborted, error: String(error) });
   } finally {
@@ -31,44 +24,71 @@ self.addEventListener('message', async ({ data: { number, url, options, abort } 
   }
 });
 
-/** The body of an answer, of which is told as it comes. @param {Response} response @param {number} number @returns {Promise<Uint8Array>} */
-async function received(response, number) {
-  const total = Number(response.headers.get('content-length') ?? 0);
-  const reader = response.body?.getReader();
+/** @typedef {{url: string, options: RequestInit}} Question */
+/** @typedef {{status?: number, problem?: any, answer?: any}} Answer */
+
+/** @param {Question} question @param {number} number @param {AbortSignal} signal @param {ArrayBuffer[]} buffers @returns {Promise<Answer>} */
+async function answerOf({ url, options }, number, signal, buffers) {
+  const response = await fetch(url, { ...options, signal });
+  const binary = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
+  if (response.ok && binary) {
+    const reader = new FieldReader();
+    await each(response, number, (chunk) => reader.push(chunk));
+    return { answer: reader.finish(buffers) };
+  }
   const parts = /** @type {Uint8Array[]} */ ([]);
+  await each(response, number, (chunk) => parts.push(chunk.slice()));
+  const text = await new Blob(/** @type {BlobPart[]} */ (parts)).text();
+  // 202: it takes longer than one waits, and goes on as a job.
+  if (response.status === 202) return { status: 202, problem: {} };
+  if (!response.ok) return { status: response.status, problem: problemOf(text) };
+  return { answer: report(JSON.parse(text), buffers) };
+}
+
+/** @param {ReadableStream<Uint8Array<ArrayBuffer>>} body @returns {() => Promise<Uint8Array | undefined>} its next piece, for as long as nobody asks again */
+function reading(body) {
+  let room = new ArrayBuffer(REPORTED);
+  try {
+    const reader = body.getReader({ mode: 'byob' });
+    return async () => {
+      const { value, done } = await reader.read(new Uint8Array(room));
+      if (value) room = value.buffer;
+      return done ? undefined : value;
+    };
+  } catch {
+    // A browser whose answers are not read into a place.
+    const reader = body.getReader();
+    return async () => (await reader.read()).value;
+  }
+}
+
+/** Takes an answer as it comes, in the same room again and again, and tells how far it is. @param {Response} response @param {number} number @param {(chunk: Uint8Array) => void} take */
+async function each(response, number, take) {
+  const total = Number(response.headers.get('content-length') ?? 0);
+  if (!response.body) return;
+  const next = reading(response.body);
   let [length, told] = [0, 0];
-  while (reader) {
-    const { value, done } = await reader.read();
-    if (done) break;
-    parts.push(value);
+  for (let value = await next(); value; value = await next()) {
+    take(value);
     length += value.length;
     if (length - told > REPORTED) {
       told = length;
       self.postMessage({ number, received: length, total });
     }
   }
-  if (parts.length === 1) return parts[0];
-  const bytes = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    bytes.set(part, at);
-    at += part.length;
-  }
-  return bytes;
 }
 
-/** @param {Uint8Array} bytes */
-function problemOf(bytes) {
+/** @param {string} text */
+function problemOf(text) {
   try {
-    return JSON.parse(new TextDecoder().decode(bytes));
+    return JSON.parse(text);
   } catch {
     return {};
   }
 }
 
-/** @param {Uint8Array} bytes @param {ArrayBuffer[]} buffers */
-function report(bytes, buffers) {
-  const answer = JSON.parse(new TextDecoder().decode(bytes));
+/** @param {any} answer @param {ArrayBuffer[]} buffers */
+function report(answer, buffers) {
   // A solve answers with its job, which has the result inside.
   const parsed = answer.result ?? answer;
   for (const step of parsed.steps ?? []) {

@@ -2,8 +2,12 @@
 
 import { MOST_BANDS } from './palette.js';
 
+/** Numbers that are handed over at once. */
+const PIECE = 1 << 18;
+
 /** @typedef {import('../types.js').Mesh} Mesh */
-/** @typedef {{body: import('./read.js').Body, mesh: Mesh, vertices: WebGLVertexArrayObject, values: WebGLBuffer, edges: WebGLVertexArrayObject | null, count: number}} Body */
+/** @typedef {{array: WebGLVertexArrayObject, sides: WebGLBuffer}} Edges */
+/** @typedef {{body: import('./read.js').Body, mesh: Mesh, vertices: WebGLVertexArrayObject, buffers: WebGLBuffer[], edges: Edges | null, count: number}} Body `buffers`: nodes, displacements, values, triangles */
 /**
  * @typedef {object} Scene
  * @property {import('./camera.js').Camera} camera
@@ -79,27 +83,35 @@ export class Renderer {
 
   /** @param {import('./read.js').Body[]} bodies */
   load(bodies) {
+    for (const body of this.#bodies) this.#free(body);
+    this.#bodies = bodies.map((body) => this.#upload(body));
+  }
+
+  /** @param {import('./read.js').Body} body @returns {Body} */
+  #upload(body) {
+    const { mesh } = body;
     const { gl } = this;
-    for (const body of this.#bodies) {
-      gl.deleteVertexArray(body.vertices);
-      gl.deleteBuffer(body.values);
-      if (body.edges) gl.deleteVertexArray(body.edges);
-    }
-    this.#bodies = bodies.map((body) => {
-      const { mesh } = body;
-      const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
-      const values = this.#buffer(gl.ARRAY_BUFFER, new Float32Array(mesh.nodes.length / 2));
-      const vertices = this.#array([...buffers, values], mesh.triangles);
-      return { body, mesh, vertices, values, edges: null, count: mesh.triangles.length };
-    });
+    const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
+    // Its values come by choose().
+    buffers.push(gl.createBuffer());
+    const triangles = this.#buffer(gl.ELEMENT_ARRAY_BUFFER, mesh.triangles);
+    const vertices = this.#array(buffers, triangles);
+    return { body, mesh, vertices, buffers: [...buffers, triangles], edges: null, count: mesh.triangles.length };
+  }
+
+  /** @param {Body} body */
+  #free({ vertices, buffers, edges }) {
+    const { gl } = this;
+    for (const array of [vertices, edges?.array]) if (array) gl.deleteVertexArray(array);
+    for (const buffer of [...buffers, edges?.sides]) if (buffer) gl.deleteBuffer(buffer);
   }
 
   /** @param {(mesh: Mesh, moved: number) => Float32Array} values of every node */
   choose(values) {
     const { gl } = this;
-    for (const { body, mesh, values: buffer } of this.#bodies) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, values(mesh, body.moved), gl.STATIC_DRAW);
+    for (const { body, mesh, buffers } of this.#bodies) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffers[2]);
+      this.#fill(gl.ARRAY_BUFFER, values(mesh, body.moved));
     }
   }
 
@@ -139,24 +151,26 @@ export class Renderer {
     const { gl, at } = this;
     body.edges ??= this.#edges(body);
     gl.uniform4f(at.line, 0.08, 0.09, 0.1, 1);
-    gl.bindVertexArray(body.edges);
+    gl.bindVertexArray(body.edges.array);
     gl.drawElements(gl.LINES, (body.count / 6) * 8, gl.UNSIGNED_INT, 0);
   }
 
-  /** Four sides of each quadrilateral. @param {Body} body */
-  #edges({ mesh, values }) {
-    const { gl } = this;
+  /** Four sides of each quadrilateral. @param {Body} body @returns {Edges} */
+  #edges({ mesh, buffers }) {
     const { triangles } = mesh;
-    const sides = new Uint32Array((triangles.length / 6) * 8);
-    for (let k = 0; k < triangles.length / 6; k++) {
-      const [a, b, c, d] = [triangles[6 * k], triangles[6 * k + 1], triangles[6 * k + 2], triangles[6 * k + 5]];
-      sides.set([a, b, b, c, c, d, d, a], 8 * k);
+    const corners = new Uint32Array((triangles.length / 6) * 8);
+    for (let k = 0, j = 0; k < triangles.length; k += 6, j += 8) {
+      const [a, b, c, d] = [triangles[k], triangles[k + 1], triangles[k + 2], triangles[k + 5]];
+      corners[j] = corners[j + 7] = a;
+      corners[j + 1] = corners[j + 2] = b;
+      corners[j + 3] = corners[j + 4] = c;
+      corners[j + 5] = corners[j + 6] = d;
     }
-    const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
-    return this.#array([...buffers, values], sides);
+    const sides = this.#buffer(this.gl.ELEMENT_ARRAY_BUFFER, corners);
+    return { sides, array: this.#array(buffers.slice(0, 3), sides) };
   }
 
-  /** @param {WebGLBuffer[]} buffers nodes, displacements, values @param {Uint32Array} indices */
+  /** @param {WebGLBuffer[]} buffers nodes, displacements, values @param {WebGLBuffer} indices */
   #array(buffers, indices) {
     const { gl } = this;
     const array = gl.createVertexArray();
@@ -166,16 +180,24 @@ export class Renderer {
       gl.enableVertexAttribArray(k);
       gl.vertexAttribPointer(k, k < 2 ? 2 : 1, gl.FLOAT, false, 0, 0);
     });
-    this.#buffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
     gl.bindVertexArray(null);
     return array;
+  }
+
+  /** Piece by piece: what is on its way to the graphics card is held once more. @param {number} target @param {Float32Array | Uint32Array} data */
+  #fill(target, data) {
+    const { gl } = this;
+    gl.bufferData(target, data.byteLength, gl.STATIC_DRAW);
+    for (let at = 0; at < data.length; at += PIECE)
+      gl.bufferSubData(target, 4 * at, data, at, Math.min(PIECE, data.length - at));
   }
 
   /** @param {number} target @param {Float32Array | Uint32Array} data */
   #buffer(target, data) {
     const buffer = this.gl.createBuffer();
     this.gl.bindBuffer(target, buffer);
-    this.gl.bufferData(target, data, this.gl.STATIC_DRAW);
+    this.#fill(target, data);
     return buffer;
   }
 }

@@ -15,8 +15,10 @@
  */
 export function surfaceNodes({ nodes }, places, outward) {
   const found = new Int32Array(places.length).fill(-1);
-  const slack = 1e-4 * (places.length > 1 ? (places[places.length - 1] - places[0]) / (places.length - 1) : 1);
+  const [left, right] = [places[0], places[places.length - 1]];
+  const slack = 1e-4 * (places.length > 1 ? (right - left) / (places.length - 1) : 1);
   for (let n = 0; n < nodes.length / 2; n++) {
+    if (!(nodes[2 * n] >= left - slack && nodes[2 * n] <= right + slack)) continue;
     const k = nearest(places, nodes[2 * n]);
     if (Math.abs(places[k] - nodes[2 * n]) > slack) continue;
     if (found[k] < 0 || outward * (nodes[2 * n + 1] - nodes[2 * found[k] + 1]) > 0) found[k] = n;

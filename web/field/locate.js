@@ -40,6 +40,47 @@ export const vectorAt = ({ nodes, weights }, vectors) =>
   );
 
 /**
+ * The triangles under many points of the undeformed mesh, in one look at every triangle.
+ * @param {Mesh} mesh
+ * @param {[number, number][]} points
+ * @returns {(Place | null)[]}
+ */
+export function locateAll({ nodes, triangles }, points) {
+  const found = /** @type {(Place | null)[]} */ (points.map(() => null));
+  const order = points.map((_, k) => k).sort((a, b) => points[a][0] - points[b][0]);
+  const xs = Float64Array.from(order, (k) => points[k][0]);
+  let [least, most] = [Infinity, -Infinity];
+  for (const [, y] of points) [least, most] = [Math.min(least, y), Math.max(most, y)];
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]];
+    const [ay, by, cy] = [nodes[2 * a + 1], nodes[2 * b + 1], nodes[2 * c + 1]];
+    if ((ay < least && by < least && cy < least) || (ay > most && by > most && cy > most)) continue;
+    const [ax, bx, cx] = [nodes[2 * a], nodes[2 * b], nodes[2 * c]];
+    const right = Math.max(ax, bx, cx);
+    const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    for (let j = firstFrom(xs, Math.min(ax, bx, cx)); j < xs.length && xs[j] <= right; j++) {
+      const [x, y] = points[order[j]];
+      const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area;
+      const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
+      if (wb >= -1e-6 && wc >= -1e-6 && wb + wc <= 1 + 1e-6)
+        found[order[j]] ??= { nodes: [a, b, c], weights: [1 - wb - wc, wb, wc] };
+    }
+  }
+  return found;
+}
+
+/** @param {Float64Array} list rising @param {number} x @returns {number} index of the first that is not less */
+function firstFrom(list, x) {
+  let [low, high] = [0, list.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (list[middle] < x) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/**
  * Polygons of the plastic zone with the displacement of every corner, to be drawn at any deformation.
  * @param {[number, number][][]} outline points `[x, depth]`
  * @param {Mesh} mesh
@@ -48,11 +89,16 @@ export const vectorAt = ({ nodes, weights }, vectors) =>
  * @returns {{x: number, y: number, u: number, v: number}[][]}
  */
 export function carried(outline, mesh, up, mirrored) {
+  const sideOf = (/** @type {number} */ x) => (mirrored && x < 0 ? -1 : 1);
+  const places = locateAll(
+    mesh,
+    outline.flat().map(([x, depth]) => [sideOf(x) * x, up * depth]),
+  ).values();
   return outline
     .map((polygon) =>
       polygon.map(([x, depth]) => {
-        const side = mirrored && x < 0 ? -1 : 1;
-        const place = locate(mesh, 0, 0, side * x, up * depth);
+        const side = sideOf(x);
+        const place = places.next().value ?? null;
         const [u, v] = place ? vectorAt(place, mesh.displacement) : [0, 0];
         return { x, y: up * depth, u: side * u, v, found: place !== null };
       }),

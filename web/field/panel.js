@@ -236,6 +236,11 @@ export class FieldPanel {
       this.#limits.clear();
       this.#shown = undefined;
     }
+    if (this.#source !== source) {
+      this.#source?.close();
+      this.#bodies = [];
+      this.#shown = undefined;
+    }
     this.#source = source;
     const fields = step.fields ?? source?.peek(at);
     const coming = !fields && source !== undefined && step.plasticity !== undefined;
@@ -282,6 +287,7 @@ export class FieldPanel {
   #present(report, at, units, fields) {
     const step = report.steps[at];
     this.#shown = { report, at, units };
+    if (this.#source) this.#source.shown = at;
     performance.mark('field-received');
     this.#lifts = lifts(fields.upper, fields.lower, step);
     this.#bodies = bodiesOf(step, fields).map((body) => ({
@@ -453,10 +459,10 @@ export class FieldPanel {
     const first = this.#camera.width === 1;
     this.#camera.scale *= width / this.#camera.width;
     Object.assign(this.#camera, { width, height });
-    for (const canvas of [this.surface, this.over]) {
-      canvas.width = Math.round(width * devicePixelRatio);
-      canvas.height = Math.round(height * devicePixelRatio);
-    }
+    const [pixels, lines] = [width, height].map((size) => Math.round(size * devicePixelRatio));
+    // A canvas that is given its size is made anew, and empty.
+    for (const canvas of [this.surface, this.over])
+      if (canvas.width !== pixels || canvas.height !== lines) Object.assign(canvas, { width: pixels, height: lines });
     if (first) this.#home();
     else this.#draw();
   }

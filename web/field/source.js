@@ -1,18 +1,22 @@
 /** The fields of a job, fetched step by step as they are looked at, of which only so many are kept. */
 
+import { release } from '../api/field-arrays.js';
 import { fetchFields } from '../api/result.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {{upper: Mesh | null, lower: Mesh | null}} Fields */
 
 /** Most bytes that are kept. */
-const KEPT = 64e6;
+const KEPT = 24e6;
 
 export class FieldSource {
   /** By step, those that were looked at last at the end. @type {Map<number, Fields>} */
   #kept = new Map();
   /** @type {Map<number, Promise<Fields>>} */
   #coming = new Map();
+
+  /** Step that is looked at, whose fields stay. */
+  shown = -1;
 
   /** @param {string} id of a job */
   constructor(id) {
@@ -59,12 +63,26 @@ export class FieldSource {
   }
 
   #forget() {
+    const newest = [...this.#kept.keys()].at(-1);
     let sum = 0;
     for (const [step, fields] of [...this.#kept].reverse()) {
       sum += bytesOf(fields);
-      if (sum > KEPT && this.#kept.size > 1 && fields !== [...this.#kept.values()].at(-1)) this.#kept.delete(step);
+      if (sum <= KEPT || step === newest || step === this.shown) continue;
+      this.#kept.delete(step);
+      free(fields);
     }
   }
+
+  /** Gives back what is kept, when another job is looked at. */
+  close() {
+    for (const fields of this.#kept.values()) free(fields);
+    this.#kept.clear();
+  }
+}
+
+/** @param {Fields} fields */
+function free({ upper, lower }) {
+  for (const mesh of [upper, lower]) release(Object.values(mesh ?? {}));
 }
 
 /** @param {Fields} fields */

@@ -1,20 +1,13 @@
 /** What jobs differ in, and names for them that say it. */
 
-import { ELASTIC, LAWS, LOADS, SETTINGS, SHAPES } from '../setup/fields.js';
+import { allFields } from '../setup/fields.js';
 import { plain } from '../lib/units.js';
 import { writeHistory } from '../setup/history.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{pointer: string, label: string, symbol: string, values: unknown[]}} Difference */
 
-const FIELDS = new Map(
-  [
-    ...Object.values({ ...SHAPES, ...LAWS }).flatMap(({ fields }) => fields),
-    ...ELASTIC,
-    ...SETTINGS,
-    ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
-  ].map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]),
-);
+const FIELDS = new Map(allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]));
 const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
 /** Parts that change no answer. */
 const LEFT = new Set(['tags', 'output']);
@@ -54,6 +47,8 @@ function nameOf(pointer) {
 export function writeValue(value) {
   if (value === undefined) return '—';
   if (typeof value === 'number') return plain(value);
+  if (Array.isArray(value) && value[0]?.modulus !== undefined)
+    return value.map(({ modulus, rate }) => `${plain(modulus)}, ${plain(rate)}`).join('; ');
   if (Array.isArray(value) && typeof value[0] === 'object' && !Array.isArray(value[0])) return writeHistory(value);
   if (Array.isArray(value))
     return value.every((one) => typeof one === 'number')

@@ -46,6 +46,8 @@ export class Chart {
   #drawn;
   /** @type {uPlot} */
   #uplot;
+  /** What it was made for: other curves of the same kind only take its data. */
+  #made = '';
 
   /** @param {number} [height] */
   constructor(height = 240) {
@@ -54,7 +56,10 @@ export class Chart {
     this.legend = h('ul', { class: 'legend' });
     this.element = h('div', { class: 'chart' }, this.legend, this.canvas);
     new ResizeObserver(() => this.#fit()).observe(this.canvas);
-    onTheme(() => this.#draw());
+    onTheme(() => {
+      this.#made = '';
+      this.#draw();
+    });
   }
 
   /** @param {Plot} plot */
@@ -132,20 +137,20 @@ export class Chart {
     const plot = this.#plot;
     const width = this.canvas.clientWidth;
     if (!plot || !width) return;
-    this.#uplot?.destroy();
-    this.#uplot = undefined;
-    this.canvas.replaceChildren();
-    if (plot.turns) {
-      this.canvas.append(bareChart(plot, width, this.height));
-      this.#drawn = plot;
-      this.#read(null);
-      return;
-    }
     const Plotter = /** @type {any} */ (globalThis).uPlot;
     const tables = plot.curves.map(({ x, y }) => [x, y]);
     const data = tables.length ? Plotter.join(tables) : [[], []];
-    this.#uplot = new Plotter(this.#options(plot, width), data, this.canvas);
     this.#drawn = plot;
+    if (this.#uplot && kindOf(plot, width) === this.#made) this.#uplot.setData(data);
+    else {
+      this.#uplot?.destroy();
+      this.#uplot = undefined;
+      this.canvas.replaceChildren();
+      this.#made = kindOf(plot, width);
+      if (plot.turns) this.canvas.append(bareChart(plot, width, this.height));
+      else this.#uplot = new Plotter(this.#options(plot, width), data, this.canvas);
+    }
+    if (!this.#uplot) return this.#read(null);
     if (zoom) this.#uplot.setScale('x', { min: zoom[0], max: zoom[1] });
     this.#read(null);
   }
@@ -171,7 +176,7 @@ export class Chart {
       padding: [10, plot.right ? 0 : 24, 0, 0],
       cursor: { points: { size: 5 }, drag: { x: true, y: false, setScale: true } },
       scales: {
-        x: { time: false, ...(plot.range && { range: ranged(plot.range) }) },
+        x: { time: false, ...(plot.range && { range: this.#ranged }) },
         y: { distr: plot.log ? 3 : 1 },
         right: {},
       },
@@ -202,11 +207,18 @@ export class Chart {
         })),
       ],
       hooks: {
-        draw: [(/** @type {uPlot} */ u) => drawMarks(u, plot.marks ?? [])],
+        draw: [(/** @type {uPlot} */ u) => drawMarks(u, this.#plot?.marks ?? [])],
         setCursor: [(/** @type {uPlot} */ u) => this.#read(u.cursor.idx)],
       },
     };
   }
+
+  /** The whole abscissa as the curves have it, or a part of it that was dragged up. @type {(u: uPlot, min: number, max: number) => [number, number]} */
+  #ranged = (u, min, max) => {
+    const all = u.data[0];
+    const whole = min <= all[0] && max >= all[all.length - 1];
+    return whole && this.#plot ? home(this.#plot) : [min, max];
+  };
 
   /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
   #read(index) {
@@ -234,12 +246,20 @@ function room(u, values) {
 const home = ({ range, curves }) =>
   range ?? [Math.min(...curves.map(({ x }) => x[0])), Math.max(...curves.map(({ x }) => x[x.length - 1]))];
 
-/** @param {[number, number]} home */
-const ranged = (home) => (/** @type {uPlot} */ u, /** @type {number} */ min, /** @type {number} */ max) => {
-  const all = u.data[0];
-  const whole = min <= all[0] && max >= all[all.length - 1];
-  return whole ? home : [min, max];
-};
+/** What a plotter is made for beside the figures. @param {Plot} plot @param {number} width */
+const kindOf = ({ x, y, right, log, turns, range, curves, words }, width) =>
+  JSON.stringify([
+    [width, x, y, right, log, range !== undefined, turns && words],
+    curves.map(({ label, colour, dashed, dash, right, points, filled }) => [
+      label,
+      colour,
+      dashed,
+      dash,
+      right,
+      points,
+      filled,
+    ]),
+  ]);
 
 /** @param {Curve} curve @param {number} x @returns {number | null} between its points */
 function valueAt(curve, x) {

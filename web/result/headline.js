@@ -1,6 +1,8 @@
 /** The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in mind about it. */
 
 import { byId, h } from '../lib/dom.js';
+import { help } from '../setup/help.js';
+import { inWords } from '../setup/words.js';
 import { figure, forceOf, grouped, duration, percent, stiffnessOf, unit } from '../lib/units.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -106,10 +108,16 @@ function zoneWords({ plasticity }, length) {
 
 /** @param {string} name @param {number} value @param {string} unit @param {number | undefined} error @param {string} note @param {boolean} [long] */
 function card(name, value, unit, error, note, long = false) {
+  const key = name.toLowerCase().replaceAll(' ', '-');
   const bar =
     error === undefined
       ? null
-      : h('span', { class: 'bar-of-error', title: 'Estimated bound of the error of the mesh' }, `± ${percent(error)}`);
+      : h(
+          'span',
+          { class: 'bar-of-error', id: `bar-of-${key}` },
+          `± ${percent(error)}`,
+          help('error_bar', 'Error bar', `bar-of-${key}`),
+        );
   return h(
     'div',
     {},
@@ -127,7 +135,7 @@ function card(name, value, unit, error, note, long = false) {
 /** @param {import('../types.js').Report} report @param {Step} step */
 function remarks(report, step) {
   const notes = step.validity.map(({ code, message }) =>
-    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', message),
+    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', inWords(message)),
   );
   const bars =
     step.estimated_error && step.status === 'converged'

@@ -18,6 +18,7 @@ export class PressurePanel {
   /** Before there is a result. @param {{half_width: number, peak_pressure: number}} hertz @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {boolean} round */
   preview(hertz, units, round) {
     this.panel.show(true);
+    this.panel.element.classList.add('preview');
     this.chart.show({
       x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
@@ -30,6 +31,7 @@ export class PressurePanel {
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
     this.panel.show(true);
+    this.panel.element.classList.remove('preview');
     const [first] = shown;
     const step = first.report.steps[at];
     const { units } = first.report;

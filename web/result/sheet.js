@@ -1,10 +1,27 @@
 /** One sheet for a report: inputs, sketch, figures with error bars, charts, remarks, and where it all comes from. */
 
 import { byId, h } from '../lib/dom.js';
+import * as pointer from '../lib/pointer.js';
 import { figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
-import { ANALYSES, DEFAULTS, ELASTIC, LAWS, LOADS, SHAPES, SUPPORTS, lawOf, loadOf } from '../setup/fields.js';
+import {
+  ANALYSES,
+  BACKSTRESS,
+  DEFAULTS,
+  ELASTIC,
+  LAWS,
+  LOADS,
+  OVER_DEPTH,
+  SETTINGS,
+  SHAPES,
+  SUPPORTS,
+  THEORIES,
+  lawOf,
+  loadOf,
+  overDepthOf,
+} from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
+import { inWords } from '../setup/words.js';
 import { writeValue } from '../jobs/names.js';
 import { FIGURES, figuresTable, tableElements } from './figures.js';
 
@@ -73,7 +90,7 @@ export function showSheet({ shown, at, drawings, field }) {
       'ul',
       {},
       h('li', {}, `Approach: from ${step.approach_datum}.`),
-      step.validity.map(({ message }) => h('li', {}, message)),
+      step.validity.map(({ message }) => h('li', {}, inWords(message))),
       h(
         'li',
         {},
@@ -135,7 +152,7 @@ function inputs(job) {
       row(
         field.label,
         field.symbol ?? '',
-        bodies.map((body) => place(body)?.[field.key]),
+        bodies.map((body) => pointer.get(place(body), `/${field.key}`)),
         field.pair
           ? field.pair.map((one) => unit(one, units) || '1').join(', ')
           : field.quantity && field.quantity !== 'load'
@@ -189,7 +206,11 @@ function inputs(job) {
         '',
       ),
       fieldsOf(
-        (body) => LAWS[lawOf(body?.material)]?.fields ?? [],
+        (body) => [
+          ...(LAWS[lawOf(body?.material)]?.fields ?? []),
+          ...(OVER_DEPTH[overDepthOf(body?.material)]?.fields ?? []),
+          ...(body?.material?.plasticity?.backstress ? [BACKSTRESS] : []),
+        ],
         (body) => body?.material?.plasticity,
       ),
       whole(
@@ -197,7 +218,14 @@ function inputs(job) {
         load ? writeValue(job.load?.[kind]) : 'onset of yield',
         load ? unit(load.quantity === 'load' ? forceOf(job) : (load.quantity ?? 'number'), units) : '',
       ),
+      whole('Theory', THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '', ''),
       whole('Elements per half-width', writeValue(elements), ''),
+      // Of the settings, those that are not as they are without a word.
+      SETTINGS.filter(({ key }) => key.startsWith('solver/')).flatMap(({ key, label }) => {
+        const value = pointer.get(job, `/${key}`);
+        const usual = /** @type {Record<string, unknown>} */ (DEFAULTS)[`/${key}`];
+        return value == null || value === usual ? [] : [whole(label, writeValue(value), '')];
+      }),
     ),
   );
 }

@@ -5,10 +5,11 @@ import { reconnected } from '../api/connection.js';
 import { follow } from '../api/events.js';
 import { fetchResult } from '../api/result.js';
 import { byId, copy, h, toast } from '../lib/dom.js';
-import { duration, figure, loaded } from '../lib/units.js';
+import { duration, loaded } from '../lib/units.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
+import { progressWords } from './progress.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 /** @typedef {import('../types.js').Iteration} Iteration */
@@ -107,7 +108,9 @@ export class Watch {
     let frame = 0;
     const draw = () => {
       frame = 0;
-      if (!signal.aborted && history.length) this.on.iterated(history);
+      if (signal.aborted || history.length === 0) return;
+      this.on.iterated(history);
+      if (last?.status === 'running') this.#say(progressWords(history, this.on.job()));
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;
@@ -121,10 +124,7 @@ export class Watch {
           if (event === 'iteration') history.push(data);
           else if (event === 'state') last = /** @type {JobDocument} */ (data);
           if (event === 'state' && data.status === 'running') history.length = 0;
-          if (last && !finished(last))
-            this.#show(
-              event === 'iteration' ? { ...last, progress: { iterations: history.length, latest: data } } : last,
-            );
+          if (event === 'state' && !finished(data)) this.#show(data);
           frame ||= requestAnimationFrame(draw);
           return last !== undefined && finished(last);
         },
@@ -218,9 +218,7 @@ function words(
     case 'queued':
       return position ? `${position} job${position === 1 ? '' : 's'} ahead` : 'next in line';
     case 'running':
-      return progress.latest
-        ? `${iterations}, out of balance ${figure(progress.latest.equilibrium_residual, 2)}`
-        : 'meshing and factorizing';
+      return 'meshing and factorizing';
     case 'failed':
       return [error?.detail, ...(error?.errors ?? []).map(({ detail }) => detail)]
         .filter(Boolean)

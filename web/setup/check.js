@@ -32,7 +32,11 @@ export class Check {
     this.form = form;
     this.on = on;
     const later = debounce(() => this.now(), QUIET);
-    draft.addEventListener('change', () => later());
+    draft.addEventListener('change', () => {
+      // What has been said so far is of another draft.
+      document.body.dataset.check = 'asking';
+      later();
+    });
     onReconnect(() => this.now());
   }
 
@@ -58,6 +62,7 @@ export class Check {
 
   /** @param {Problem} problem a refusal of the job as a whole or in parts */
   refuse(problem) {
+    delete document.body.dataset.check;
     this.valid = false;
     const others = this.form.showError(problem.errors);
     const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, inWords(problem.message))] : [];
@@ -71,8 +76,9 @@ export class Check {
 
   /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation */
   #show(job, { estimate, problem }) {
-    // Nothing is known of this draft: what has been said of it stays, and it is asked again after a while.
+    // Nothing is known of this draft: it is asked again after a while.
     if (problem?.status === 0) return;
+    delete document.body.dataset.check;
     if (problem) {
       this.refuse(problem);
     } else {

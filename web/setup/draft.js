@@ -2,7 +2,7 @@
 
 import { convert, forceOf } from '../lib/units.js';
 import * as pointer from '../lib/pointer.js';
-import { ELASTIC, LAWS, LOADS, OVER_DEPTH, SHAPES, lawOf, loadOf, overDepthOf } from './fields.js';
+import { BACKSTRESS, ELASTIC, LAWS, LOADS, OVER_DEPTH, SHAPES, lawOf, loadOf, overDepthOf } from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../lib/units.js').Units} Units */
@@ -85,10 +85,7 @@ export class Draft extends EventTarget {
   changeUnits(units, source) {
     const from = this.job.units === 'SI' ? 'SI' : 'mm_N_MPa';
     const job = structuredClone(this.job);
-    for (const [place, quantity] of dimensional(job)) {
-      const value = pointer.get(job, place);
-      if (typeof value === 'number') pointer.set(job, place, convert(value, quantity, from, units));
-    }
+    convertAll(job, from, units);
     job.units = units;
     this.replace(job, source);
   }
@@ -97,6 +94,21 @@ export class Draft extends EventTarget {
   #changed(source) {
     this.dispatchEvent(new CustomEvent('change', { detail: source }));
   }
+}
+
+/** @param {Job} job whose figures are changed @param {Units} from @param {Units} to */
+function convertAll(job, from, to) {
+  for (const [place, quantity] of dimensional(job)) {
+    const value = pointer.get(job, place);
+    if (typeof value === 'number') pointer.set(job, place, convert(value, quantity, from, to));
+  }
+}
+
+/** @param {Record<string, any>} material @param {Units} from @param {Units} to @returns {Record<string, any>} the same in other units */
+export function materialIn(material, from, to) {
+  const job = { upper: { material: structuredClone(material) } };
+  if (from !== to) convertAll(job, from, to);
+  return job.upper.material;
 }
 
 /**
@@ -112,6 +124,7 @@ function* dimensional(job) {
     yield* within(job, `${body}/material`, ELASTIC);
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)].fields);
     yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
+    yield* within(job, `${body}/material/plasticity`, [BACKSTRESS]);
   }
   const { field } = LOADS[loadOf(job.load)];
   if (field)
@@ -130,7 +143,9 @@ function* within(job, parent, fields) {
     const value = pointer.get(job, place);
     if (field.pair && Array.isArray(value)) {
       for (const k of value.keys())
-        yield* /** @type {[string, Quantity][]} */ (field.pair.map((quantity, j) => [`${place}/${k}/${j}`, quantity]));
+        yield* /** @type {[string, Quantity][]} */ (
+          field.pair.map((quantity, j) => [`${place}/${k}/${field.members?.[j] ?? j}`, quantity])
+        );
     } else if (field.kind === 'history' && Array.isArray(value)) {
       for (const [k, load] of value.entries())
         for (const key of Object.keys(load))

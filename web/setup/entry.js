@@ -5,7 +5,7 @@ import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { help } from './help.js';
 import { historyControl } from './history.js';
-import { pointsControl } from './points.js';
+import { pointsControl, termsControl } from './points.js';
 import { slider } from './slider.js';
 
 /** @typedef {import('./fields.js').Field} Field */
@@ -15,6 +15,7 @@ import { slider } from './slider.js';
  * @typedef {object} Surroundings of a field: what its reading depends on beside its text
  * @property {() => Units} units
  * @property {(field: Field) => Quantity | undefined} quantity
+ * @property {(value: number, field: Field) => number} wire a figure in mm, N and MPa, in the units of the job
  * @property {() => Record<string, any> | undefined} parent the object that the field is a key of
  * @property {(value: number, moving: boolean) => void} [slide] called while a slider moves the figure
  */
@@ -67,12 +68,18 @@ export function entry(field, change, surroundings) {
   const { slide } = surroundings;
   const slides =
     slide && (field.kind ?? 'number') === 'number'
-      ? slider({ name: field.label, value: () => shown.value ?? shown.otherwise, bounds: field.bounds, move: slide })
+      ? slider({
+          name: field.label,
+          value: () => shown.value ?? shown.otherwise,
+          bounds: field.bounds,
+          typical: () => (typeof field.example === 'number' ? surroundings.wire(field.example, field) : undefined),
+          move: slide,
+        })
       : undefined;
   return {
     element: h(
       'div',
-      { class: `entry ${field.kind ?? 'number'}` },
+      { class: `entry ${field.kind === 'terms' ? 'points' : (field.kind ?? 'number')}` },
       h('span', { class: 'name' }, label, help(field.help ?? field.key, field.label, `${id}-label`, field.description)),
       h('div', { class: 'value' }, input, unit, slides?.button),
       slides?.element,
@@ -115,6 +122,8 @@ function control(field, id, change, surroundings) {
       return flagControl(id);
     case 'points':
       return pointsControl(field, id, change, surroundings);
+    case 'terms':
+      return termsControl(field, id, change, surroundings);
     case 'tags': {
       const input = h('textarea', { id, rows: 2, spellcheck: 'false' });
       return { input, ...text(input, readTags, writeTags) };
@@ -139,10 +148,10 @@ const text = (input, read, write) => ({
 /** @param {Field} field @param {string} id @returns {Control} */
 function choiceControl(field, id) {
   const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
-  const input = h('select', { id }, options);
+  const input = h('select', { id }, field.optional ? h('option', { value: '' }, 'automatic') : null, options);
   return {
     input,
-    read: () => input.value,
+    read: () => input.value || undefined,
     write: (value) => {
       input.value = value ?? '';
     },

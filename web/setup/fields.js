@@ -11,15 +11,16 @@ import * as tables from './tables.js';
  * @property {string} label
  * @property {string} [symbol]
  * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'history' | 'points' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
+ * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
- * @property {[Quantity, Quantity]} [pair] quantities of points
+ * @property {[Quantity, Quantity]} [pair] quantities of points or terms
+ * @property {[string, string]} [members] names of the two figures of a term
  * @property {[number, number]} [bounds] between which a slider moves
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
- * @property {boolean} [optional]
+ * @property {boolean} [optional] a choice that is not made is the service's, where {@link DEFAULTS} does not say which
  */
 /** @typedef {{label: string, description?: string, fields: Field[]}} Kind */
 
@@ -70,6 +71,18 @@ export const ELASTIC = [
   { key: 'young_modulus', label: 'Young’s modulus', symbol: 'E', quantity: 'stress' },
   { key: 'poisson_ratio', label: 'Poisson’s ratio', symbol: 'ν', quantity: 'number', bounds: [0, 0.49] },
 ];
+
+/** Kinematic hardening beside any law. @type {Field} */
+export const BACKSTRESS = {
+  key: 'backstress',
+  label: 'Backstress',
+  symbol: 'C, γ',
+  kind: 'terms',
+  pair: ['stress', 'number'],
+  members: ['modulus', 'rate'],
+  optional: true,
+  hint: 'One term a line, modulus C and rate γ; γ 0 is linear kinematic hardening. None: the yield surface grows without moving.',
+};
 
 /** @type {Record<string, {label: string, field?: Field}>} */
 export const LOADS = {
@@ -141,6 +154,15 @@ export const SETTINGS = [
   { key: 'output/subsurface', label: 'Stresses over depth', kind: 'flag' },
   { key: 'output/fields', label: 'Stress field on the mesh', kind: 'flag' },
   { key: 'tags', label: 'Tags', kind: 'tags', hint: 'One a line, as bearing: NU-210' },
+];
+
+/** Every field that a form may have. @returns {Field[]} */
+export const allFields = () => [
+  ...Object.values({ ...SHAPES, ...LAWS, ...OVER_DEPTH }).flatMap(({ fields }) => fields),
+  ...ELASTIC,
+  BACKSTRESS,
+  ...SETTINGS,
+  ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
 ];
 
 /** What the service takes where a job says nothing. */

@@ -2,10 +2,11 @@
 
 import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
-import { forceOf, unit, unitsOf } from '../lib/units.js';
+import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { entry, symbol } from './entry.js';
 import {
   ANALYSES,
+  BACKSTRESS,
   DEFAULTS,
   ELASTIC,
   LAWS,
@@ -103,6 +104,8 @@ export class Form {
       lawOf(job.lower?.material),
       overDepthOf(job.upper?.material),
       overDepthOf(job.lower?.material),
+      hasBackstress(job, 'upper'),
+      hasBackstress(job, 'lower'),
       loadOf(job.load),
       job.upper?.shape?.type,
       job.lower?.shape?.type,
@@ -251,6 +254,7 @@ export class Form {
         ),
         LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? [],
         LAWS[law]?.fields.length ? this.#overDepth(body) : [],
+        hasBackstress(job, body) && this.#field(`${at}/material/plasticity`, BACKSTRESS),
         h('div', { 'data-preview': `${body}-curve` }),
       ),
     );
@@ -265,7 +269,7 @@ export class Form {
       this.#choice(
         `${plasticity}/depth_kind`,
         'Strength over depth',
-        { uniform: 'The same everywhere', ...Object.fromEntries(kinds) },
+        { uniform: 'Uniform', ...Object.fromEntries(kinds) },
         (kind) => this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(job)), SOURCE),
       ),
       ...(OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
@@ -313,7 +317,9 @@ export class Form {
       units: () => unitsOf(this.draft.job),
       quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
       parent: () => this.draft.job[body]?.material,
-      slide: place.startsWith('/solver')
+      wire: (value, { quantity }) =>
+        quantity && quantity !== 'load' ? convert(value, quantity, 'mm_N_MPa', unitsOf(this.draft.job)) : value,
+      slide: /^\/(solver|mesh)/.test(place)
         ? undefined
         : (value, moving) => {
             change(value);
@@ -361,7 +367,10 @@ export class Form {
   #useLaw(body, law) {
     const old = this.draft.job[body]?.material;
     const elastic = { young_modulus: old?.young_modulus ?? 210000, poisson_ratio: old?.poisson_ratio ?? 0.3 };
+    const { over_depth, backstress } = old?.plasticity ?? {};
     const plasticity = plasticityLike(law, { ...elastic, ...old });
+    if (plasticity && over_depth) plasticity.over_depth = over_depth;
+    if (plasticity && backstress) plasticity.backstress = backstress;
     this.draft.set(
       `/${body}/material`,
       law === 'rigid' ? { rigid: true } : { ...elastic, ...(plasticity && { plasticity }) },
@@ -393,6 +402,11 @@ export class Form {
   }
 }
 
+/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */
+const hasBackstress = (job, body) =>
+  LAWS[lawOf(job[body]?.material)]?.fields.length > 0 &&
+  (job.solver?.theory === 'flow' || Boolean(job[body]?.material?.plasticity?.backstress));
+
 /** Materials to choose from, one's own first. */
 function presetOptions() {
   const own = ownMaterials();
@@ -415,6 +429,6 @@ function inner(place, { pointer, detail: reported }) {
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
   return part.length
-    ? `${/(points|profile|over_depth)$/.test(place) ? 'line' : 'number'} ${part[0]}: ${detail}`
+    ? `${/(points|profile|over_depth|backstress)$/.test(place) ? 'line' : place === '/load/history' ? 'load' : 'number'} ${part[0]}: ${detail}`
     : detail;
 }

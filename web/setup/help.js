@@ -11,6 +11,10 @@ export const TEXTS = {
   young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
   poisson_ratio: 'Contraction across over stretching along: 0.3 for steel, 0.33 for aluminium.',
   law: 'How the stress that makes the metal flow grows with plastic strain. Elastic: it never flows. Bilinear: a yield stress and a slope. Swift, Ludwik and Voce: fits of tensile tests. Table: points of a test. Rigid: it neither bends nor flows.',
+  error_bar:
+    'How far the figure may be from that of an infinitely fine mesh, estimated from a second mesh of half the density; the bars held in at least 95 of 100 tested cases. They say nothing of the model or of the figures put in.',
+  backstress:
+    'The yield surface moves with plastic strain and yields earlier when the load turns back (Bauschinger). dX = ⅔ C dε_p − γ X dp for each term; up to four.',
   yield_stress: 'Stress in a tensile test at which plastic flow begins.',
   tangent_modulus:
     'Slope of stress over total strain beyond yield. 0 is perfectly plastic; steels are often taken at E/100.',

@@ -1,15 +1,18 @@
 /**
- * A few materials with the source of every figure. Strengths are the least that a standard grants, in MPa; a part in hand may
- * be stronger. They are a start, not a substitute for a test of one's own.
+ * A few materials with the source of every figure. Strengths, in MPa, are the least that a standard grants, or follow from the
+ * least hardness that it grants; a part in hand may be stronger. They are a start, not a substitute for a test of one's own.
  */
 
 import { same } from '../lib/pointer.js';
-import { convert } from '../lib/units.js';
+import { materialIn } from './draft.js';
 
 /** @typedef {{name: string, source: string, material: Record<string, any>}} Preset */
 
 /** Strain hardening of E/100, which EN 1993-1-5, C.6, allows for steels. */
 const EC3 = 'E, ν: EN 1993-1-1, 3.2.6; hardening E/100: EN 1993-1-5, C.6';
+
+/** A yield stress that no standard grants. */
+const BY_HARDNESS = 'Yield estimated: σ_y = 2.876 HV − 90.7 MPa, Pavlina and Van Tyne 2008';
 
 /** @param {number} strength @returns {Record<string, any>} */
 const steel = (strength) => ({
@@ -26,8 +29,34 @@ export const PRESETS = [
   { name: 'Steel 42CrMo4 +QT', source: `R_e 750 MPa: EN 10083-3, 16 to 40 mm. ${EC3}`, material: steel(750) },
   {
     name: 'Bearing steel, elastic',
-    source: 'E, ν as in ISO/TS 16281. No yield: hardened rings vary too much for a figure.',
+    source: 'E, ν as in ISO/TS 16281. No yield: for loads within the static rating.',
     material: { young_modulus: 207000, poisson_ratio: 0.3 },
+  },
+  {
+    name: 'Bearing steel 100Cr6, 58 HRC',
+    source: `58 HRC is 653 HV (ISO 18265). ${BY_HARDNESS}, a little beyond their hardest steels. E, ν as in ISO/TS 16281; hardening E/100 assumed.`,
+    material: { ...steel(1787), young_modulus: 207000 },
+  },
+  {
+    name: 'Gear steel 18CrNiMo7-6, case 1 mm',
+    source: `Case 660 HV, core 25 HRC or 266 HV: the least of ISO 6336-5, quality MQ; depth to 550 HV 1 mm, to be replaced by the drawing’s. ${BY_HARDNESS}. Hardening E/100 assumed.`,
+    material: {
+      ...steel(674),
+      plasticity: {
+        ...steel(674).plasticity,
+        over_depth: { hardness: { surface: 660, core: 266, case_depth: 1 } },
+      },
+    },
+  },
+  {
+    name: 'Rail steel R260',
+    source: `260 HBW, the least of EN 13674-1, is 274 HV (ISO 18265). ${BY_HARDNESS}; pearlite scatters below it, a tensile test is better. Hardening E/100 assumed.`,
+    material: steel(697),
+  },
+  {
+    name: 'Rail steel R350HT',
+    source: `350 HBW, the least of EN 13674-1, is 368 HV (ISO 18265). ${BY_HARDNESS}; pearlite scatters below it, a tensile test is better. Hardening E/100 assumed.`,
+    material: steel(968),
   },
   {
     name: 'Bronze CuSn7Zn2Pb3-C',
@@ -58,36 +87,11 @@ export const PRESETS = [
   },
 ];
 
-const STRESSES = new Set([
-  'young_modulus',
-  'yield_stress',
-  'tangent_modulus',
-  'reference_stress',
-  'saturation_stress',
-  'coefficient',
-]);
-
-/** @param {any} value @param {import('../lib/units.js').Units} from @param {import('../lib/units.js').Units} to @returns {any} */
-function converted(value, from, to) {
-  const stress = (/** @type {number} */ figure) => convert(figure, 'stress', from, to);
-  const entry = (/** @type {[string, any]} */ [key, figure]) => [
-    key,
-    key === 'points' && Array.isArray(figure)
-      ? figure.map(([strain, q]) => [strain, stress(q)])
-      : typeof figure === 'object'
-        ? converted(figure, from, to)
-        : STRESSES.has(key)
-          ? stress(figure)
-          : figure,
-  ];
-  return Object.fromEntries(Object.entries(value).map(entry));
-}
-
 /** @param {{material: Record<string, any>}} preset @param {import('../lib/units.js').Units} units */
-export const materialOf = ({ material }, units) => (units === 'SI' ? converted(material, 'mm_N_MPa', 'SI') : material);
+export const materialOf = ({ material }, units) => materialIn(material, 'mm_N_MPa', units);
 
 /** @param {Record<string, any>} material @param {import('../lib/units.js').Units} units @returns {Record<string, any>} as presets have it */
-export const inMegapascals = (material, units) => (units === 'SI' ? converted(material, 'SI', 'mm_N_MPa') : material);
+export const inMegapascals = (material, units) => materialIn(material, units, 'mm_N_MPa');
 
 /** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset | undefined} that it is */
 export const presetOf = (all, material, units) => all.find((preset) => same(materialOf(preset, units), material));

@@ -88,6 +88,28 @@ export function pointsControl(field, id, change, { units, parent }) {
   };
 }
 
+/**
+ * The same for a list of objects of two figures; without a line there is no list.
+ * @param {import('./fields.js').Field} field
+ * @param {string} id
+ * @param {(value: unknown) => void} change
+ * @param {import('./entry.js').Surroundings} surroundings
+ * @returns {import('./entry.js').Control}
+ */
+export function termsControl(field, id, change, surroundings) {
+  const [first, second] = field.members ?? ['0', '1'];
+  const terms = (/** @type {any} */ points) =>
+    !Array.isArray(points) ? points : points.length ? points.map(([a, b]) => ({ [first]: a, [second]: b })) : undefined;
+  const control = pointsControl(field, id, (points) => change(terms(points)), surroundings);
+  /** @type {HTMLTextAreaElement} */ (control.input).rows = 2;
+  return {
+    ...control,
+    read: () => terms(control.read()),
+    write: (value) =>
+      control.write(Array.isArray(value) ? value.map((term) => [term?.[first], term?.[second]]) : value),
+  };
+}
+
 /** @param {(file: File | undefined) => void} open */
 function fileButton(open) {
   const chooser = h('input', { type: 'file', accept: '.csv,.tsv,.txt,.dat,text/plain,text/csv', hidden: true });

@@ -10,7 +10,9 @@ import { outline, pin } from './outline.js';
 /** @typedef {import('./check.js').Hertz} Hertz */
 /** @typedef {(x: number, y: number) => [number, number]} Scale from the section to the picture */
 
-const [WIDTH, HEIGHT, MARGIN, SIDES] = [380, 216, 22, 76];
+const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
+/** Width of a letter, on average. */
+const LETTER = 5.8;
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
@@ -34,10 +36,16 @@ export function picture(job, hertz) {
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
   const drawn = bodies.filter((body) => body !== null);
   if (drawn.length === 0) return root;
-  const scale = fit(bodies[0], bodies[1]);
+  const length = unit('length', unitsOf(job));
+  const labels = [
+    sizeWords(job.upper, bodies[0], length),
+    sizeWords(job.lower, bodies[1], length),
+    widthWords(job, hertz),
+  ];
+  const scale = fit(bodies[0], bodies[1], 16 + LETTER * Math.max(...labels.map((label) => label.length)));
   bodies.forEach((body, k) => {
     const name = k === 0 ? 'upper' : 'lower';
-    if (body) root.append(...drawBody(body, k === 0 ? -1 : 1, job[name], scale, unit('length', unitsOf(job))));
+    if (body) root.append(...drawBody(body, k === 0 ? -1 : 1, job[name], scale, labels[k]));
   });
   if (job.analysis === 'axisymmetric') {
     root.append(svg('line', { class: 'axis', x1: WIDTH / 2, x2: WIDTH / 2, y1: 6, y2: HEIGHT - 6 }));
@@ -46,14 +54,14 @@ export function picture(job, hertz) {
   return root;
 }
 
-/** @param {Outline | null} upper @param {Outline | null} lower @returns {Scale} */
-function fit(upper, lower) {
+/** @param {Outline | null} upper @param {Outline | null} lower @param {number} side room for words beside them @returns {Scale} */
+function fit(upper, lower, side) {
   const points = (/** @type {Outline | null} */ body) => [...(body?.surface ?? []), ...(body?.edge ?? [])];
   const reach = (/** @type {Outline | null} */ body) => Math.max(0, ...points(body).map(([x]) => Math.abs(x)));
   const top = Math.max(-(upper?.base ?? 0), ...points(lower).map(([, h]) => h));
   const bottom = Math.min(lower?.base ?? 0, ...points(upper).map(([, h]) => -h));
   const size = Math.min(
-    (WIDTH - 2 * SIDES) / (2 * Math.max(reach(upper), reach(lower)) || 1),
+    (WIDTH - 2 * side) / (2 * Math.max(reach(upper), reach(lower)) || 1),
     (HEIGHT - 2 * MARGIN) / (top - bottom || 1),
   );
   const middle = (top + bottom) / 2;
@@ -65,9 +73,9 @@ function fit(upper, lower) {
  * @param {1 | -1} up whether its heights are the section's
  * @param {Record<string, any>} of
  * @param {Scale} scale
- * @param {string} length its unit
+ * @param {string} size in words
  */
-function drawBody(body, up, of, scale, length) {
+function drawBody(body, up, of, scale, size) {
   const closed = (/** @type {import('./outline.js').Point[]} */ points) =>
     `M${points
       .map(([x, h]) =>
@@ -78,7 +86,6 @@ function drawBody(body, up, of, scale, length) {
       .join('L')}Z`;
   if (body.edge) {
     const edge = closed(body.edge);
-    const text = `hole R ${plain(Number(of.shape.radius))} ${length}`;
     return [
       svg('path', {
         class: `body${of?.material?.rigid ? ' rigid' : ''}`,
@@ -86,7 +93,7 @@ function drawBody(body, up, of, scale, length) {
         d: edge + closed(body.surface),
       }),
       svg('path', { class: 'held', fill: 'none', d: edge }),
-      svg('text', { x: 8, y: scale(0, up * body.base)[1] - up * 8 }, text),
+      svg('text', { x: 8, y: scale(0, up * body.base)[1] - up * 8 }, size),
     ];
   }
   const points = body.surface.map(([x, h]) => scale(x, up * h));
@@ -94,19 +101,28 @@ function drawBody(body, up, of, scale, length) {
   const corners = [scale(right, up * body.base), scale(left, up * body.base)];
   const path = `M${[...points, ...corners].map((point) => point.map((c) => c.toFixed(2)).join(' ')).join('L')}Z`;
   const [[x1, y], [x0]] = corners;
-  const type = of?.shape?.type;
-  const size =
-    type === 'cylinder'
-      ? `R ${plain(Number(of.shape.radius))} ${length}`
-      : type === 'groove'
-        ? `groove R ${plain(Number(of.shape.radius))} ${length}`
-        : `${plain(right - left)} × ${plain(-body.base)} ${length}`;
   return [
     svg('path', { class: `body${of?.material?.rigid ? ' rigid' : ''}`, d: path }),
     // A pin in a hole is held over its whole section.
     ...(x1 > x0 ? support(x0, x1, y, up, of?.support === 'roller') : []),
     svg('text', { x: 8, y: (y + scale(0, 0)[1]) / 2 + 4 }, size),
   ];
+}
+
+/** @param {Record<string, any> | undefined} of @param {Outline | null} body @param {string} length its unit */
+function sizeWords(of, body, length) {
+  const { type, radius } = of?.shape ?? {};
+  if (!body) return '';
+  if (type === 'cylinder') return `R ${plain(Number(radius))} ${length}`;
+  if (type === 'groove' || type === 'hole') return `${type} R ${plain(Number(radius))} ${length}`;
+  const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
+  return `${plain(right - left)} × ${plain(-body.base)} ${length}`;
+}
+
+/** @param {import('../types.js').Job} job @param {Hertz | null} hertz @returns {string} Hertz's width, if there is one */
+function widthWords(job, hertz) {
+  const width = Math.max(0, ...(hertz?.steps ?? []).map((step) => step.half_width));
+  return width > 0 ? `2a ${figure(2 * width, 3)} ${unit('length', unitsOf(job))}` : '';
 }
 
 /** @param {number} x0 @param {number} x1 @param {number} y @param {1 | -1} up @param {boolean} roller */
@@ -155,11 +171,7 @@ function contact(job, hertz, scale) {
     svg('line', { class: 'contact', x1: x - half, x2: x + half, y1: y, y2: y }),
     svg('path', { class: 'leader', d: `M${x + half + 2} ${y}H${WIDTH - 88}` }),
     svg('text', { x: WIDTH - 4, y: y - 4, class: 'note' }, 'Hertz'),
-    svg(
-      'text',
-      { x: WIDTH - 4, y: y + 10, class: 'note' },
-      `2a ${figure(2 * width, 3)} ${unit('length', unitsOf(job))}`,
-    ),
+    svg('text', { x: WIDTH - 4, y: y + 10, class: 'note' }, widthWords(job, hertz)),
   ];
 }
 

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { decodeFields } from '../../../web/api/field-arrays.js';
+import { FieldReader } from '../../../web/api/field-arrays.js';
 
 /** @typedef {{body: string, name: string, type: 'f32' | 'f64' | 'u32', components: number, values: number[]}} Given */
 
@@ -34,28 +34,39 @@ function encode(given) {
 
 const NODES = [0, 0, 1, 0, 1, 1, 0, 1];
 
-test('arrays of both precisions are read, elements become triangles', () => {
-  const bytes = encode([
-    { body: 'lower', name: 'nodes', type: 'f32', components: 2, values: NODES },
-    { body: 'lower', name: 'elements', type: 'u32', components: 4, values: [0, 1, 2, 3] },
-    { body: 'lower', name: 'von_mises', type: 'f64', components: 1, values: [1, 2, 3, 4.5] },
-  ]);
-  // As it comes from a connection: somewhere in a larger buffer.
-  const within = new Uint8Array(bytes.length + 3);
-  within.set(bytes, 3);
+/** Reads bytes that come in pieces of a size. @param {FieldReader} reader @param {Uint8Array} bytes @param {number} size */
+function inPieces(reader, bytes, size) {
+  for (let at = 0; at < bytes.length; at += size) reader.push(bytes.subarray(at, at + size));
   const buffers = /** @type {ArrayBuffer[]} */ ([]);
-  const { upper, lower } = decodeFields(within.subarray(3), buffers);
-  assert.equal(upper, null, 'a rigid body has no arrays');
-  assert.deepEqual([...lower.nodes], NODES);
-  assert.deepEqual([...lower.triangles], [0, 1, 2, 0, 2, 3]);
-  assert.deepEqual([...lower.von_mises], [1, 2, 3, 4.5]);
-  assert.equal(buffers.length, 3);
-  assert.ok(
-    buffers.every((buffer) => buffer !== within.buffer),
-    'each array is its own',
-  );
+  return { ...reader.finish(buffers), buffers };
+}
+
+const GIVEN = /** @type {Given[]} */ ([
+  { body: 'lower', name: 'nodes', type: 'f32', components: 2, values: NODES },
+  { body: 'lower', name: 'elements', type: 'u32', components: 4, values: [0, 1, 2, 3] },
+  { body: 'lower', name: 'von_mises', type: 'f64', components: 1, values: [1, 2, 3, 4.5] },
+  { body: 'lower', name: 'sigma_x', type: 'f32', components: 1, values: [5, 6, 7] },
+]);
+
+test('arrays of both precisions are read in whatever pieces they come, elements become triangles', () => {
+  const bytes = encode(GIVEN);
+  for (const size of [1, 7, 64, 1000]) {
+    const { upper, lower, buffers } = inPieces(new FieldReader(), bytes, size);
+    assert.equal(upper, null, 'a rigid body has no arrays');
+    assert.deepEqual([...lower.nodes], NODES);
+    assert.deepEqual([...lower.triangles], [0, 1, 2, 0, 2, 3]);
+    assert.deepEqual([...lower.von_mises], [1, 2, 3, 4.5]);
+    assert.deepEqual([...lower.sigma_x], [5, 6, 7]);
+    assert.equal(new Set(buffers).size, 4, 'each array is its own');
+  }
 });
 
-test('what is no fields is refused', () => {
-  assert.throws(() => decodeFields(new TextEncoder().encode('{"title": "no"} and so on'), []), /no fields/);
+test('what is no fields, or half of them, is refused', () => {
+  const bytes = encode(GIVEN);
+  assert.throws(
+    () => inPieces(new FieldReader(), new TextEncoder().encode('{"title": "no"} and so on'), 100),
+    /no fields/,
+  );
+  for (const length of [0, 12, 40, bytes.length - 9])
+    assert.throws(() => inPieces(new FieldReader(), bytes.subarray(0, length), 100), /cut short/);
 });

@@ -1,23 +1,12 @@
 /** What goes wrong is said where it went wrong. */
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { suite } from '../browser.js';
+import { follow, sent } from '../jobs.js';
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(['--workers', '1']), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite(['--workers', '1']);
 
-test('wrong input shows at its field, and goes when it is put right', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('wrong input shows at its field, and goes when it is put right', async (page) => {
   const ratio = page.getByLabel('Poisson’s ratio').nth(1);
   await ratio.fill('0.6');
   const entry = page.locator('[data-place="/lower/material/poisson_ratio"]');
@@ -32,116 +21,97 @@ test('wrong input shows at its field, and goes when it is put right', async () =
   await page.getByLabel('Radius').first().fill('20');
   await ratio.fill('0,3');
   await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a refused job takes the cursor to its fault', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a refused job takes the cursor to its fault', async (page) => {
   await page.getByLabel('Force P').fill('-5');
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForFunction(() => document.activeElement?.getAttribute('aria-invalid') === 'true');
   assert.equal(await page.getByLabel('Force P').evaluate((input) => input === document.activeElement), true);
-  await close();
 });
 
-test('an unknown key in the JSON is named although no field has it', async () => {
-  const { page, close } = await visit(browser, server.url);
+service.test('an unknown key in the JSON is named although no field has it', async (page) => {
   await page.getByRole('button', { name: 'JSON', exact: true }).click();
   await page.getByText('1500.0 MPa').waitFor();
   const job = JSON.parse(await page.locator('#json-text').inputValue());
   await page.locator('#json-text').fill(JSON.stringify({ ...job, colour: 'red' }));
   await page.locator('#check').getByText('/colour').waitFor();
-  await close();
 });
 
-test('a job is cancelled, and those behind it know their place', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  const slow = await page.evaluate(slowJob);
-  const waiting = await page.evaluate(slowJob);
-  await page.goto(`${server.url}/#job=${waiting}`);
+const SOFT = {
+  shape: { type: 'cylinder', radius: 20 },
+  material: {
+    young_modulus: 210000,
+    poisson_ratio: 0.3,
+    plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 0 },
+  },
+};
+/** A job that iterates until it is stopped: perfect plasticity in plane stress, which strong coupling never gets to rest. */
+const ENDLESS = {
+  analysis: 'plane_stress',
+  upper: SOFT,
+  lower: SOFT,
+  load: { force: 673.2 },
+  solver: { coupling: 'strong', tolerance: 1e-12, max_iterations: 100000 },
+  mesh: { elements_per_half_width: 40 },
+};
+
+service.test('a job is cancelled, and those behind it know their place', async (page) => {
+  const slow = await sent(page, ENDLESS);
+  const waiting = await sent(page, ENDLESS);
+  await follow(page, `job=${waiting}`);
   await page.locator('[data-status=queued]').getByText('next in line').waitFor();
-  await page.evaluate((id) => {
-    location.hash = `job=${id}`;
-  }, slow);
+  await follow(page, `job=${slow}`);
   await page.locator('[data-status=running]').waitFor();
   await page.locator('#panel-convergence').waitFor();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('[data-status=cancelled]').waitFor();
   await page.getByText('the figures are those of the last one, not an answer').waitFor();
   await page.evaluate((id) => fetch(`v1/jobs/${id}/cancel`, { method: 'POST' }), waiting);
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a link to a job that is not here says so', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.goto(`${server.url}/#job=0197e1f0-0000-7000-8000-000000000000`);
+service.test('a link to a job that is not here says so', async (page) => {
+  await follow(page, `job=0197e1f0-0000-7000-8000-000000000000`);
   await page.getByText('This link leads to a job that is not here').waitFor();
-  await close();
 });
 
-/** A job that iterates until it is stopped: perfect plasticity in plane stress, which strong coupling never gets to rest. */
-async function slowJob() {
-  const { examples } = await (await fetch('v1/examples')).json();
-  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-  for (const body of [job.upper, job.lower]) body.material.plasticity.tangent_modulus = 0;
-  const endless = {
-    ...job,
-    analysis: 'plane_stress',
-    load: { force: 673.2 },
-    solver: { coupling: 'strong', tolerance: 1e-12, max_iterations: 100000 },
-    mesh: { elements_per_half_width: 40 },
-  };
-  const answer = await fetch('v1/jobs', {
-    method: 'POST',
-    headers: { 'Content-Type': 'application/json' },
-    body: JSON.stringify(endless),
-  });
-  return (await answer.json()).id;
-}
+service.test(
+  'a service that goes away is said beside the button, and the page goes on when it is back',
+  async (page, { server }) => {
+    await page.getByText('1500.0 MPa').waitFor();
+    await server.kill();
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    const said = page.locator('#solve-state');
+    await said.getByText('The service does not answer, nothing was sent.').waitFor();
+    assert.equal(
+      await said.evaluate((one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= innerHeight),
+      true,
+    );
+    await page.getByText('Connection lost, retrying').waitFor();
+    await server.again();
+    await page.getByText('Connection lost, retrying').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.locator('[data-status=succeeded]').waitFor();
+  },
+  { own: [], amiss: true },
+);
 
-test('a service that goes away is said beside the button, and the page goes on when it is back', async () => {
-  const own = await serve();
-  const { page, close } = await visit(browser, own.url);
-  await page.getByText('1500.0 MPa').waitFor();
-  await own.kill();
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  const said = page.locator('#solve-state');
-  await said.getByText('The service does not answer, nothing was sent.').waitFor();
-  assert.equal(
-    await said.evaluate((one) => one.checkVisibility() && one.getBoundingClientRect().bottom <= innerHeight),
-    true,
-  );
-  await page.getByText('Connection lost, retrying').waitFor();
-  await own.again();
-  await page.getByText('Connection lost, retrying').waitFor({ state: 'hidden' });
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('[data-status=succeeded]').waitFor();
-  await close();
-  await own.stop();
-});
+service.test(
+  'a key that the service does not know is called wrong, and a link to a job asks for one',
+  async (page) => {
+    const dialog = page.getByRole('dialog');
+    await dialog.getByText('This service asks for a key').waitFor();
+    await page.getByLabel('Key', { exact: true }).fill('not-a-key');
+    await page.getByRole('button', { name: 'Use key' }).click();
+    await dialog.getByText('The service does not know this key').waitFor();
+    await page.getByText('This job is shown to holders of an API key.').waitFor();
+  },
+  { own: ['--require-api-key'], hash: '#job=0197e1f0-0000-7000-8000-000000000000', amiss: true },
+);
 
-test('a key that the service does not know is called wrong, and a link to a job asks for one', async () => {
-  const guarded = await serve(['--require-api-key']);
-  const { page, close } = await visit(browser, `${guarded.url}/#job=0197e1f0-0000-7000-8000-000000000000`);
-  const dialog = page.getByRole('dialog');
-  await dialog.getByText('This service asks for a key').waitFor();
-  await page.getByLabel('Key', { exact: true }).fill('not-a-key');
-  await page.getByRole('button', { name: 'Use key' }).click();
-  await dialog.getByText('The service does not know this key').waitFor();
-  await page.getByText('This job is shown to holders of an API key.').waitFor();
-  await close();
-  await guarded.stop();
-});
-
-test('messages speak the language of the form', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('messages speak the language of the form', async (page) => {
   await page.getByLabel('Tangent modulus').first().fill('300000');
   const error = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"] .error');
   await error.getByText('must be less than young’s modulus').waitFor();
   assert.doesNotMatch((await error.textContent()) ?? '', /_/);
-  await close();
 });

@@ -1,37 +1,19 @@
 /** The field: drawn in proportion to its elements, once a frame while it moves, read out under the cursor. */
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { PHONE, suite } from '../browser.js';
+import { drawn, follow, shown, solved } from '../jobs.js';
 
 /** Elements that are drawn, both halves of both bodies. */
 const ELEMENTS = 40_000;
 /** Largest ratio of the times to draw four times as many elements, which a machine busy with other work lets vary. */
 const RATIO = 20;
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite();
 
-/** Solves the reference problem with its field on a mesh so fine. @param {import('playwright-core').Page} page @param {number} elements */
-const solved = (page, elements) =>
-  page.evaluate(async (elements) => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-    const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: elements }, output: { fields: true } });
-    const answer = await fetch('v1/jobs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
-    const { id } = await answer.json();
-    await fetch(`v1/jobs/${id}?wait=60`);
-    return id;
-  }, elements);
+/** The reference problem with its field on a mesh so fine. @param {import('playwright-core').Page} page @param {number} elements */
+const fine = (page, elements) =>
+  solved(page, { mesh: { elements_per_half_width: elements }, output: { fields: true } });
 
 /** Time [ms] from the arrival of a job's field to its picture. @param {import('playwright-core').Page} page @param {string} id */
 const timeToDraw = (page, id) =>
@@ -46,50 +28,49 @@ const timeToDraw = (page, id) =>
     throw new Error('the field is not drawn');
   }, id);
 
-test('a large field is drawn in proportion to its elements, and once a frame while it moves', async (context) => {
-  const { page, faults, close } = await visit(browser, server.url);
-  const [small, large] = [await solved(page, 20), await solved(page, 40)];
-  // What is compiled and set up with the first picture is not what is measured.
-  for (const id of [small, large]) await timeToDraw(page, id);
-  const best = { small: Infinity, large: Infinity };
-  for (let round = 0; round < 8 && !(best.large < RATIO * best.small); round++) {
-    best.small = Math.min(best.small, await timeToDraw(page, small));
-    best.large = Math.min(best.large, await timeToDraw(page, large));
-  }
-  const elements = await page.evaluate(
-    async (id) =>
-      (await (await fetch(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`)).json()).mesh.elements,
-    large,
-  );
-  assert.ok(elements > ELEMENTS, `${elements} elements`);
-  context.diagnostic(
-    `${2 * elements} elements drawn after ${Math.round(best.large)} ms, a quarter of them after ${Math.round(best.small)} ms`,
-  );
-  assert.ok(best.large < RATIO * best.small, `${best.large} ms for four times what takes ${best.small} ms`);
+service.test(
+  'a large field is drawn in proportion to its elements, and once a frame while it moves',
+  async (page, { note }) => {
+    const [small, large] = [await fine(page, 20), await fine(page, 40)];
+    // What is compiled and set up with the first picture is not what is measured.
+    for (const id of [small, large]) await timeToDraw(page, id);
+    const best = { small: Infinity, large: Infinity };
+    for (let round = 0; round < 8 && !(best.large < RATIO * best.small); round++) {
+      best.small = Math.min(best.small, await timeToDraw(page, small));
+      best.large = Math.min(best.large, await timeToDraw(page, large));
+    }
+    const elements = await page.evaluate(
+      async (id) =>
+        (await (await fetch(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`)).json()).mesh.elements,
+      large,
+    );
+    assert.ok(elements > ELEMENTS, `${elements} elements`);
+    note(
+      `${2 * elements} elements drawn after ${Math.round(best.large)} ms, a quarter of them after ${Math.round(best.small)} ms`,
+    );
+    assert.ok(best.large < RATIO * best.small, `${best.large} ms for four times what takes ${best.small} ms`);
 
-  const box = await page.locator('.stage .over').boundingBox();
-  assert.ok(box);
-  await page.mouse.move(box.x + 100, box.y + 100);
-  await page.mouse.down();
-  const counted = page.evaluate(async () => {
-    performance.clearMarks();
-    for (let k = 0; k < 60; k++) await new Promise(requestAnimationFrame);
-    return performance.getEntriesByName('field-drawn').length;
-  });
-  for (let k = 0; k < 60; k++) await page.mouse.move(box.x + 100 + 2 * k, box.y + 100 + k);
-  const draws = await counted;
-  await page.mouse.up();
-  assert.ok(draws > 0 && draws <= 61, `${draws} pictures in 60 frames`);
-  assert.deepEqual(faults, []);
-  await close();
-});
+    const box = await page.locator('.stage .over').boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + 100, box.y + 100);
+    await page.mouse.down();
+    const counted = page.evaluate(async () => {
+      performance.clearMarks();
+      for (let k = 0; k < 60; k++) await new Promise(requestAnimationFrame);
+      return performance.getEntriesByName('field-drawn').length;
+    });
+    for (let k = 0; k < 60; k++) await page.mouse.move(box.x + 100 + 2 * k, box.y + 100 + k);
+    const draws = await counted;
+    await page.mouse.up();
+    assert.ok(draws > 0 && draws <= 61, `${draws} pictures in 60 frames`);
+  },
+);
 
-test('colours, probe and keys of the field', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  const id = await solved(page, 10);
-  await page.goto(`${server.url}/#job=${id}`);
+service.test('colours, probe and keys of the field', async (page) => {
+  const id = await fine(page, 10);
+  await follow(page, `job=${id}`);
   const over = page.locator('.stage .over');
-  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+  await drawn(page);
   assert.match(
     (await over.getAttribute('aria-label')) ?? '',
     /^Field of von Mises stress, from [\d.]+ to 5\d\d\.\d MPa\.$/,
@@ -112,38 +93,20 @@ test('colours, probe and keys of the field', async () => {
   for (const key of ['+', '+', 'ArrowUp', 'ArrowLeft']) await page.keyboard.press(key);
   await page.getByText(/^upper body, x −?0\.\d+/).waitFor();
   assert.notDeepEqual(await page.screenshot({ clip: box }), before);
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a job without fields offers to solve again with them', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a job without fields offers to solve again with them', async (page) => {
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Stress field on the mesh').uncheck();
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.getByRole('button', { name: 'Solve again with it' }).click();
-  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
-  await close();
+  await drawn(page);
 });
 
 /** Shows the reference problem with its field. @param {import('playwright-core').Page} page @param {object} [change] */
 async function reference(page, change = {}) {
-  const id = await page.evaluate(async (change) => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-    const body = JSON.stringify({
-      ...job,
-      mesh: { elements_per_half_width: 10 },
-      output: { fields: true },
-      ...change,
-    });
-    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
-    const answer = await fetch('v1/jobs', { method: 'POST', headers, body });
-    return (answer.headers.get('content-location') ?? '').split('/')[3];
-  }, change);
-  await page.goto(`${server.url}/#job=${id}`);
-  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+  const id = await shown(page, { mesh: { elements_per_half_width: 10 }, output: { fields: true }, ...change });
+  await drawn(page);
   return id;
 }
 
@@ -154,8 +117,7 @@ const labelled = (page, wanted) =>
     wanted.source,
   );
 
-test('stresses that follow from the others are right', async () => {
-  const { page, close } = await visit(browser, server.url);
+service.test('stresses that follow from the others are right', async (page) => {
   const id = await reference(page);
   const worst = await page.evaluate(async (id) => {
     const { valuesOf } = await import(/** @type {any} */ ('/web/field/quantities.js'));
@@ -181,11 +143,9 @@ test('stresses that follow from the others are right', async () => {
   }, id);
   // Nodal values are averages of elements: von Mises of the averages differs a little from the average of von Mises.
   assert.ok(worst < 0.05, `${worst}`);
-  await close();
 });
 
-test('bodies do not overlap however much their displacements are exaggerated', async () => {
-  const { page, close } = await visit(browser, server.url);
+service.test('bodies do not overlap however much their displacements are exaggerated', async (page) => {
   const id = await reference(page);
   const gaps = await page.evaluate(async (id) => {
     const { lifts, surfaceNodes } = await import(/** @type {any} */ ('/web/field/lift.js'));
@@ -213,11 +173,9 @@ test('bodies do not overlap however much their displacements are exaggerated', a
     assert.ok(least > -1e-6, `they overlap by ${-least} mm`);
     assert.ok(least < 1e-3, 'and still touch');
   }
-  await close();
 });
 
-test('the range of colours is held over the steps, and can be given', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('the range of colours is held over the steps, and can be given', async (page) => {
   await reference(page, { load: { forces: [100, 200, 400] } });
   const legend = () => page.locator('.colours').textContent();
   const last = await legend();
@@ -236,12 +194,9 @@ test('the range of colours is held over the steps, and can be given', async () =
   await page.locator('.steps output').getByText('3 of 3').waitFor();
   await play.waitFor();
   assert.match((await legend()) ?? '', /^(26|25)0/);
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a cut anywhere has its curve', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('a cut anywhere has its curve', async (page) => {
   await reference(page);
   await page.getByLabel('Cut', { exact: true }).check();
   const plot = page.locator('.cut .plot');
@@ -273,27 +228,25 @@ test('a cut anywhere has its curve', async () => {
   await page.keyboard.press('Enter');
   await page.getByRole('img', { name: 'The cut misses the bodies.' }).waitFor();
   assert.notEqual(words, await plot.getAttribute('aria-label'));
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a finger that taps reads, and the page scrolls under the field', async () => {
-  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
-  const { page, close } = await visit(browser, server.url, phone);
-  await reference(page);
-  const over = page.locator('.stage .over');
-  await over.scrollIntoViewIfNeeded();
-  assert.equal(await over.evaluate((one) => getComputedStyle(one).touchAction), 'pan-y');
-  const box = await over.boundingBox();
-  assert.ok(box);
-  await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height * 0.25);
-  await page.getByText(/^upper body, x/).waitFor();
-  await labelled(page, /^Field of von Mises stress/);
-  await close();
-});
+service.test(
+  'a finger that taps reads, and the page scrolls under the field',
+  async (page) => {
+    await reference(page);
+    const over = page.locator('.stage .over');
+    await over.scrollIntoViewIfNeeded();
+    assert.equal(await over.evaluate((one) => getComputedStyle(one).touchAction), 'pan-y');
+    const box = await over.boundingBox();
+    assert.ok(box);
+    await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height * 0.25);
+    await page.getByText(/^upper body, x/).waitFor();
+    await labelled(page, /^Field of von Mises stress/);
+  },
+  PHONE,
+);
 
-test('figures are on the page before any field, and fields come a step at a time', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('figures are on the page before any field, and fields come a step at a time', async (page) => {
   const asked = /** @type {string[]} */ ([]);
   let letGo = () => {};
   const held = new Promise((resolve) => {
@@ -304,26 +257,18 @@ test('figures are on the page before any field, and fields come a step at a time
     await held;
     await route.continue();
   });
-  const id = await page.evaluate(async () => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const job = { ...examples[0].job, load: { forces: [100, 300, 612] }, output: { fields: true } };
-    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
-    const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(job) });
-    return (answer.headers.get('content-location') ?? '').split('/')[3];
-  });
-  await page.goto(`${server.url}/#job=${id}`);
+  const id = await solved(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
+  await follow(page, `job=${id}`);
   await page.locator('#headline').getByText('612.00').waitFor();
   await page.getByText('Loading the field of this step').waitFor();
   assert.equal(await page.locator('[data-status=running]').count(), 0, 'nothing runs any more');
   assert.deepEqual(asked, ['3'], 'the step that is shown, and no other');
   letGo();
-  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+  await drawn(page);
   await page.getByText('Loading the field of this step').waitFor({ state: 'hidden' });
   await page.getByLabel('Step', { exact: true }).focus();
   await page.keyboard.press('Home');
   await labelled(page, /^Field of von Mises stress, from .* to 3\d\d/);
   assert.deepEqual([...new Set(asked)].sort(), ['1', '2', '3']);
   assert.equal(asked.length, 3, 'each once');
-  assert.deepEqual(faults, []);
-  await close();
 });

@@ -1,27 +1,12 @@
 /** Flow theory: histories of loads, what they leave behind. */
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { suite } from '../browser.js';
+import { draft } from '../jobs.js';
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite();
 
-/** The draft as it is kept. @param {import('playwright-core').Page} page */
-const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');
-
-test('a history of loads is typed, brought back to 0 and undone', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a history of loads is typed, brought back to 0 and undone', async (page) => {
   await page.getByLabel('Given').selectOption('history');
   assert.deepEqual((await draft(page)).load, { history: [{ force: 612.6106 }, { force: 0 }] });
   assert.equal((await draft(page)).solver.theory, 'flow', 'only flow theory knows what a load leaves behind');
@@ -36,12 +21,9 @@ test('a history of loads is typed, brought back to 0 and undone', async () => {
   await page.locator('[data-place="/load/history"] .error').getByText('load 2: “oops” is not a number').waitFor();
   for (let k = 0; k < 8; k++) await page.keyboard.press('Control+Z');
   assert.equal((await draft(page)).load.force, 612.6106);
-  await close();
 });
 
-test('unloading leaves a dent, a loop and residual stresses', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('unloading leaves a dent, a loop and residual stresses', async (page) => {
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
   await page.getByLabel('Given').selectOption('history');
@@ -59,6 +41,4 @@ test('unloading leaves a dent, a loop and residual stresses', async () => {
     /highest von Mises stress \d/,
   );
   await page.locator('#headline').getByText('Unloading stiffness').waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });

@@ -1,20 +1,10 @@
 /** The form shows the draft, always: nothing else is ever solved than what it shows. */
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { suite } from '../browser.js';
+import { draft, follow, sent } from '../jobs.js';
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite();
 
 const SOLVED = '[data-status=succeeded]';
 const FORCE = '[data-place="/load/force"] input[type=text]';
@@ -26,12 +16,7 @@ const shows = (page, text) =>
     [FORCE, text],
   );
 
-/** The draft as it is kept. @param {import('playwright-core').Page} page */
-const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');
-
-test('a field that has the cursor follows the draft when one goes back', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a field that has the cursor follows the draft when one goes back', async (page) => {
   const force = page.locator(FORCE);
   await force.fill('612');
   await force.press('Control+Enter');
@@ -47,32 +32,17 @@ test('a field that has the cursor follows the draft when one goes back', async (
   await force.press('Control+Z');
   await shows(page, '900');
   await page.getByText('The set-up has changed since').waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a form that is built anew fills the field that has the cursor', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
-  const id = await page.evaluate(async () => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-    const sphere = { ...job, analysis: 'axisymmetric', load: { force: 4321 } };
-    const headers = { 'Content-Type': 'application/json' };
-    return (await (await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(sphere) })).json()).id;
-  });
+service.test('a form that is built anew fills the field that has the cursor', async (page) => {
+  const id = await sent(page, { analysis: 'axisymmetric', load: { force: 4321 } });
   await page.locator(FORCE).focus();
-  await page.evaluate((id) => {
-    location.hash = `job=${id}`;
-  }, id);
+  await follow(page, `job=${id}`);
   await page.locator('[data-place="/upper/shape/type"] option').getByText('Sphere').waitFor({ state: 'attached' });
   await shows(page, '4321');
-  await close();
 });
 
-test('what is typed stays as it is typed until one leaves the field', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('what is typed stays as it is typed until one leaves the field', async (page) => {
   const force = page.locator(FORCE);
   await force.click();
   await page.keyboard.press('Control+A');
@@ -87,12 +57,9 @@ test('what is typed stays as it is typed until one leaves the field', async () =
   assert.equal(await elements.inputValue(), '', 'an emptied field is not filled while it is typed in');
   await elements.blur();
   assert.equal(await elements.inputValue(), '20', 'and then shows what holds');
-  await close();
 });
 
-test('a thousand is never silently one', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a thousand is never silently one', async (page) => {
   await page.locator(FORCE).fill('1,000');
   await page.getByText('“1,000” can be read as 1.000 or as 1000').waitFor();
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
@@ -110,12 +77,9 @@ test('a thousand is never silently one', async () => {
     await page.locator(FORCE).fill(String(typed));
     assert.equal((await draft(page)).load.force, read, String(typed));
   }
-  await close();
 });
 
-test('what a job leaves out is shown as it holds', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('what a job leaves out is shown as it holds', async (page) => {
   await page.locator('#example').selectOption({ label: 'Roller in a groove' });
   await page.getByLabel('Width w').waitFor();
   assert.equal((await draft(page)).upper.support, undefined);
@@ -124,12 +88,9 @@ test('what a job leaves out is shown as it holds', async () => {
     .locator('#form select')
     .evaluateAll((all) => all.filter((one) => /** @type {HTMLSelectElement} */ (one).selectedIndex < 0).length);
   assert.equal(empty, 0, 'no choice is blank');
-  await close();
 });
 
-test('half a JSON beside the form is not solved around', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('half a JSON beside the form is not solved around', async (page) => {
   await page.getByRole('button', { name: 'JSON', exact: true }).click();
   const text = page.locator('#json-text');
   const whole = await text.inputValue();
@@ -140,12 +101,9 @@ test('half a JSON beside the form is not solved around', async () => {
   await text.fill(whole.replace('612.6106', '500'));
   await page.keyboard.press('Control+Enter');
   await page.locator('#headline').getByText('500.00').waitFor();
-  await close();
 });
 
-test('changes are undone and done again', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('changes are undone and done again', async (page) => {
   await page.locator(FORCE).fill('777');
   await page.getByLabel('Support').first().selectOption('roller');
   await page.getByLabel('Units').selectOption('SI');
@@ -159,7 +117,6 @@ test('changes are undone and done again', async () => {
   for (let k = 0; k < 3; k++) await page.getByRole('button', { name: 'Redo' }).click();
   await shows(page, '777000');
   assert.equal(await page.getByRole('button', { name: 'Redo' }).isDisabled(), true);
-  await close();
 });
 
 /** Chooses a profile as the upper shape. @param {import('playwright-core').Page} page */
@@ -182,8 +139,7 @@ const paste = (field, text) =>
     input.dispatchEvent(new InputEvent('input', { bubbles: true }));
   }, text);
 
-test('tables are pasted as spreadsheets have them', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('tables are pasted as spreadsheets have them', async (page) => {
   const points = await profile(page);
   for (const [text, read] of /** @type {[string, number[][]][]} */ ([
     [
@@ -238,12 +194,9 @@ test('tables are pasted as spreadsheets have them', async () => {
     [1, 0.3],
   ]);
   await page.locator('.preview svg[aria-label="Profile, 3 points"]').waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a faulty table is one message with its line', async () => {
-  const { page, close } = await visit(browser, server.url);
+service.test('a faulty table is one message with its line', async (page) => {
   const points = await profile(page);
   const rows = Array.from({ length: 21 }, (_, k) => `${k - 10} ${k === 4 ? 'oops' : k === 6 ? '1 2' : 0}`);
   await paste(points, rows.join('\n'));
@@ -258,12 +211,9 @@ test('a faulty table is one message with its line', async () => {
     document.querySelector('[data-place="/upper/shape/points"] .error')?.textContent?.includes('line 3'),
   );
   assert.equal(await page.locator('#setup .error:visible').count(), 1);
-  await close();
 });
 
-test('a tensile test becomes a hardening table', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('a tensile test becomes a hardening table', async (page) => {
   await page.getByLabel('Hardening').first().selectOption('table');
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Open CSV…' }).click();
@@ -282,41 +232,115 @@ test('a tensile test becomes a hardening table', async () => {
   assert.ok(Math.abs(strain - (Math.log(1.1) - 638 / 210000)) < 1e-6, `${strain}`);
   assert.equal(points[0][0], 0);
   await page.locator('.preview svg[aria-label="Hardening curve"]').first().waitFor();
-  await close();
 });
 
-test('a strength follows from hardness, and materials of one’s own are kept with their source', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
-  await page.getByRole('button', { name: 'From hardness…' }).first().click();
-  const dialog = page.getByRole('dialog');
-  await dialog.getByLabel('Hardness', { exact: true }).fill('900');
-  await dialog.getByRole('button', { name: 'Use' }).click();
-  await dialog.getByText('The line stands for').waitFor();
-  await dialog.getByLabel('Hardness', { exact: true }).fill('285');
-  await dialog.getByLabel('Scale').selectOption('HBW');
-  await dialog.getByRole('button', { name: 'Use' }).click();
-  // 285 HBW are 300 HV: 2.876 · 300 − 90.7.
-  assert.equal((await draft(page)).upper.material.plasticity.yield_stress, 772);
-  await page.getByRole('button', { name: 'Keep as own…' }).first().click();
-  await dialog.getByLabel('Name').fill('Race of pump P-12');
-  await dialog.getByLabel('Source of its figures').fill('hardness test 2026-11');
-  await dialog.getByRole('button', { name: 'Keep' }).click();
-  await page.locator('[data-source=upper]').getByText('hardness test 2026-11').waitFor();
-  await page.reload();
-  await page.locator('[data-preset=lower]').selectOption('Race of pump P-12');
-  assert.equal((await draft(page)).lower.material.plasticity.yield_stress, 772);
+service.test(
+  'a strength follows from hardness, and materials of one’s own are kept with their source',
+  async (page) => {
+    await page.getByRole('button', { name: 'From hardness…' }).first().click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel('Hardness', { exact: true }).fill('900');
+    await dialog.getByRole('button', { name: 'Use' }).click();
+    await dialog.getByText('The line stands for').waitFor();
+    await dialog.getByLabel('Hardness', { exact: true }).fill('285');
+    await dialog.getByLabel('Scale').selectOption('HBW');
+    await dialog.getByRole('button', { name: 'Use' }).click();
+    // 285 HBW are 300 HV: 2.876 · 300 − 90.7.
+    assert.equal((await draft(page)).upper.material.plasticity.yield_stress, 772);
+    await page.getByRole('button', { name: 'Keep as own…' }).first().click();
+    await dialog.getByLabel('Name').fill('Race of pump P-12');
+    await dialog.getByLabel('Source of its figures').fill('hardness test 2026-11');
+    await dialog.getByRole('button', { name: 'Keep' }).click();
+    await page.locator('[data-source=upper]').getByText('hardness test 2026-11').waitFor();
+    await page.reload();
+    await page.locator('[data-preset=lower]').selectOption('Race of pump P-12');
+    assert.equal((await draft(page)).lower.material.plasticity.yield_stress, 772);
+    await page.getByLabel('Units').selectOption('SI');
+    assert.equal(await page.locator('[data-preset=lower]').inputValue(), 'Race of pump P-12', 'in other units too');
+    await page.locator('[data-forget=lower]').click();
+    assert.equal(await page.locator('[data-preset=lower]').inputValue(), '');
+    assert.equal(await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(), 0);
+  },
+);
+
+service.test('figures of another draft are not seen', async (page) => {
+  let letGo = () => {};
+  const held = new Promise((resolve) => {
+    letGo = () => resolve(undefined);
+  });
+  await page.route('**/v1/hertz', async (route) => {
+    await held;
+    await route.continue();
+  });
+  const seen = () => page.locator('#check').getByText('1500.0 MPa').isVisible();
+  assert.equal(await seen(), true);
+  await page.locator(FORCE).fill('272.27');
+  assert.equal(await seen(), false);
+  assert.equal(await page.locator('#panel-pressure .plot').isVisible(), false, 'nor is their curve');
+  letGo();
+  await page.locator('#check').getByText('1000.0 MPa').waitFor();
+  assert.equal(await page.locator('#panel-pressure .plot').isVisible(), true);
+});
+
+service.test('steels of the library say where their figures are from, and convert with the units', async (page) => {
+  const choice = page.locator('[data-preset=lower]');
+  const source = page.locator('[data-source=lower]');
+  for (const name of await choice.locator('option').allTextContents()) {
+    if (name === 'own figures') continue;
+    await choice.selectOption(name);
+    assert.match((await source.textContent()) ?? '', /EN |ISO|Pavlina|Jiang/, name);
+  }
+  await choice.selectOption({ label: 'Gear steel 18CrNiMo7-6, case 1 mm' });
+  await source.getByText('the least of ISO 6336-5').waitFor();
+  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth, 1);
   await page.getByLabel('Units').selectOption('SI');
-  assert.equal(await page.locator('[data-preset=lower]').inputValue(), 'Race of pump P-12', 'in other units too');
-  await page.locator('[data-forget=lower]').click();
-  assert.equal(await page.locator('[data-preset=lower]').inputValue(), '');
-  assert.equal(await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(), 0);
-  assert.deepEqual(faults, []);
-  await close();
+  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.case_depth, 0.001);
+  assert.equal(await choice.inputValue(), 'Gear steel 18CrNiMo7-6, case 1 mm');
+  await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
+  assert.equal(
+    (await draft(page)).lower.material.plasticity.over_depth.hardness.core,
+    266,
+    'another law, the same case',
+  );
 });
 
-test('every example converges', async () => {
-  const { page, close } = await visit(browser, server.url);
+service.test('terms of the backstress are a table where flow theory is chosen', async (page) => {
+  assert.equal(await page.getByLabel('Backstress C, γ').count(), 0);
+  await page.getByLabel('Theory').selectOption('flow');
+  const terms = page.getByLabel('Backstress C, γ').first();
+  await terms.fill('60000 400\n5000; 0');
+  await page.locator('[data-place="/upper/material/plasticity/backstress"] .error').getByText('line 1').waitFor();
+  await terms.fill('60000 400\n5000 0');
+  const upper = async () => (await draft(page)).upper.material.plasticity.backstress;
+  assert.deepEqual(await upper(), [
+    { modulus: 60000, rate: 400 },
+    { modulus: 5000, rate: 0 },
+  ]);
+  await page.getByLabel('Units').selectOption('SI');
+  assert.deepEqual((await upper())[0], { modulus: 6e10, rate: 400 });
+  assert.equal(await terms.inputValue(), '60000000000  400\n5000000000  0');
+  await terms.fill('1e9 -3');
+  await page.locator('[data-place="/upper/material/plasticity/backstress"] .error').getByText('line 1: ').waitFor();
+  await terms.fill('');
+  assert.equal(await upper(), undefined);
+});
+
+service.test('a slider begins at nothing too, and a choice that is not made says so', async (page) => {
+  const place = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"]');
+  await place.locator('input').fill('0');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  await place.getByRole('slider').press('End');
+  assert.equal((await draft(page)).upper.material.plasticity.tangent_modulus, 10500);
+  await page.getByLabel('Shape').first().selectOption('profile');
+  const between = page.getByLabel('Between points');
+  assert.equal(await between.locator('option:checked').textContent(), 'automatic');
+  await between.selectOption('linear');
+  assert.equal((await draft(page)).upper.shape.interpolation, 'linear');
+  await between.selectOption('automatic');
+  assert.equal((await draft(page)).upper.shape.interpolation, undefined);
+});
+
+service.test('every example converges', async (page) => {
   const states = await page.evaluate(async () => {
     const { examplesOf } = await import(/** @type {any} */ ('/web/setup/examples.js'));
     const { examples } = await (await fetch('v1/examples')).json();
@@ -334,5 +358,4 @@ test('every example converges', async () => {
   });
   assert.ok(states.length >= 8);
   for (const state of states) assert.match(state, /: converged/);
-  await close();
 });

@@ -2,67 +2,41 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { suite } from '../browser.js';
+import { drawn, follow, solved } from '../jobs.js';
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite();
 
-/** @param {import('playwright-core').Page} page @param {object} change */
-const solved = (page, change) =>
-  page.evaluate(async (change) => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
-    const answer = await fetch('v1/jobs', {
-      method: 'POST',
-      headers: { 'Content-Type': 'application/json', Prefer: 'wait=60' },
-      body: JSON.stringify({ ...job, ...change }),
-    });
-    return (answer.headers.get('content-location') ?? '').split('/')[3];
-  }, change);
-
-test('a link shows a job and its definition', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('a link shows a job and its definition', async (page) => {
   const id = await solved(page, { load: { force: 456 } });
-  await page.goto(`${server.url}/#job=${id}`);
+  await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   assert.equal(await page.getByLabel('Force P').inputValue(), '456');
   await page.getByLabel('Force P').fill('457');
   await page.getByText('The set-up has changed').waitFor();
   await page.getByRole('button', { name: 'Back to the job’s' }).click();
   assert.equal(await page.getByLabel('Force P').inputValue(), '456');
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a definition travels in a link by itself', async () => {
-  const { page, close } = await visit(browser, server.url, { permissions: ['clipboard-read', 'clipboard-write'] });
-  await page.getByText('1500.0 MPa').waitFor();
-  await page.getByLabel('Force P').fill('321');
-  await page.locator('#share-job').click();
-  await page.getByText('Link to this definition copied').waitFor();
-  const address = await page.evaluate(() => navigator.clipboard.readText());
-  const other = await visit(browser, address);
-  await other.page.waitForFunction(
-    () =>
-      /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input[type=text]'))?.value ===
-      '321',
-  );
-  await other.close();
-  await close();
-});
+service.test(
+  'a definition travels in a link by itself',
+  async (page) => {
+    await page.getByLabel('Force P').fill('321');
+    await page.locator('#share-job').click();
+    await page.getByText('Link to this definition copied').waitFor();
+    const address = await page.evaluate(() => navigator.clipboard.readText());
+    const other = await service.visit(address);
+    await other.page.waitForFunction(
+      () =>
+        /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/force"] input[type=text]'))
+          ?.value === '321',
+    );
+    await other.close();
+  },
+  { permissions: ['clipboard-read', 'clipboard-write'] },
+);
 
-test('jobs are listed, searched and laid over each other', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('jobs are listed, searched and laid over each other', async (page) => {
   await solved(page, { tags: { press: 'one' } });
   await solved(page, { tags: { press: 'two' }, load: { force: 300 } });
   await page.getByRole('button', { name: 'Jobs', exact: true }).click();
@@ -80,14 +54,11 @@ test('jobs are listed, searched and laid over each other', async () => {
   await legend.getByText('this contact').waitFor();
   await page.getByLabel('State', { exact: true }).selectOption('failed');
   await page.getByText('No job matches.').waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('everything can be taken along', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('everything can be taken along', async (page) => {
   const id = await solved(page, { output: { fields: true } });
-  await page.goto(`${server.url}/#job=${id}`);
+  await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();
   // Flow theory alone has increments and surfaces; one load has no curve.
@@ -106,13 +77,9 @@ test('everything can be taken along', async () => {
     ]);
     assert.equal(file.suggestedFilename(), `${panel}.png`);
   }
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('the whole way by keyboard', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('the whole way by keyboard', async (page) => {
   const name = () =>
     page.evaluate(() => {
       const at = /** @type {HTMLElement | null} */ (document.activeElement);
@@ -147,58 +114,52 @@ test('the whole way by keyboard', async () => {
   await tabTo(/^Field of/);
   await page.keyboard.press('+');
   await page.getByText(/^(upper|lower) body, x/).waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('a service that wants a key is given it', async () => {
-  const guarded = await serve(['--require-api-key']);
-  try {
-    const key = execFileSync(
-      guarded.binary,
-      ['key', 'create', '--scope', 'write', '--data-dir', guarded.data, 'page'],
-      { encoding: 'utf8' },
-    );
+service.test(
+  'a service that wants a key is given it',
+  async (page, { server }) => {
+    const key = execFileSync(server.binary, ['key', 'create', '--scope', 'write', '--data-dir', server.data, 'page'], {
+      encoding: 'utf8',
+    });
     const token = /brn\S+|[\w.-]{30,}/.exec(key)?.[0] ?? '';
-    const { page, close } = await visit(browser, guarded.url);
     await page.getByLabel('Key', { exact: true }).fill(token);
     await page.getByRole('button', { name: 'Use key' }).click();
     await page.getByText('1500.0 MPa').waitFor();
     await page.getByRole('button', { name: 'Solve', exact: true }).click();
     await page.locator('[data-status=succeeded]').waitFor();
-    await close();
-  } finally {
-    await guarded.stop();
-  }
-});
+  },
+  { own: ['--require-api-key'], amiss: true },
+);
 
 for (const [name, options] of /** @type {const} */ ([
   ['wide', {}],
   ['narrow', { viewport: { width: 390, height: 844 } }],
 ])) {
-  test(`nothing sticks out of a ${name} page`, async () => {
-    const { page, close } = await visit(browser, server.url, options);
-    await page.getByText('1500.0 MPa').waitFor();
-    await page.getByRole('button', { name: 'Solve', exact: true }).click();
-    await page.locator('[data-status=succeeded]').waitFor();
-    await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
-    const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-    assert.ok(inner <= outer, `${inner} px in ${outer}`);
-    const nameless = await page.evaluate(() =>
-      [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
-        .filter(
-          (one) =>
-            one.checkVisibility() &&
-            !(
-              one.getAttribute('aria-label') ||
-              one.getAttribute('aria-labelledby') ||
-              one.textContent?.trim() ||
-              /** @type {HTMLInputElement} */ (one).labels?.length
-            ),
-        )
-        .map((one) => one.outerHTML),
-    );
-    assert.deepEqual(nameless, [], 'every control has a name');
-    await close();
-  });
+  service.test(
+    `nothing sticks out of a ${name} page`,
+    async (page) => {
+      await page.getByRole('button', { name: 'Solve', exact: true }).click();
+      await page.locator('[data-status=succeeded]').waitFor();
+      await drawn(page);
+      const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+      assert.ok(inner <= outer, `${inner} px in ${outer}`);
+      const nameless = await page.evaluate(() =>
+        [...document.querySelectorAll('button, input, select, textarea, [role=img]')]
+          .filter(
+            (one) =>
+              one.checkVisibility() &&
+              !(
+                one.getAttribute('aria-label') ||
+                one.getAttribute('aria-labelledby') ||
+                one.textContent?.trim() ||
+                /** @type {HTMLInputElement} */ (one).labels?.length
+              ),
+          )
+          .map((one) => one.outerHTML),
+      );
+      assert.deepEqual(nameless, [], 'every control has a name');
+    },
+    options,
+  );
 }

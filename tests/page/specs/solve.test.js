@@ -1,25 +1,13 @@
 /** The way of most visitors: set up, solve, look. */
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, serve, visit } from '../browser.js';
+import { suite } from '../browser.js';
 
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-/** @type {import('playwright-core').Browser} */
-let browser;
-before(async () => {
-  [server, browser] = await Promise.all([serve(), launch()]);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+const service = suite();
 
 const SOLVED = '[data-status=succeeded]';
 
-test('a form is filled, a contact solved, its pressure drawn', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('a form is filled, a contact solved, its pressure drawn', async (page) => {
   await page.getByLabel('Radius').first().fill('30');
   await page.getByLabel('Force P').fill('900');
   await page.getByText(/Yields: the force is/).waitFor();
@@ -31,12 +19,9 @@ test('a form is filled, a contact solved, its pressure drawn', async () => {
   await page.waitForFunction(inked, { within: '#panel-pressure', name: '--curve-1', pixels: 200 });
   assert.equal(await page.locator('#panel-pressure .legend li').count(), 2, 'this contact and Hertz');
   for (const panel of ['field', 'depth', 'convergence', 'history']) await page.locator(`#panel-${panel}`).waitFor();
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('what Hertz says and the JSON follow the form, and the form the JSON', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('what Hertz says and the JSON follow the form, and the form the JSON', async (page) => {
   const peak = page.locator('.hertz dd').nth(1);
   await page.getByText('1500.0 MPa').waitFor();
   await page.getByLabel('Force P').fill('272.27');
@@ -53,22 +38,16 @@ test('what Hertz says and the JSON follow the form, and the form the JSON', asyn
   await text.fill('{"analysis": ');
   await page.locator('#json-text[aria-invalid=true]').waitFor();
   assert.equal(await page.getByLabel('Width w').inputValue(), '120', 'half a text changes nothing');
-  assert.deepEqual(faults, []);
-  await close();
 });
 
-test('units change, the physics stays', async () => {
-  const { page, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('units change, the physics stays', async (page) => {
   await page.getByLabel('Units').selectOption('SI');
   await page.getByText('1.5000·10⁹ Pa').waitFor();
   assert.equal(await page.getByLabel('Radius').first().inputValue(), '0.02');
   assert.equal(await page.getByLabel('Force P').inputValue(), '612610.6');
-  await close();
 });
 
-test('a sweep has its curve, and every step can be seen', async () => {
-  const { page, faults, close } = await visit(browser, server.url);
+service.test('a sweep has its curve, and every step can be seen', async (page) => {
   await page.getByLabel('Given').selectOption('forces');
   await page.locator('[data-place="/load/forces"] input').fill('100…600/6');
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
@@ -85,8 +64,6 @@ test('a sweep has its curve, and every step can be seen', async () => {
     /highest 60\d\.\d/,
     'elastic below first yield',
   );
-  assert.deepEqual(faults, []);
-  await close();
 });
 
 /**
@@ -110,9 +87,7 @@ function inked({ within, name, pixels }) {
   return count > pixels;
 }
 
-test('figures follow a slider, and the last one wins', async (context) => {
-  const { page, faults, close } = await visit(browser, server.url);
-  await page.getByText('1500.0 MPa').waitFor();
+service.test('figures follow a slider, and the last one wins', async (page, { note }) => {
   const place = page.locator('[data-place="/load/force"]');
   await place.getByRole('button', { name: 'Slider' }).click();
   const range = place.getByRole('slider');
@@ -133,7 +108,7 @@ test('figures follow a slider, and the last one wins', async (context) => {
     return { forces, rate: 20e3 / (performance.now() - begin) };
   });
   assert.equal(new Set(seen.forces).size, 20);
-  context.diagnostic(`${seen.rate.toFixed(1)} answers a second shown`);
+  note(`${seen.rate.toFixed(1)} answers a second shown`);
   // Now faster than anything is solved: what is shown in the end is the last.
   await range.evaluate((input) => {
     const slider = /** @type {HTMLInputElement} */ (input);
@@ -151,6 +126,4 @@ test('figures follow a slider, and the last one wins', async (context) => {
   await page.locator('[data-status=live]').getByText('Solve makes a job of it').waitFor();
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
-  assert.deepEqual(faults, []);
-  await close();
 });

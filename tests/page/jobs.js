@@ -1,0 +1,48 @@
+/** Jobs beside the form: the reference problem with changes, and the draft that the form shows. */
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/**
+ * Sends the reference problem, with changes, on a coarse mesh.
+ * @param {Page} page at a service
+ * @param {object} [change]
+ * @param {boolean} [wait] for its end
+ * @returns {Promise<string>} its id
+ */
+export const sent = (page, change, wait = false) =>
+  page.evaluate(
+    async ([change, wait]) => {
+      const { examples } = await (await fetch('v1/examples')).json();
+      const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'two_cylinders');
+      const body = JSON.stringify({ ...job, mesh: { elements_per_half_width: 8 }, ...change });
+      const headers = { 'Content-Type': 'application/json' };
+      const { id } = await (await fetch('v1/jobs', { method: 'POST', headers, body })).json();
+      if (wait) await fetch(`v1/jobs/${id}?wait=60`);
+      return id;
+    },
+    /** @type {const} */ ([change ?? {}, wait]),
+  );
+
+/** The same, solved. @param {Page} page @param {object} [change] @returns {Promise<string>} its id */
+export const solved = (page, change) => sent(page, change, true);
+
+/** Follows a link within the page. @param {Page} page @param {string} hash */
+export const follow = (page, hash) =>
+  page.evaluate((hash) => {
+    location.hash = hash;
+  }, hash);
+
+/** Shows a job, solved from the reference problem with changes. @param {Page} page @param {object} [change] @returns {Promise<string>} its id */
+export async function shown(page, change) {
+  const id = await solved(page, change);
+  await follow(page, `job=${id}`);
+  await page.locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])').waitFor();
+  await page.locator('#panel-figures tbody tr').first().waitFor();
+  return id;
+}
+
+/** Waits until the field is drawn. @param {Page} page */
+export const drawn = (page) => page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
+
+/** The draft as it is kept. @param {Page} page @returns {Promise<any>} */
+export const draft = async (page) => JSON.parse((await page.evaluate(() => sessionStorage.getItem('draft'))) ?? '{}');

@@ -1,0 +1,60 @@
+/** Parts of the page that need no browser. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { locate, locateAll } from '../../../web/field/locate.js';
+import { progressWords } from '../../../web/result/progress.js';
+
+/** @param {number[]} lengths iterations of each step @param {number} pace [ms] of a step */
+const history = (lengths, pace) =>
+  lengths.flatMap((length, step) =>
+    Array.from({ length }, (_, k) => ({
+      iteration: k + 1,
+      elapsed_ms: 5000 + pace * step + k,
+      equilibrium_residual: 1e-3,
+    })),
+  );
+
+test('a sweep says which step it is at and what time is left', () => {
+  const job = { load: { forces: [1, 2, 3, 4, 5, 6, 7, 8, 9, 10] } };
+  const words = (/** @type {number[]} */ lengths, of = job) =>
+    progressWords(/** @type {any} */ (history(lengths, 4000)), of);
+  assert.equal(words([]), 'meshing and factorizing');
+  assert.equal(words([3]), 'step 1 of 10, iteration 3, out of balance 0.0010');
+  // Seven steps of 4 s are left of this one on.
+  assert.equal(words([3, 5, 2, 2]), 'step 4 of 10, about 28 s left, iteration 2, out of balance 0.0010');
+  assert.match(words(Array(10).fill(2)), /^step 10 of 10, about 4 s left/);
+  assert.match(words(Array(13).fill(2)), /^step 10 of 10, iteration/, 'steps of a mesh that grew are done again');
+  assert.match(words([3], /** @type {any} */ ({ load: { force: 1 } })), /^iteration 3/);
+  assert.match(
+    words([3, 2], /** @type {any} */ ({ load: { history: [{}] }, solver: { theory: 'flow' } })),
+    /^increment 2, iteration 2/,
+  );
+});
+
+test('many points are found in one look where one by one finds them', () => {
+  // A skewed grid of quadrilaterals.
+  const [across, down] = [13, 9];
+  const nodes = new Float32Array(2 * across * down);
+  for (let j = 0; j < down; j++)
+    for (let i = 0; i < across; i++)
+      nodes.set([i + 0.2 * Math.sin(j), j + 0.15 * Math.cos(3 * i)], 2 * (across * j + i));
+  const corners = [];
+  for (let j = 0; j + 1 < down; j++)
+    for (let i = 0; i + 1 < across; i++) {
+      const a = across * j + i;
+      corners.push(a, a + 1, a + across + 1, a, a + across + 1, a + across);
+    }
+  const mesh = /** @type {any} */ ({
+    nodes,
+    displacement: new Float32Array(nodes.length),
+    triangles: Uint32Array.from(corners),
+  });
+  const points = Array.from(
+    { length: 400 },
+    (_, k) => /** @type {[number, number]} */ ([((k * 0.618) % 14) - 1, ((k * 0.414) % 10) - 1]),
+  );
+  const all = locateAll(mesh, points);
+  assert.ok(all.filter(Boolean).length > 200 && all.includes(null));
+  points.forEach(([x, y], k) => assert.deepEqual(all[k], locate(mesh, 0, 0, x, y)));
+});
