@@ -136,7 +136,8 @@ export const convert = (value, quantity, from, to) =>
 export function figure(value, digits = 5) {
   if (value == null || !Number.isFinite(value)) return '—';
   if (value === 0) return '0';
-  const size = Math.abs(value);
+  // 999.9999 is 1000.0, which has one place less.
+  const size = Math.abs(Number(value.toPrecision(digits)));
   if (size >= 1e6 || size < 1e-4) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
     return `${mantissa.replace('-', '−')}·10${superscript(Number(exponent))}`;

@@ -2,7 +2,13 @@
 
 import { allFields } from './fields.js';
 
-const LABELS = new Map(allFields().map(({ key, label }) => [key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]));
+/** Keys of the job, as the form calls them. */
+const LABELS = new Map([
+  ...['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'].map((key) => [key, key]),
+  ['law', 'hardening'],
+  ['type', 'shape'],
+  ...allFields().map(({ key, label }) => [key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
+]);
 
 /** @param {string} message in which keys stand between back-quotes */
 export const inWords = (message) =>

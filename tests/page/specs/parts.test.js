@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { locate, locateAll } from '../../../web/field/locate.js';
+import { figure } from '../../../web/lib/units.js';
 import { progressWords } from '../../../web/result/progress.js';
 
 /** @param {number[]} lengths iterations of each step @param {number} pace [ms] of a step */
@@ -57,4 +58,19 @@ test('many points are found in one look where one by one finds them', () => {
   const all = locateAll(mesh, points);
   assert.ok(all.filter(Boolean).length > 200 && all.includes(null));
   points.forEach(([x, y], k) => assert.deepEqual(all[k], locate(mesh, 0, 0, x, y)));
+});
+
+test('figures have five digits, whatever they round to', () => {
+  for (const [value, text] of /** @type {[number, string][]} */ ([
+    [999.9999999, '1000.0'],
+    [0.099999999, '0.10000'],
+    [1182.437, '1182.4'],
+    [-0.017911, '−0.017911'],
+    [999999.9, '1.0000·10⁶'],
+    [0.000099999999, '0.00010000'],
+    [34162.7, '34163'],
+    [0, '0'],
+    [NaN, '—'],
+  ]))
+    assert.equal(figure(value), text);
 });
