@@ -2,12 +2,14 @@
 
 import { allFields } from './fields.js';
 
-/** Keys of the job, as the form calls them. */
+const PLAIN = ['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'];
 const LABELS = new Map([
-  ...['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'].map((key) => [key, key]),
+  ...PLAIN.map((key) => /** @type {[string, string]} */ ([key, key])),
   ['law', 'hardening'],
   ['type', 'shape'],
-  ...allFields().map(({ key, label }) => [key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
+  ...allFields().map(
+    ({ key, label }) => /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
+  ),
 ]);
 
 /** @param {string} message in which keys stand between back-quotes */
