@@ -4,6 +4,7 @@ import { Problem, ask, faultsOf, post } from './api/client.js';
 import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
+import { isObject, kept } from './lib/kept.js';
 import { same } from './lib/pointer.js';
 import { duration } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
@@ -253,7 +254,7 @@ async function applyAddress() {
   wanted = '';
   if (packed) {
     const definition = await link.unpack(packed).catch(() => undefined);
-    if (definition) return draft.replace(definition, 'link');
+    if (isObject(definition)) return draft.replace(definition, 'link');
     toast('The link is damaged');
   }
 }
@@ -270,8 +271,8 @@ async function begin() {
   draft.addEventListener('change', () => {
     choice.value = examples.find(({ job }) => same(job, draft.job))?.title ?? '';
   });
-  const kept = sessionStorage.getItem(KEPT);
-  draft.replace(kept ? JSON.parse(kept) : examples[0].job, kept ? 'kept' : 'example');
+  const before = kept(sessionStorage, KEPT, (job) => (isObject(job) ? job : undefined));
+  draft.replace(before ?? examples[0]?.job ?? {}, before ? 'kept' : 'example');
   nothing('Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.');
   draft.addEventListener('change', () => sessionStorage.setItem(KEPT, JSON.stringify(draft.job)));
   await applyAddress();

@@ -1,6 +1,7 @@
 /** Units that results are shown in, apart from those of the job. */
 
 import { h } from '../lib/dom.js';
+import { kept } from '../lib/kept.js';
 import { factor, forceOf, setOf, stiffnessOf } from '../lib/units.js';
 
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
@@ -92,10 +93,16 @@ export function inUnits(value, of, set) {
     : walk(value, '');
 }
 
+/** @param {any} given @returns {Partial<Record<'length' | 'stress' | 'force', string>>} those of it that there are */
+const chosen = (given) =>
+  Object.fromEntries(
+    Object.entries(CHOICES).flatMap(([key, names]) => (names.includes(given?.[key]) ? [[key, given[key]]] : [])),
+  );
+
 /** The choice of units: what is not chosen is as in the job. */
 export class DisplayUnits {
   /** @type {Partial<Record<'length' | 'stress' | 'force', string>>} */
-  #chosen = JSON.parse(localStorage.getItem(KEPT) ?? '{}');
+  #chosen = kept(localStorage, KEPT, chosen) ?? {};
 
   /** @param {() => void} changed */
   constructor(changed) {

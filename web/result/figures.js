@@ -133,15 +133,17 @@ export class FiguresPanel {
 
   /** @param {Shown[]} shown @param {number} at step of the first */
   show(shown, at) {
-    this.#shown = shown;
     const steps = shown[0].report.steps.length;
     this.panel.show(true);
-    this.table.replaceChildren(
-      ...tableElements(figuresTable(shown), (row) =>
-        row < steps && steps > 1
-          ? { 'aria-current': row === at ? 'step' : null, class: 'choice', onclick: () => this.choose(row) }
-          : { 'aria-current': row === at && shown.length > 1 ? 'step' : null },
-      ),
-    );
+    // Of a long sweep only the mark moves from step to step.
+    if (shown !== this.#shown)
+      this.table.replaceChildren(
+        ...tableElements(figuresTable(shown), (row) =>
+          row < steps && steps > 1 ? { class: 'choice', onclick: () => this.choose(row) } : {},
+        ),
+      );
+    this.#shown = shown;
+    this.table.querySelector('[aria-current]')?.removeAttribute('aria-current');
+    if (steps > 1 || shown.length > 1) this.table.tBodies[0].rows[at].setAttribute('aria-current', 'step');
   }
 }

@@ -116,7 +116,8 @@ function cost({ equations, bytes }, job) {
  * @returns {Promise<Hertz | null>} nothing where the theory does not apply
  */
 async function closedForm(job, signal) {
-  const highest = Math.max(0, ...(job.load?.history ?? []).map((/** @type {any} */ load) => Number(load.force) || 0));
+  const loads = Array.isArray(job.load?.history) ? job.load.history : [];
+  const highest = Math.max(0, ...loads.map((/** @type {any} */ load) => Number(load?.force) || 0));
   const forced = job.load?.force !== undefined || job.load?.forces !== undefined || highest > 0;
   const load = highest > 0 ? { force: highest } : forced ? job.load : { force: 1 };
   try {

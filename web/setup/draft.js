@@ -122,7 +122,7 @@ function* dimensional(job) {
     const material = pointer.get(job, `${body}/material`);
     yield* within(job, `${body}/shape`, SHAPES[shape?.type]?.fields ?? []);
     yield* within(job, `${body}/material`, ELASTIC);
-    yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)].fields);
+    yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, [BACKSTRESS]);
   }
@@ -148,7 +148,7 @@ function* within(job, parent, fields) {
         );
     } else if (field.kind === 'history' && Array.isArray(value)) {
       for (const [k, load] of value.entries())
-        for (const key of Object.keys(load))
+        for (const key of Object.keys(load ?? {}))
           yield [`${place}/${k}/${key}`, key === 'approach' ? 'length' : /** @type {Quantity} */ (field.quantity)];
     } else if (Array.isArray(value)) {
       for (const k of value.keys()) yield [`${place}/${k}`, /** @type {Quantity} */ (field.quantity)];

@@ -1,5 +1,6 @@
 /** What a job is made of: the fields of every shape, hardening law and setting, and sensible values to begin with. */
 
+import { isObject } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
 import { convert } from '../lib/units.js';
 import * as tables from './tables.js';
@@ -28,14 +29,14 @@ import * as tables from './tables.js';
 export const SHAPES = mapValues(tables.SHAPES, withHints);
 
 /** @type {Record<string, Kind>} */
-export const LAWS = {
+export const LAWS = named({
   elastic: { label: 'Elastic', fields: [] },
   ...mapValues(tables.LAWS, withHints),
   rigid: { label: 'Rigid', fields: [] },
-};
+});
 
 /** Ways to give a strength that varies with depth; their keys begin at the hardening law. @type {Record<string, Kind>} */
-export const OVER_DEPTH = tables.OVER_DEPTH;
+export const OVER_DEPTH = named(tables.OVER_DEPTH);
 
 /**
  * The equation of a law stands below its second field; points can be pasted.
@@ -63,7 +64,17 @@ function withHints({ fields, ...kind }) {
  * @returns {Record<string, T>}
  */
 function mapValues(record, change) {
-  return Object.fromEntries(Object.entries(record).map(([key, value]) => [key, change(value)]));
+  return named(Object.fromEntries(Object.entries(record).map(([key, value]) => [key, change(value)])));
+}
+
+/**
+ * A table of nothing but its own names: a job may have any word where one of them is wanted, `constructor` too.
+ * @template {object} T
+ * @param {T} record
+ * @returns {T}
+ */
+function named(record) {
+  return Object.assign(Object.create(null), record);
 }
 
 /** @type {Field[]} */
@@ -247,7 +258,7 @@ export const lawOf = (material) => (material?.rigid ? 'rigid' : (material?.plast
 export function overDepthOf(material) {
   const given = material?.plasticity?.over_depth;
   if (given === undefined || given === null) return 'uniform';
-  if (!given.hardness) return 'factors';
+  if (!isObject(given.hardness)) return 'factors';
   return 'profile' in given.hardness ? 'hardness' : 'case';
 }
 
@@ -272,7 +283,7 @@ export function typicalOverDepth(kind, units) {
 }
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
-export const loadOf = (load) => Object.keys(LOADS).find((key) => load && key in load) ?? 'force';
+export const loadOf = (load) => Object.keys(LOADS).find((key) => isObject(load) && key in load) ?? 'force';
 
 /** @param {Record<string, any> | undefined} material @returns {number | undefined} stress at which flow begins, to be marked */
 export function yieldStress(material) {

@@ -404,7 +404,7 @@ export class Form {
 
 /** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */
 const hasBackstress = (job, body) =>
-  LAWS[lawOf(job[body]?.material)]?.fields.length > 0 &&
+  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
   (job.solver?.theory === 'flow' || Boolean(job[body]?.material?.plasticity?.backstress));
 
 /** Materials to choose from, one's own first. */

@@ -10,7 +10,7 @@ const APPROACH = /^[αa]=?(.+)$/i;
 /** @param {unknown} history @returns {string} as it is typed */
 export const writeHistory = (history) =>
   Array.isArray(history)
-    ? history.map((load) => ('approach' in load ? `α${load.approach}` : String(load.force))).join(' ')
+    ? history.map((load) => (load?.approach === undefined ? String(load?.force) : `α${load.approach}`)).join(' ')
     : String(history ?? '');
 
 /**

@@ -1,6 +1,7 @@
 /** Materials of one's own, kept in this browser, and strengths from a hardness. */
 
 import { h } from '../lib/dom.js';
+import { isObject, kept } from '../lib/kept.js';
 import { readNumber } from '../lib/number.js';
 import { PRESETS } from './materials.js';
 
@@ -10,11 +11,9 @@ const KEPT = 'materials';
 
 /** @returns {Preset[]} */
 export function ownMaterials() {
-  try {
-    return JSON.parse(localStorage.getItem(KEPT) ?? '[]');
-  } catch {
-    return [];
-  }
+  const good = (/** @type {any} */ one) => typeof one?.name === 'string' && isObject(one.material);
+  const read = (/** @type {any} */ all) => (Array.isArray(all) ? all.filter(good) : undefined);
+  return kept(localStorage, KEPT, read) ?? [];
 }
 
 /** @returns {Preset[]} */
@@ -80,8 +79,8 @@ function dialogue(title, content, action, done) {
   box.showModal();
 }
 
-/** @param {Record<string, any>} material in mm, N, MPa @param {() => void} kept */
-export function askToKeep(material, kept) {
+/** @param {Record<string, any>} material in mm, N, MPa @param {() => void} done */
+export function askToKeep(material, done) {
   const name = h('input', { type: 'text', maxlength: 60 });
   const source = h('input', { type: 'text', maxlength: 200 });
   dialogue(
@@ -96,7 +95,7 @@ export function askToKeep(material, kept) {
       if (!name.value.trim()) return 'A material has a name.';
       if (PRESETS.some((preset) => preset.name === name.value.trim())) return 'This name is taken.';
       keep({ name: name.value.trim(), source: source.value.trim() || 'Own figures.', material });
-      kept();
+      done();
       return '';
     },
   );

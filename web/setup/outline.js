@@ -11,11 +11,21 @@
 
 const STEPS = 48;
 
+/** Figures beyond this make no picture. */
+const HUGE = 1e150;
+
 /**
  * @param {Record<string, any> | undefined} shape
  * @returns {Outline | null} nothing while its figures make no shape
  */
 export function outline(shape) {
+  const made = outlineOf(shape);
+  const figures = [made?.base ?? NaN, ...(made?.surface ?? []).flat(), ...(made?.edge ?? []).flat()];
+  return figures.every((figure) => Math.abs(figure) < HUGE) ? made : null;
+}
+
+/** @param {Record<string, any> | undefined} shape @returns {Outline | null} */
+function outlineOf(shape) {
   const [radius, width, depth] = [shape?.radius, shape?.width, shape?.depth].map(Number);
   switch (shape?.type) {
     case 'cylinder':

@@ -31,7 +31,7 @@ export function picture(job, hertz) {
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
   const bodies = shapes.map((shape) =>
-    inHole && shape?.type === 'cylinder' ? pin(Number(shape.radius)) : outline(shape),
+    inHole && shape?.type === 'cylinder' && outline(shape) ? pin(Number(shape.radius)) : outline(shape),
   );
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
   const drawn = bodies.filter((body) => body !== null);
