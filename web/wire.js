@@ -11,6 +11,7 @@
  * @property {null} [forces]
  * @property {null} [history]
  * @property {null} [onset]
+ * @property {null} [target]
  *
  * @typedef {object} ApproachesLoad
  * @property {null} [approach]
@@ -19,6 +20,7 @@
  * @property {null} [forces]
  * @property {null} [history]
  * @property {null} [onset]
+ * @property {null} [target]
  *
  * @typedef {object} BackstressTerm
  * @property {number} modulus
@@ -132,6 +134,14 @@
  * @property {null} [rigid]
  * @property {number} young_modulus
  *
+ * @typedef {object} DentDepthTarget
+ * @property {number} dent_depth
+ * @property {null} [half_width]
+ * @property {null} [max_plastic_strain]
+ * @property {null} [mean_pressure]
+ * @property {null} [peak_pressure]
+ * @property {null} [permanent_approach]
+ *
  * @typedef {object} Ellipse
  * @property {number} semi_axis_x
  * @property {number} semi_axis_y
@@ -196,6 +206,7 @@
  * @property {null} [forces]
  * @property {null} [history]
  * @property {null} [onset]
+ * @property {null} [target]
  *
  * @typedef {object} ForcesLoad
  * @property {null} [approach]
@@ -204,12 +215,21 @@
  * @property {(number)[]} forces
  * @property {null} [history]
  * @property {null} [onset]
+ * @property {null} [target]
  *
  * @typedef {object} Groove
  * @property {number} depth
  * @property {number} radius
  * @property {'groove'} type
  * @property {number} width
+ *
+ * @typedef {object} HalfWidthTarget
+ * @property {null} [dent_depth]
+ * @property {number} half_width
+ * @property {null} [max_plastic_strain]
+ * @property {null} [mean_pressure]
+ * @property {null} [peak_pressure]
+ * @property {null} [permanent_approach]
  *
  * @typedef {object} HardenedCase
  * @property {number} case_depth
@@ -241,6 +261,7 @@
  * @property {null} [forces]
  * @property {({force: number} | {approach: number})[]} history
  * @property {null} [onset]
+ * @property {null} [target]
  *
  * @typedef {object} Hole
  * @property {number | null} [outer_radius]
@@ -322,7 +343,7 @@
  * @property {string} [surface_csv]
  * @property {string} [surface_svg]
  *
- * @typedef {ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad} Load
+ * @typedef {ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad} Load
  *
  * @typedef {object} LoadApproach
  * @property {(number)[]} approach
@@ -340,6 +361,22 @@
  * @property {number} yield_stress
  *
  * @typedef {Deformable | Rigid} Material
+ *
+ * @typedef {object} MaxPlasticStrainTarget
+ * @property {null} [dent_depth]
+ * @property {null} [half_width]
+ * @property {number} max_plastic_strain
+ * @property {null} [mean_pressure]
+ * @property {null} [peak_pressure]
+ * @property {null} [permanent_approach]
+ *
+ * @typedef {object} MeanPressureTarget
+ * @property {null} [dent_depth]
+ * @property {null} [half_width]
+ * @property {null} [max_plastic_strain]
+ * @property {number} mean_pressure
+ * @property {null} [peak_pressure]
+ * @property {null} [permanent_approach]
  *
  * @typedef {object} Mesh
  * @property {number} contact_pairs
@@ -363,6 +400,7 @@
  * @property {null} [forces]
  * @property {null} [history]
  * @property {true} onset
+ * @property {null} [target]
  *
  * @typedef {object} OutputSettings
  * @property {boolean | null} [fields]
@@ -377,6 +415,22 @@
  * @typedef {object} Patch
  * @property {number} left
  * @property {number} right
+ *
+ * @typedef {object} PeakPressureTarget
+ * @property {null} [dent_depth]
+ * @property {null} [half_width]
+ * @property {null} [max_plastic_strain]
+ * @property {null} [mean_pressure]
+ * @property {number} peak_pressure
+ * @property {null} [permanent_approach]
+ *
+ * @typedef {object} PermanentApproachTarget
+ * @property {null} [dent_depth]
+ * @property {null} [half_width]
+ * @property {null} [max_plastic_strain]
+ * @property {null} [mean_pressure]
+ * @property {null} [peak_pressure]
+ * @property {number} permanent_approach
  *
  * @typedef {object} PlasticZone
  * @property {number} area
@@ -454,6 +508,7 @@
  * @property {SolveStatus} status
  * @property {(Step)[]} steps
  * @property {Tags} [tags]
+ * @property {TargetResult} [target]
  * @property {Timings} timings_ms
  * @property {Units} units
  * @property {string} version
@@ -545,6 +600,25 @@
  * @property {([number, number])[]} points
  *
  * @typedef {Record<string, string>} Tags
+ *
+ * @typedef {PermanentApproachTarget | DentDepthTarget | PeakPressureTarget | MeanPressureTarget | HalfWidthTarget | MaxPlasticStrainTarget} Target
+ *
+ * @typedef {object} TargetLoad
+ * @property {null} [approach]
+ * @property {null} [approaches]
+ * @property {null} [force]
+ * @property {null} [forces]
+ * @property {null} [history]
+ * @property {null} [onset]
+ * @property {Target} target
+ *
+ * @typedef {object} TargetResult
+ * @property {string} figure
+ * @property {number} force
+ * @property {number} reached
+ * @property {number | null} relative_error
+ * @property {number} sensitivity
+ * @property {number} wanted
  *
  * @typedef {'deformation' | 'flow'} Theory
  *

@@ -8,9 +8,10 @@ mod plot;
 use std::fmt::Write;
 
 use super::style::Style;
-use brinell_solver::job::{Analysis, Job, Quantity};
+use brinell_solver::job::fields::Figure;
+use brinell_solver::job::{Analysis, Job, Load, Quantity, Target};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, Timings,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -57,6 +58,10 @@ impl Page {
         for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {
             self.line(&wrapped(&format!("{name}  "), &bodies::describe(body, job.units), ", "));
         }
+        if let Some(target) = &report.target {
+            self.line("");
+            self.target(job, target);
+        }
         for step in &report.steps {
             self.line("");
             self.step(step);
@@ -74,6 +79,25 @@ impl Page {
         ));
         self.line(&times(&report.timings_ms));
         self.style.spell(self.text)
+    }
+
+    /// The force that the job asked for by what it does.
+    fn target(&mut self, job: &Job, target: &TargetReport) {
+        let unit = match &job.load {
+            Load::Target(Target { figure, .. }) => match figure.figure() {
+                Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
+                Figure::Pure(_) | Figure::Below(..) => String::new(),
+            },
+            _ => String::new(),
+        };
+        let bar = target
+            .relative_error
+            .map_or_else(String::new, |error| format!(" ± {} %", significant(100.0 * error, 2)));
+        let force = self.style.bold(&format!("{} {}", significant(target.force, 7), self.units.force));
+        let name = target.figure.replace('_', " ");
+        let reached = significant(target.reached, 5);
+        self.line(&format!("force for a {name} of {}{unit}: {force}{bar}", target.wanted));
+        self.line(&self.style.dim(&format!("it is {reached}{unit} under this force")));
     }
 
     fn step(&mut self, step: &StepReport) {

@@ -144,6 +144,7 @@ fn has_curve(job: &Job) -> bool {
     match &job.load {
         Load::Onset => false,
         _ if job.solver.theory == Theory::Flow => true,
+        Load::Target(_) => false,
         Load::Forces(sweep) | Load::Approaches(sweep) => differ(sweep),
         Load::History(history) => differ(history),
     }

@@ -96,6 +96,7 @@ fn report(status: SolveStatus) -> Report {
         status,
         steps: Vec::new(),
         load_approach: None,
+        target: None,
         mesh: MeshReport {
             symmetric: true,
             spacing: 0.01,

@@ -152,6 +152,7 @@ fn every_kind_of_result_is_as_documented() {
     for (name, job) in [
         ("sweep", coarse("plane_strain", &ball, &rigid, json!({"forces": [100.0, 300.0, 600.0]}))),
         ("onset", coarse("axisymmetric", &ball, &rigid, json!({"onset": true}))),
+        ("target", coarse("plane_strain", &ball, &rigid, json!({"target": {"half_width": 0.2}}))),
         ("profile", coarse("plane_strain", &crown, &block(steel.clone()), json!({"force": 50.0}))),
         ("stopped", stopped),
         ("plain", plain),

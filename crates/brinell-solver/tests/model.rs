@@ -238,12 +238,33 @@ mod refused {
 
     #[test]
     fn loads() {
-        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, history, onset");
+        assert_snapshot!(faults_of(&with("/load", json!({}))), @"/load: must have one of: force, forces, approach, approaches, history, onset, target");
         assert_snapshot!(faults_of(&with("/load", json!({"force": 1, "approach": 0}))), @r"
-        /load: must have only one of: force, forces, approach, approaches, history, onset
+        /load: must have only one of: force, forces, approach, approaches, history, onset, target
         /load/approach: must be greater than 0, got 0
         ");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": []}))), @"/load/forces: must have between 1 and 1000 items, got 0");
+    }
+
+    #[test]
+    fn targets() {
+        let target = |target: Value| faults_of(&with("/load", json!({"target": target})));
+        assert_snapshot!(target(json!({})), @"/load/target: must have one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain");
+        assert_snapshot!(target(json!({"peak_pressure": 1200, "half_width": -1})), @r"
+        /load/target: must have only one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain
+        /load/target/half_width: must be greater than 0, got -1
+        ");
+        assert_snapshot!(target(json!({"peak_presure": 1200})), @r#"
+        /load/target: must have one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain
+        /load/target/peak_presure: unknown key "peak_presure"; expected one of: permanent_approach, dent_depth, peak_pressure, mean_pressure, half_width, max_plastic_strain; did you mean `peak_pressure`?
+        "#);
+        assert_snapshot!(target(json!({"max_plastic_strain": 2})), @"/load/target/max_plastic_strain: must be between 1e-9 and 1, got 2");
+        assert_snapshot!(target(json!({"dent_depth": 0.001})), @"/load/target/dent_depth: deformation theory knows no unloading, so nothing is left of a contact; it needs the theory `flow`");
+        let mut elastic = with("/load", json!({"target": {"max_plastic_strain": 0.01}}));
+        for side in ["upper", "lower"] {
+            elastic[side]["material"].as_object_mut().unwrap().remove("plasticity");
+        }
+        assert_snapshot!(faults_of(&elastic), @"/load/target/max_plastic_strain: neither body has a hardening law, so nothing yields under any force");
         assert_snapshot!(faults_of(&with("/load", json!({"forces": [1, -1, "2"]}))), @r"
         /load/forces/1: must be greater than 0, got -1
         /load/forces/2: must be a number, got a string

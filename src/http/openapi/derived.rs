@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::BASE;
 
 /// What a figure of a result is, and its unit in words.
-const UNITS: [(&str, &str); 10] = [
+const UNITS: [(&str, &str); 11] = [
     ("length", "Unit: mm (SI: m)."),
     ("area", "Unit: mm² (SI: m²)."),
     ("stress", "Unit: MPa (SI: Pa)."),
@@ -16,6 +16,7 @@ const UNITS: [(&str, &str); 10] = [
     ("stiffness", "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m)."),
     ("energy", "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry."),
     ("degrees", "Unit: degree."),
+    ("length, stress or 1", "Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one."),
     ("ms", "Unit: ms."),
     ("bytes", "Unit: byte."),
     ("1", "Without unit."),

@@ -10,8 +10,8 @@ use super::fields::read_settings;
 use super::reader::{self, Cursor, Faults, Node};
 use super::wire::InUnits;
 use super::{
-    Body, FieldError, JobError, Load, MeshSettings, Named, OutputSettings, Quantity, SolverSettings, Units,
-    tags,
+    Body, FieldError, JobError, Load, Material, MeshSettings, Named, OutputSettings, Quantity,
+    SolverSettings, Units, tags,
 };
 
 /// A complete, valid request. All figures are in N–mm–MPa whatever [`Job::units`] says; `units` is how they
@@ -100,6 +100,14 @@ impl Job {
     pub fn validate(&self) -> Result<(), JobError> {
         let wire = serde_json::to_value(self).map_err(|error| reader::explain("", &error))?;
         Self::from_value(&wire).map(drop)
+    }
+
+    /// Whether a body has a hardening law.
+    pub(super) fn has_plasticity(&self) -> bool {
+        let bodies = [&self.upper, &self.lower];
+        bodies
+            .iter()
+            .any(|body| matches!(&body.material, Material::Deformable(of) if of.plasticity().is_some()))
     }
 
     fn solvable(document: &Node) -> Result<Self, JobError> {

@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Units};
+use super::{FaultCode, FieldError, NonNegativeF64, PositiveF64, Quantity, Target, Units};
 
 /// What presses the bodies together. Several values are a sweep, one step each.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub enum Load {
     History(History),
     /// The force at which the contact begins to yield, which is the answer: `{"onset": true}`.
     Onset,
+    /// The force under which a figure of the contact has this value, which is the answer: `{"target": {...}}`.
+    Target(Target),
 }
 
 /// One to [`MAX_VALUES`](Self::MAX_VALUES) values of the load, in the order in which they are applied.
@@ -135,7 +137,7 @@ impl Deref for History {
 impl Load {
     /// The keys of the wire format, one of which a load has.
     pub const KINDS: &'static [&'static str] =
-        &["force", "forces", "approach", "approaches", "history", "onset"];
+        &["force", "forces", "approach", "approaches", "history", "onset", "target"];
 
     /// The key under which this load is written: singular for one value.
     pub fn kind(&self) -> &'static str {
@@ -146,6 +148,7 @@ impl Load {
             Self::Approaches(_) => "approaches",
             Self::History(_) => "history",
             Self::Onset => "onset",
+            Self::Target(_) => "target",
         }
     }
 
@@ -179,6 +182,7 @@ impl Load {
                 object.fault("onset", FaultCode::OutOfRange, format_args!("must be true"));
                 None
             }
+            "target" => object.required("target", |c| Target::read(c, units)).map(Self::Target),
             _ => many("approaches", Quantity::Approach).map(Self::Approaches),
         };
         let given: Vec<_> = Self::KINDS.iter().filter(|kind| object.has(kind)).collect();
@@ -202,7 +206,11 @@ impl InUnits<'_, Load> {
     /// The load as it is written; `force` says what a force is in this analysis.
     pub fn with_force(&self, force: Quantity) -> impl Serialize {
         let wire = |values: &Sweep, quantity: Quantity| {
-            Some(values.iter().map(|value| quantity.to_wire(self.1, value.get())).collect())
+            let value = |value: &PositiveF64| quantity.to_wire(self.1, value.get());
+            match &values[..] {
+                [one] => WireValue::One(value(one)),
+                many => WireValue::Many(many.iter().map(value).collect()),
+            }
         };
         let entry = |load: &HistoryLoad| match load {
             HistoryLoad::Force(value) => WireHistoryLoad::Force(force.to_wire(self.1, value.get())),
@@ -210,22 +218,30 @@ impl InUnits<'_, Load> {
                 WireHistoryLoad::Approach(Quantity::Approach.to_wire(self.1, value.get()))
             }
         };
-        let (values, history) = match self.0 {
-            Load::Forces(values) => (wire(values, force), Vec::new()),
-            Load::Approaches(values) => (wire(values, Quantity::Approach), Vec::new()),
-            Load::History(loads) => (None, loads.iter().map(entry).collect()),
-            Load::Onset => (None, Vec::new()),
+        let value = match self.0 {
+            Load::Forces(values) => wire(values, force),
+            Load::Approaches(values) => wire(values, Quantity::Approach),
+            Load::History(loads) => WireValue::History(loads.iter().map(entry).collect()),
+            Load::Onset => WireValue::Yes(true),
+            Load::Target(target) => WireValue::Target(InUnits(target, self.1)),
         };
-        WireLoad { kind: self.0.kind(), values, history }
+        WireLoad { kind: self.0.kind(), value }
     }
 }
 
-struct WireLoad {
+struct WireLoad<'a> {
     kind: &'static str,
-    /// `None` is written as `true`.
-    values: Option<Vec<f64>>,
-    /// The loads of a history; empty for all else.
-    history: Vec<WireHistoryLoad>,
+    value: WireValue<'a>,
+}
+
+#[derive(serde::Serialize)]
+#[serde(untagged)]
+enum WireValue<'a> {
+    One(f64),
+    Many(Vec<f64>),
+    History(Vec<WireHistoryLoad>),
+    Yes(bool),
+    Target(InUnits<'a, Target>),
 }
 
 #[derive(serde::Serialize)]
@@ -235,15 +251,10 @@ enum WireHistoryLoad {
     Approach(f64),
 }
 
-impl Serialize for WireLoad {
+impl Serialize for WireLoad<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(1))?;
-        match self.values.as_deref() {
-            None if !self.history.is_empty() => map.serialize_entry(self.kind, &self.history)?,
-            None => map.serialize_entry(self.kind, &true)?,
-            Some([value]) => map.serialize_entry(self.kind, value)?,
-            Some(values) => map.serialize_entry(self.kind, values)?,
-        }
+        map.serialize_entry(self.kind, &self.value)?;
         map.end()
     }
 }

@@ -29,6 +29,7 @@ pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
 pub mod tags;
+pub mod target;
 mod theory;
 pub mod units;
 mod wire;
@@ -52,4 +53,5 @@ pub use shape::{
     Block, Cone, Cylinder, Ellipse, Groove, Hole, Interpolation, OuterEdge, Parabola, Power, Profile, Punch,
     Shape, Wedge,
 };
+pub use target::{Target, TargetFigure};
 pub use units::Units;

@@ -9,7 +9,7 @@ use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
     HardnessProfile, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, Quantity,
-    Shape, SolverSettings, Support, Sweep, Theory, Units, tags,
+    Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -372,6 +372,12 @@ impl Schemas<'_> {
                 history,
             ),
             ("OnsetLoad", "onset", "The force at which the contact begins to yield is the answer.", yes),
+            (
+                "TargetLoad",
+                "target",
+                "The force under which a figure of the contact has a value is the answer.",
+                example(self.named("Target"), json!({"peak_pressure": 1200.0})),
+            ),
         ];
         let names = loads.each_ref().map(|(name, ..)| *name);
         let mut all = vec![(
@@ -386,7 +392,33 @@ impl Schemas<'_> {
             entries.extend(Load::KINDS.iter().filter(|kind| **kind != key).map(|kind| never(kind)));
             (name, object(description, entries))
         }));
+        all.extend(self.targets());
         all
+    }
+
+    fn targets(&self) -> Vec<(&'static str, Value)> {
+        const NAMES: [&str; 6] = [
+            "PermanentApproachTarget",
+            "DentDepthTarget",
+            "PeakPressureTarget",
+            "MeanPressureTarget",
+            "HalfWidthTarget",
+            "MaxPlasticStrainTarget",
+        ];
+        let target = self.one_of(
+            "A figure of the contact and the value that it is to have: exactly one of these.",
+            &NAMES,
+        );
+        let each = NAMES.into_iter().zip(TargetFigure::ALL).map(|(name, figure)| {
+            let (key, description) = (figure.name(), figure.description());
+            let mut schema = figure_schema(&figure.figure(), description);
+            schema["examples"] = json!([figure.example()]);
+            let mut entries = vec![Entry { key, schema, required: true }];
+            let others = TargetFigure::ALL.iter().filter(|other| *other != figure);
+            entries.extend(others.map(|other| never(other.name())));
+            (name, object(description, entries))
+        });
+        std::iter::once(("Target", target)).chain(each).collect()
     }
 
     fn one_of(&self, description: &str, names: &[&str]) -> Value {

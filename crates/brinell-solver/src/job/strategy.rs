@@ -14,7 +14,7 @@ use super::reader::{Cursor, Faults, Named, Node};
 use super::{
     Analysis, BackstressTerm, Body, ContactMethod, Coupling, Deformable, Elastic, Field, FieldTable,
     Hardening, History, HistoryLoad, Job, Load, Material, MeshSettings, NonNegativeF64, OutputSettings,
-    PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep, Theory, Units,
+    PoissonRatio, PositiveF64, Shape, SolverSettings, Support, Sweep, Target, TargetFigure, Theory, Units,
 };
 
 /// A positive number within two decades of a typical one, so that it is in range in either unit system.
@@ -137,13 +137,19 @@ fn history() -> impl Strategy<Value = History> {
         .prop_map(|(first, rest)| History::new(std::iter::once(first).chain(rest).collect()).unwrap())
 }
 
+fn target() -> impl Strategy<Value = Target> {
+    any_of(TargetFigure::ALL)
+        .prop_flat_map(|figure| near(figure.example()).prop_map(move |value| Target { figure, value }))
+}
+
 fn load() -> impl Strategy<Value = Load> {
     let sweep = |typical| vec(near(typical), 1..20).prop_map(|values| Sweep::new(values).unwrap());
     prop_oneof![
         sweep(600.0).prop_map(Load::Forces),
         sweep(0.02).prop_map(Load::Approaches),
         history().prop_map(Load::History),
-        Just(Load::Onset)
+        Just(Load::Onset),
+        target().prop_map(Load::Target)
     ]
 }
 

@@ -1,6 +1,8 @@
 //! What only one of the two theories of plasticity can do.
 
-use super::{Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Theory};
+use super::{
+    Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Named, Target, Theory,
+};
 
 impl Job {
     /// Whatever of the job the chosen theory cannot do.
@@ -38,7 +40,21 @@ impl Job {
                         fault(format!("/load/history/{k}"), detail);
                     }
                 }
+                if let Load::Target(Target { figure, .. }) = self.load
+                    && figure.is_permanent()
+                {
+                    let detail = "deformation theory knows no unloading, so nothing is left of a contact; it needs the \
+                                  theory `flow`";
+                    fault(format!("/load/target/{}", figure.name()), detail);
+                }
             }
+        }
+        if let Load::Target(Target { figure, .. }) = self.load
+            && figure.needs_yield()
+            && !self.has_plasticity()
+        {
+            let detail = "neither body has a hardening law, so nothing yields under any force";
+            fault(format!("/load/target/{}", figure.name()), detail);
         }
         faults
     }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::target::TargetSeen;
 use super::units::UnitConverter;
 use super::{
     FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport,
@@ -26,6 +27,7 @@ pub(super) struct ReportBuilder<'a> {
     curve: Vec<[f64; 2]>,
     /// Whether they are a history and not a curve.
     is_history: bool,
+    target: TargetSeen,
     /// The mesh of the last step.
     mesh: MeshReport,
     /// Time spent on reports.
@@ -41,6 +43,7 @@ impl<'a> ReportBuilder<'a> {
             status: None,
             curve: Vec::new(),
             is_history: false,
+            target: TargetSeen::default(),
             mesh: MeshReport::NONE,
             time: Duration::ZERO,
         }
@@ -58,7 +61,7 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             if step.increments.is_empty() {
-                self.curve.push([step.approach, contact::force(step)]);
+                self.curve.push([step.approach, step.force()]);
             } else {
                 self.is_history = true;
                 self.curve.extend(step.increments.iter().map(|end| [end.approach, end.force]));
@@ -67,13 +70,14 @@ impl<'a> ReportBuilder<'a> {
         let enlargements = self.mesh.enlargements + step.enlargements;
         self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
         let report = step_report(self.job, step, fields, self.write);
+        self.target.see(self.job, step, &report);
         self.time += observer.elapsed().saturating_sub(start);
         report
     }
 
     /// The report without its steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, is_history, mesh, time } = self;
+        let Self { job, write, status, curve, is_history, target, mesh, time } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {
@@ -86,6 +90,7 @@ impl<'a> ReportBuilder<'a> {
             } else {
                 load_approach::curve(curve, write)
             },
+            target: target.finish(job, solution.sensitivity, write),
             mesh: MeshReport { passes: solution.passes, ..mesh },
             timings_ms: timings(&solution.phases, observer.elapsed(), time),
             tags: job.tags.clone(),
@@ -147,7 +152,7 @@ impl FieldReports {
 
 fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: UnitConverter) -> StepReport {
     let FieldReports { subsurface, plasticity, fields } = fields;
-    let reference = ElasticReference::of(job, contact::force(step));
+    let reference = ElasticReference::of(job, step.force());
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
     let radius =

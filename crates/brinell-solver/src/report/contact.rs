@@ -1,11 +1,8 @@
 //! The contact itself: pressure, resultants, parts.
 
-use std::f64::consts::PI;
-
 use serde::{Deserialize, Serialize};
 
 use super::units::UnitConverter;
-use crate::fem::element::StressState;
 use crate::solver::{ContactPatch, StepSolution};
 
 /// Contact pressure and its resultants, both sides of the axis.
@@ -57,38 +54,18 @@ pub struct ContactNodes {
     pub gap: Vec<f64>,
 }
 
-/// Force on both sides of the axis \[N/mm, or N in axisymmetry\].
-pub(super) fn force(step: &StepSolution) -> f64 {
-    let meshed: f64 = step.pairs.iter().map(|pair| pair.closing * pair.force).sum();
-    let on_axis = step.pairs.first().map_or(0.0, |pair| pair.force);
-    if step.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
-}
-
-/// Width on unit thickness \[mm\], or the area of the contact circle \[mm²\]; of a pin in a hole across the approach.
-fn area(step: &StepSolution, half_width: f64) -> f64 {
-    let half_width = step.conforming.map_or(half_width, |pair| pair.half_chord(half_width));
-    match step.stress_state {
-        StressState::PlaneStrain | StressState::PlaneStress => 2.0 * half_width,
-        StressState::Axisymmetric => PI * half_width * half_width,
-    }
-}
-
 pub(super) fn report(step: &StepSolution, write: UnitConverter) -> ContactReport {
-    let force = force(step);
-    let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    // The half-width is known to half an element; a mean above the peak would be its error.
-    let mean = if half_width > 0.0 { (force / area(step, half_width)).min(step.peak_pressure) } else { 0.0 };
     // A half model is mirrored: -x_n … -x_1, x_0 = 0, x_1 … x_n. Of a body of revolution x is the radius.
     let mirrored = if step.is_mirrored() { step.pairs.get(1..).unwrap_or(&[]) } else { &[] };
     let pairs =
         || mirrored.iter().rev().map(|pair| (pair, -1.0)).chain(step.pairs.iter().map(|pair| (pair, 1.0)));
     ContactReport {
-        force: write.force(force),
-        half_width: write.length(half_width),
-        half_angle: step.conforming.map(|pair| pair.angle(half_width).to_degrees()),
+        force: write.force(step.force()),
+        half_width: write.length(step.half_width()),
+        half_angle: step.conforming.map(|pair| pair.angle(step.half_width()).to_degrees()),
         peak_pressure: write.stress(step.peak_pressure),
         peak_position: write.length(step.peak_position),
-        mean_pressure: write.stress(mean),
+        mean_pressure: write.stress(step.mean_pressure()),
         patches: patches(step)
             .map(|part| Patch { left: write.length(part.left), right: write.length(part.right) })
             .collect(),

@@ -10,7 +10,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, ValidityNote, YieldOnsetReport,
+    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, TargetReport, ValidityNote,
+    YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -29,6 +30,9 @@ pub struct Report {
     /// The load–approach curve of a sweep.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_approach: Option<LoadApproach>,
+    /// The force that was asked for by what it does; only of a job with `load.target`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub target: Option<TargetReport>,
     /// The mesh of the last step.
     pub mesh: MeshReport,
     /// Where the time went.

@@ -79,7 +79,7 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
         ContactLoad::Force(_) => (approach, 0.0),
         ContactLoad::Approach(_) => {
             // What an error of the approach is on the curve of force over approach.
-            let force = super::contact::force(step);
+            let force = step.force();
             let slope = if force > 0.0 { step.contact_stiffness * step.approach / force } else { 0.0 };
             let floor = (increments.approach + approach_floor) * slope.max(1.0);
             (0.0, relative(force, coarse.force).max(floor))

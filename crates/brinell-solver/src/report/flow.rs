@@ -76,8 +76,6 @@ pub struct SurfaceReport {
 
 /// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
 const NOTICEABLE: f64 = 1e-6;
-/// Half-widths of the meshed contact zone to which the surface is reported.
-const REPORTED: f64 = 2.5;
 
 pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {
     let energy = step.energy?;
@@ -108,24 +106,11 @@ pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowRepo
 }
 
 fn surface(body: &BodySolution, symmetric: bool, write: UnitConverter) -> SurfaceReport {
-    let zone = &body.mesh.zone;
-    let limit = REPORTED * zone.half_width();
-    let mut surface: Vec<[f64; 2]> = body
-        .mesh
-        .free_surface_nodes()
-        .map(|node| {
-            let (position, u) = (body.mesh.nodes[node as usize], body.displacement[node as usize]);
-            let ([x, _], [n_x, n_y]) = (body.mesh.frame.place(position), body.mesh.frame.normal(position));
-            [x, n_x * u[0] + n_y * u[1]]
-        })
-        .filter(|[x, _]| (x - zone.centre()).abs() <= limit)
-        .collect();
-    surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut surface = body.surface();
     if symmetric {
         let mirrored = surface.iter().rev().filter(|[x, _]| *x > 0.0).map(|[x, y]| [-x, *y]);
         surface = mirrored.collect::<Vec<_>>().into_iter().chain(surface).collect();
     }
-    let lowest = surface.iter().map(|[_, y]| *y).fold(0.0, f64::min);
     let [place, highest] =
         surface.iter().copied().fold([0.0; 2], |best, at| if at[1] > best[1] { at } else { best });
     let points = body.stress.points.iter().flatten();
@@ -136,7 +121,7 @@ fn surface(body: &BodySolution, symmetric: bool, write: UnitConverter) -> Surfac
     SurfaceReport {
         x: surface.iter().map(|[x, _]| write.length(*x)).collect(),
         height: surface.iter().map(|[_, y]| write.length(*y)).collect(),
-        depth: write.length(-lowest),
+        depth: write.length(body.dent_depth()),
         pile_up: write.length(highest),
         pile_up_position: write.length(place.abs()),
         yielded_in_reverse: strain > 0.0,

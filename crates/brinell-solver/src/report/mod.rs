@@ -14,6 +14,7 @@ mod plastic_zone;
 mod run;
 mod strength;
 mod subsurface;
+mod target;
 mod units;
 mod validity;
 
@@ -26,4 +27,5 @@ pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};
+pub use target::TargetReport;
 pub use validity::{VALIDITY_CODES, ValidityNote};

@@ -2,11 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::contact::force;
 use super::units::UnitConverter;
 use crate::contact::ContactLoad;
 use crate::job::{Job, Load};
-use crate::solver::{Problem, StepSolution, highest_utilisation};
+use crate::solver::{Problem, StepSolution, highest_utilization};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,13 +41,13 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
     if job.load != Load::Onset {
         return None;
     }
-    let first = highest_utilisation(step, &Problem::of(job))?;
+    let first = highest_utilization(step, &Problem::of(job))?;
     let solution = step.bodies.get(first.body)?.as_ref()?;
     let [x, depth] = solution.mesh.frame.place(first.position);
     // The force that was prescribed; the nodal ones add up to it but for rounding.
     let force = match step.load {
         ContactLoad::Force(force) => force,
-        ContactLoad::Approach(_) => force(step),
+        ContactLoad::Approach(_) => step.force(),
     };
     Some(YieldOnsetReport {
         force: write.force(force),

@@ -4,10 +4,11 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::build::ReportBuilder;
-use super::{Report, StepReport};
+use super::units::UnitConverter;
+use super::{Report, StepReport, target};
 use crate::fem::mesh::MeshError;
-use crate::job::{FieldError, Job, Load, Material, Shape};
-use crate::solver::{self, Estimate, Interrupt, Observer, Options, SolveError, StepSolution};
+use crate::job::{FieldError, Job, Load, Material, Named as _, Shape};
+use crate::solver::{self, Estimate, Interrupt, Observer, Options, SolveError, StepSolution, Unreachable};
 
 /// Why a job gave no report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -47,7 +48,12 @@ impl RunError {
                 vec!["/load".to_owned()]
             }
             SolveError::NoLoad => vec!["/load/history".to_owned()],
-            SolveError::NoYieldPoint => vec!["/load/onset".to_owned()],
+            SolveError::NoYieldPoint | SolveError::Unreachable(Unreachable { target: None, .. }) => {
+                vec!["/load/onset".to_owned()]
+            }
+            SolveError::Unreachable(Unreachable { target: Some(target), .. }) => {
+                vec![format!("/load/target/{}", target.figure.name())]
+            }
             SolveError::Conforming => sides.map(|(side, _)| format!("/{side}/shape")).to_vec(),
             SolveError::AmbiguousCorner { side, .. } => {
                 let side = if *side == 0 { "upper" } else { "lower" };
@@ -57,7 +63,12 @@ impl RunError {
             SolveError::Mesh(MeshError::TooSteep { .. }) => faces(true),
             _ => Vec::new(),
         };
-        let detail = error.to_string();
+        let detail = match error {
+            SolveError::Unreachable(found) => {
+                target::unreachable(found, UnitConverter::new(job.units, job.analysis))
+            }
+            error => error.to_string(),
+        };
         if pointers.is_empty() {
             return Self::Failed(detail);
         }
@@ -106,12 +117,21 @@ const STEP_BYTES_PER_ELEMENT: u64 = 512;
 /// Bytes of a factor whose step is one unit of work.
 const WORK_UNIT: u64 = 1 << 16;
 
+/// Solves of a load that is sought, those on coarser meshes by what they take.
+const SEARCH_SOLVES: usize = 4;
+
 /// Adds what the result takes to what the solve takes.
 fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let steps = match &job.load {
         Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count(),
         Load::History(history) => history.iter().count(),
         Load::Onset => 1,
+        // With force and without it.
+        Load::Target(target) => 1 + usize::from(target.figure.is_permanent()),
+    };
+    let solves = match &job.load {
+        Load::Onset | Load::Target(_) => steps * SEARCH_SOLVES,
+        _ => steps,
     };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
@@ -120,7 +140,7 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
         equations: estimate.equations,
         bytes: estimate.bytes + FIELD_COPIES * fields,
         result_bytes: step * steps as u64,
-        work: (estimate.bytes / WORK_UNIT).max(1) * steps as u64,
+        work: (estimate.bytes / WORK_UNIT).max(1) * solves as u64,
     }
 }
 

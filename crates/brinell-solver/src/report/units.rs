@@ -1,6 +1,7 @@
 //! Figures as the job wants them written.
 
-use crate::job::{Analysis, Quantity, Units};
+use crate::job::fields::Figure;
+use crate::job::{Analysis, Quantity, TargetFigure, Units};
 
 /// Writes figures of the core in a job's units.
 #[derive(Debug, Clone, Copy)]
@@ -45,5 +46,33 @@ impl UnitConverter {
     /// A length with its unit, for sentences.
     pub fn length_text(self, core: f64) -> String {
         format!("{} {}", self.length(core), Quantity::Length.symbol(self.units))
+    }
+
+    /// The figure of a target in its own unit.
+    pub fn of_target(self, figure: TargetFigure, core: f64) -> f64 {
+        figure.figure().to_wire(self.units, core)
+    }
+
+    /// The figure of a target with its unit, to five digits, for sentences.
+    pub fn target_text(self, figure: TargetFigure, core: f64) -> String {
+        let value = rounded(self.of_target(figure, core));
+        match figure.figure() {
+            Figure::Quantity(quantity) => format!("{value} {}", quantity.symbol(self.units)),
+            Figure::Pure(_) | Figure::Below(..) => value,
+        }
+    }
+
+    /// A force with its unit, to five digits, for sentences.
+    pub fn force_text(self, core: f64) -> String {
+        format!("{} {}", rounded(self.force(core)), self.force.symbol(self.units))
+    }
+}
+
+/// A figure to five digits.
+fn rounded(value: f64) -> String {
+    let digits = format!("{value:.4e}");
+    match digits.parse::<f64>() {
+        Ok(plain) if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) => plain.to_string(),
+        _ => digits,
     }
 }

@@ -242,7 +242,7 @@ fn falls(job: &Job) -> bool {
             | [HistoryLoad::Approach(a), HistoryLoad::Approach(b)] => b < a,
             _ => false,
         }),
-        Load::Onset => false,
+        Load::Onset | Load::Target(_) => false,
     }
 }
 

@@ -1,26 +1,47 @@
 //! The loads of a job.
 
 use crate::contact::ContactLoad;
-use crate::job::{HistoryLoad, Load};
+use crate::job::{HistoryLoad, Load, Target};
 
 /// How much finer than asked a mesh is made where the loads that follow are smaller.
 const FALLING_RESERVE: f64 = 1.2;
 
-/// The loads of a job in order; `None` where the load itself is sought.
-pub(crate) fn loads(load: &Load) -> Option<Vec<ContactLoad>> {
+/// What a job says of its loads.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Loads {
+    /// The loads in order.
+    Given(Vec<ContactLoad>),
+    /// A force, by what it does.
+    Sought(Sought),
+}
+
+/// By what a force is sought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Sought {
+    /// The elastic bodies come up to the yield stress at one place.
+    Onset,
+    /// A figure of the contact has a value.
+    Target(Target),
+}
+
+/// What a job says of its loads.
+pub(crate) fn loads(load: &Load) -> Loads {
     match load {
-        Load::Forces(forces) => Some(forces.iter().map(|force| ContactLoad::Force(force.get())).collect()),
+        Load::Forces(forces) => {
+            Loads::Given(forces.iter().map(|force| ContactLoad::Force(force.get())).collect())
+        }
         Load::Approaches(approaches) => {
-            Some(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
+            Loads::Given(approaches.iter().map(|approach| ContactLoad::Approach(approach.get())).collect())
         }
         Load::History(loads) => {
             let load = |load: &HistoryLoad| match load {
                 HistoryLoad::Force(force) => ContactLoad::Force(force.get()),
                 HistoryLoad::Approach(approach) => ContactLoad::Approach(approach.get()),
             };
-            Some(loads.iter().map(load).collect())
+            Loads::Given(loads.iter().map(load).collect())
         }
-        Load::Onset => None,
+        Load::Onset => Loads::Sought(Sought::Onset),
+        Load::Target(target) => Loads::Sought(Sought::Target(*target)),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The result of a solve.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::contact::{ContactLoad, KktReport};
@@ -12,8 +13,11 @@ use crate::solver::conforming::ConformingPair;
 use crate::solver::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::phases::PhaseTimes;
 
+/// Half-widths of the meshed contact zone within which a surface is near the contact.
+const SURFACE: f64 = 2.5;
+
 /// The answer to a job.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Solution {
     /// One for each load.
     pub steps: Vec<StepSolution>,
@@ -23,6 +27,8 @@ pub struct Solution {
     pub passes: usize,
     /// Why loads at the end are missing.
     pub interrupted: Option<Interrupt>,
+    /// Of a force that was sought: relative change of the figure by which it was, over that of the force.
+    pub sensitivity: Option<f64>,
 }
 
 /// The answer to one load. Half models are not mirrored here.
@@ -167,6 +173,35 @@ impl StepSolution {
     pub fn is_mirrored(&self) -> bool {
         self.symmetric && self.stress_state != StressState::Axisymmetric
     }
+
+    /// Contact force on both sides of the axis \[N/mm, or N in axisymmetry\].
+    pub fn force(&self) -> f64 {
+        let meshed: f64 = self.pairs.iter().map(|pair| pair.closing * pair.force).sum();
+        let on_axis = self.pairs.first().map_or(0.0, |pair| pair.force);
+        if self.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
+    }
+
+    /// Half of the distance between the ends of the pressure; 0 where nothing touches \[mm\].
+    pub fn half_width(&self) -> f64 {
+        self.patch.map_or(0.0, |patch| patch.half_width())
+    }
+
+    /// Force over the width or, of a body of revolution, over the area of the contact circle; 0 where nothing touches
+    /// \[MPa\].
+    pub fn mean_pressure(&self) -> f64 {
+        let a = self.half_width();
+        if a <= 0.0 {
+            return 0.0;
+        }
+        // Of a pin in a hole across the approach.
+        let across = self.conforming.map_or(a, |pair| pair.half_chord(a));
+        let area = match self.stress_state {
+            StressState::PlaneStrain | StressState::PlaneStress => 2.0 * across,
+            StressState::Axisymmetric => PI * across * across,
+        };
+        // The half-width is known to half an element; a mean above the peak would be its error.
+        (self.force() / area).min(self.peak_pressure)
+    }
 }
 
 impl BodySolution {
@@ -193,6 +228,27 @@ impl BodySolution {
     pub fn max_strain(&self) -> f64 {
         let accumulates = self.model.has_memory();
         self.stress.points.iter().flatten().map(|point| point.strain(accumulates)).fold(0.0, f64::max)
+    }
+
+    /// The surface near the contact: x and how far the node has moved outward, in order of x \[mm\].
+    pub fn surface(&self) -> Vec<[f64; 2]> {
+        let zone = &self.mesh.zone;
+        let limit = SURFACE * zone.half_width();
+        let nodes = self.mesh.free_surface_nodes();
+        let node = |node: u32| {
+            let (position, u) = (self.mesh.nodes[node as usize], self.displacement[node as usize]);
+            let ([x, _], [n_x, n_y]) = (self.mesh.frame.place(position), self.mesh.frame.normal(position));
+            [x, n_x * u[0] + n_y * u[1]]
+        };
+        let mut surface: Vec<_> =
+            nodes.map(node).filter(|[x, _]| (x - zone.centre()).abs() <= limit).collect();
+        surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        surface
+    }
+
+    /// Depth of the deepest point of that surface below the undeformed one \[mm\].
+    pub fn dent_depth(&self) -> f64 {
+        -self.surface().iter().map(|[_, height]| *height).fold(0.0, f64::min)
     }
 
     /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its centre.

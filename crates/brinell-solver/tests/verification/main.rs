@@ -33,6 +33,7 @@ mod stops;
 mod strength_over_depth;
 mod subsurface;
 mod sweeps;
+mod targets;
 mod thick_cylinder;
 mod traces;
 mod trial_model;

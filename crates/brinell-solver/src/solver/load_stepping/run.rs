@@ -2,16 +2,14 @@
 
 use std::sync::Arc;
 
-use super::history::{self, HistoryRequest};
-use super::load_stepper::LoadStepper;
-use super::onset;
+use super::force_search;
+use super::load_sequence::LoadSequence;
 use crate::contact::{ActiveSetSolver, ContactSolver, SimplexSolver};
 use crate::job::{ContactMethod, Job, Theory};
 use crate::solver::SolveError;
 use crate::solver::body_system::factor_cache::FactorCache;
-use crate::solver::loads::loads;
+use crate::solver::loads::{Loads, loads};
 use crate::solver::observer::Observer;
-use crate::solver::phases::PhaseTimes;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
 use crate::solver::solution::{Solution, StepSolution};
 
@@ -78,43 +76,21 @@ pub fn run_each(
         ContactMethod::ActiveSet => &ActiveSetSolver,
         ContactMethod::Simplex => &SimplexSolver,
     });
-    let mut solution =
-        Solution { steps: Vec::new(), phases: PhaseTimes::default(), passes: 0, interrupted: None };
-    let Some(loads) = loads(&job.load) else {
-        let step = onset::run(&problem, job, contact, options.cache, &mut solution, observer)?;
-        on_step(step, observer);
-        return Ok(solution);
-    };
-    let mut stepper = LoadStepper::new(&problem, job, contact, options.cache);
     let model = options.model.or((job.solver.theory == Theory::Flow).then_some(flow_theory));
-    if let Some(model) = model {
+    let with_memory = model.map(|model| {
         let mut bodies = Problem::with_models(job, model);
         bodies.use_symmetry = options.use_symmetry;
-        let increments = job.solver.increments;
-        let request =
-            HistoryRequest { problem: &bodies, sizing: &stepper, job, contact, loads: &loads, increments };
-        history::run(request, &mut solution, observer)?;
-        // A wider mesh takes back what was found on a narrower one, so that steps are final only now.
-        for step in std::mem::take(&mut solution.steps) {
-            on_step(step, observer);
-        }
-        return Ok(solution);
-    }
-    for (k, &load) in loads.iter().enumerate() {
-        match stepper.step(load, loads.get(k + 1).copied(), &mut solution, observer) {
-            Ok(step) => {
-                let status = step.status;
+        bodies
+    });
+    let (with_memory, cache) = (with_memory.as_ref(), options.cache);
+    let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
+    let mut solution = Solution::default();
+    match loads(&job.load) {
+        Loads::Given(loads) => sequence.solve(&loads, &mut solution, observer, on_step)?,
+        Loads::Sought(sought) => {
+            for step in force_search::run(sought, &sequence, &mut solution, observer)? {
                 on_step(step, observer);
-                if status.is_stopped() {
-                    break;
-                }
             }
-            // The steps that are done are worth keeping.
-            Err(SolveError::Interrupted(interrupt)) if k > 0 => {
-                solution.interrupted = Some(interrupt);
-                break;
-            }
-            Err(error) => return Err(error),
         }
     }
     Ok(solution)

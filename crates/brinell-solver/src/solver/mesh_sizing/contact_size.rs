@@ -15,7 +15,7 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::problem::Problem;
 
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
-const MAX_HALF_WIDTH: f64 = 0.5;
+pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 /// Half-width of the candidate zone over that of the contact.
 const ZONE: f64 = 1.6;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.

@@ -1,11 +1,11 @@
 //! What a job will cost, without meshing it.
 
 use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
-use crate::job::Job;
+use crate::job::{Job, Target, TargetFigure};
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
-use crate::solver::loads::{loads, resolution_reserve};
-use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::loads::{Loads, Sought, loads, resolution_reserve};
+use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, MAX_HALF_WIDTH, refinement};
 use crate::solver::problem::Problem;
 
 /// Bytes of factor for each equation and binary digit of their number.
@@ -31,7 +31,10 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let problem = Problem::of(job);
     let elements = job.mesh.elements_per_half_width as usize;
     let mut worst = Estimate { equations: 0, bytes: 0 };
-    let Some(loads) = loads(&job.load) else { return Ok(nominal(&problem, elements)) };
+    let loads = match loads(&job.load) {
+        Loads::Given(loads) => loads,
+        Loads::Sought(sought) => return nominal(&problem, sought, elements),
+    };
     for (k, &load) in loads.iter().enumerate() {
         let extent = ContactSizeEstimate::expected(&problem, load)?.resolved(&problem, elements)?;
         let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
@@ -51,9 +54,16 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     Ok(worst)
 }
 
-/// Where the load is yet to be found: a contact of a hundredth of the surface.
-fn nominal(problem: &Problem, elements: usize) -> Estimate {
-    let half_width = 0.01 * problem.span().1;
+/// Where the load is yet to be found: a contact of a hundredth of the surface, if it is not told how wide it is.
+fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, SolveError> {
+    let available = problem.span().1;
+    let half_width = match sought {
+        Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => value.get(),
+        _ => 0.01 * available,
+    };
+    if half_width > MAX_HALF_WIDTH * available {
+        return Err(SolveError::TooWide { half_width, available });
+    }
     let extent = ContactSizeEstimate {
         centre: 0.0,
         half_width,
@@ -65,7 +75,7 @@ fn nominal(problem: &Problem, elements: usize) -> Estimate {
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem, spacing);
     let nodes = |outline| estimated_nodes(outline, &zone, refinement(&zone));
-    cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>())
+    Ok(cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>()))
 }
 
 /// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were measured and

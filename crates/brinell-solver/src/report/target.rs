@@ -1,0 +1,109 @@
+//! The force that a job asked for by what it does.
+
+use serde::{Deserialize, Serialize};
+
+use super::units::UnitConverter;
+use super::{ErrorEstimate, StepReport};
+use crate::fem::element::StressState;
+use crate::job::{Job, Load, Named as _, Target, TargetFigure};
+use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
+
+/// The force under which a figure of the contact has the value that a job asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TargetResult))]
+pub struct TargetReport {
+    /// Which figure: `permanent_approach`, `dent_depth`, `peak_pressure`, `mean_pressure`, `half_width` or
+    /// `max_plastic_strain`.
+    pub figure: String,
+    /// The value that it was to have \[length, stress or 1\].
+    pub wanted: f64,
+    /// The value that it has under the force \[length, stress or 1\].
+    pub reached: f64,
+    /// The force \[force >= 0\].
+    pub force: f64,
+    /// Relative change of the figure over the relative change of the force \[1\].
+    pub sensitivity: f64,
+    /// Estimated bound of the relative error of the force: what the figure is off by, and what the mesh may have done to it.
+    /// `null` where there is no estimate for the figure \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub relative_error: Option<f64>,
+}
+
+/// What the steps of a job have found of its target.
+#[derive(Debug, Default)]
+pub(super) struct TargetSeen {
+    force: Option<f64>,
+    reached: f64,
+    figure_error: Option<f64>,
+}
+
+impl TargetSeen {
+    /// Takes note of a step: the first one has the force, the last one the figure.
+    pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
+        let Load::Target(target) = &job.load else { return };
+        self.force.get_or_insert_with(|| step.force());
+        self.reached = target_figure(step, target.figure);
+        let of_revolution = step.stress_state == StressState::Axisymmetric;
+        self.figure_error =
+            report.estimated_error.and_then(|bars| error_of(target.figure, bars, of_revolution));
+    }
+
+    /// The report, of a job with a target that has been solved.
+    pub fn finish(self, job: &Job, sensitivity: Option<f64>, write: UnitConverter) -> Option<TargetReport> {
+        let Load::Target(target) = &job.load else { return None };
+        let Target { figure, value } = *target;
+        let (force, sensitivity) = (self.force?, sensitivity?);
+        let missed = (self.reached / value.get() - 1.0).abs();
+        Some(TargetReport {
+            figure: figure.name().to_owned(),
+            wanted: write.of_target(figure, value.get()),
+            reached: write.of_target(figure, self.reached),
+            force: write.force(force),
+            sensitivity,
+            relative_error: self.figure_error.map(|error| (error + missed) / sensitivity),
+        })
+    }
+}
+
+/// The error bar of a figure, if it has one.
+fn error_of(figure: TargetFigure, bars: ErrorEstimate, of_revolution: bool) -> Option<f64> {
+    match figure {
+        TargetFigure::PeakPressure => Some(bars.peak_pressure),
+        TargetFigure::HalfWidth => Some(bars.half_width),
+        TargetFigure::MeanPressure => Some(if of_revolution { 2.0 } else { 1.0 } * bars.half_width),
+        TargetFigure::PermanentApproach => Some(bars.approach),
+        TargetFigure::DentDepth | TargetFigure::MaxPlasticStrain => None,
+    }
+}
+
+/// Why a target is not reached, in the units of the job.
+pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
+    let Some(target) = found.target else {
+        return match &found.reason {
+            UnreachableReason::Limit(why) => format!("the contact does not yield: {why}"),
+            _ => "the contact does not yield under any force that is solved".to_owned(),
+        };
+    };
+    let name = target.figure.label();
+    let figure = |value: f64| write.target_text(target.figure, value);
+    let (nearest, force) = (figure(found.nearest), write.force_text(found.force));
+    match &found.reason {
+        UnreachableReason::Insensitive => format!(
+            "the {name} is {nearest} under {force} and hardly depends on the force, so that it does not tell one"
+        ),
+        UnreachableReason::SmallestForce => {
+            format!("the {name} is larger than this under any force, down to {force}")
+        }
+        UnreachableReason::LargestForce | UnreachableReason::Limit(_) => {
+            let bound = if found.nearest > 0.0 {
+                format!("the largest {name} that is reached is {nearest}, under a force of {force}")
+            } else {
+                format!("no force that is solved, up to {force}, gives any {name}")
+            };
+            match &found.reason {
+                UnreachableReason::Limit(why) => format!("{bound}; under a larger one {why}"),
+                _ => bound,
+            }
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The force between those that are known to be too small and too large.
+
+/// Largest change of a force from one trial to the next, as a logarithm.
+const LARGEST_STEP: f64 = 2.0;
+/// Change where the figure is still zero.
+const STEP_FROM_NOTHING: f64 = 0.7;
+/// Least part of a bracket that an interpolated force keeps from its ends.
+const MARGIN: f64 = 0.1;
+/// Distance from the largest force that can be solved at which there is no use in coming nearer.
+const AT_LIMIT: f64 = 0.02;
+/// Range of the forces that are tried \[N/mm or N\].
+const FORCES: (f64, f64) = (1e-9, 1e9);
+/// Width of a bracket within which the figure jumps, because the contact gains or loses a node.
+const CLOSED: f64 = 0.01;
+/// Trials up to this far from a force, as a logarithm, tell the slope there, if they are spread as widely as this.
+const SLOPE_RANGE: f64 = 0.7;
+const SLOPE_SPREAD: f64 = 0.08;
+/// Least slope that a force is extrapolated with.
+const LEAST_SLOPE: f64 = 0.05;
+
+/// What has been tried, as logarithms of the force and of the figure over its wanted value; minus infinity where the figure
+/// is still zero.
+#[derive(Debug, Clone)]
+pub(super) struct Bracket {
+    /// Last trials with too small and with too large a figure.
+    below: Option<[f64; 2]>,
+    above: Option<[f64; 2]>,
+    /// The smallest force that could not be solved.
+    limit: Option<f64>,
+    /// All with a figure above zero.
+    trials: Vec<[f64; 2]>,
+    /// What is expected of the slope.
+    expected_slope: f64,
+}
+
+/// What to do next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Next {
+    /// Try this force.
+    Force(f64),
+    /// The figure is too small up to the largest force that can be solved.
+    AtLimit,
+    /// The figure is too large down to the smallest force.
+    NoSmaller,
+}
+
+impl Bracket {
+    /// Nothing tried yet; `expected_slope` is what is expected of `d ln figure / d ln force`.
+    pub fn new(expected_slope: f64) -> Self {
+        Self { below: None, above: None, limit: None, trials: Vec::new(), expected_slope }
+    }
+
+    /// Slope of the logarithms at a force, of the straight line nearest to the trials around it; `None` where these are too
+    /// few or too near each other.
+    pub fn slope_at(&self, force: f64) -> Option<f64> {
+        let near = || self.trials.iter().filter(|[x, _]| (x - force.ln()).abs() <= SLOPE_RANGE);
+        let count = near().count() as f64;
+        let [x, y] = [0, 1].map(|k| near().map(|at| at[k]).sum::<f64>() / count);
+        let (lowest, highest) = near()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at[0]), high.max(at[0])));
+        let spread: f64 = near().map(|at| (at[0] - x).powi(2)).sum();
+        let slope = near().map(|at| (at[0] - x) * (at[1] - y)).sum::<f64>() / spread;
+        (highest - lowest >= SLOPE_SPREAD).then_some(slope)
+    }
+
+    /// Whether the figure jumps over its wanted value between two forces that are nearly the same; the smaller one.
+    pub fn jump(&self) -> Option<f64> {
+        let (Some([low, _]), Some([high, _])) = (self.below, self.above) else { return None };
+        (high - low <= CLOSED).then(|| low.exp())
+    }
+
+    /// The largest figure over its wanted value that was found, with its force; of nothing but zeros the largest force.
+    pub fn largest(&self) -> Option<(f64, f64)> {
+        let largest = self.trials.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]));
+        largest.or(self.below).map(|[force, ratio]| (force.exp(), ratio.exp()))
+    }
+
+    /// A force was solved; `ratio` is the figure over its wanted value.
+    pub fn record(&mut self, force: f64, ratio: f64) {
+        let at = [force.ln(), if ratio > 0.0 { ratio.ln() } else { f64::NEG_INFINITY }];
+        if at[1].is_finite() {
+            self.trials.push(at);
+        }
+        if at[1] >= 0.0 {
+            self.above = Some(at);
+            // Figures that fall again under larger forces, or only scatter: the answer is the smallest force.
+            self.below = self.below.filter(|below| below[0] < at[0]);
+        } else if self.above.is_none_or(|above| at[0] < above[0]) {
+            self.below = Some(at);
+        }
+    }
+
+    /// A force could not be solved, because it is too large.
+    pub fn limit(&mut self, force: f64) {
+        self.limit = Some(self.limit.map_or(force.ln(), |limit| limit.min(force.ln())));
+    }
+
+    /// The force to try next.
+    pub fn next(&self) -> Next {
+        let slope = match self.trials[..] {
+            [.., [x1, y1], [x2, y2]] if (x2 - x1).abs() >= SLOPE_SPREAD => (y2 - y1) / (x2 - x1),
+            _ => self.expected_slope,
+        };
+        let slope = slope.max(LEAST_SLOPE);
+        let next = match (self.below, self.above) {
+            (Some([low, y_low]), Some([high, y_high])) => {
+                let part = if y_low.is_finite() {
+                    -y_low / (y_high - y_low)
+                } else {
+                    1.0 - y_high / (slope * (high - low))
+                };
+                low + (high - low) * part.clamp(MARGIN, 1.0 - MARGIN)
+            }
+            (Some([low, y]), None) => {
+                let step = if y.is_finite() { (-y / slope).min(LARGEST_STEP) } else { STEP_FROM_NOTHING };
+                match self.limit {
+                    Some(limit) if limit - low < AT_LIMIT => return Next::AtLimit,
+                    Some(limit) => (low + step).min(f64::midpoint(low, limit)),
+                    None => low + step,
+                }
+            }
+            (None, Some([high, y])) => high - (y / slope).min(LARGEST_STEP),
+            (None, None) => self.limit.map_or(0.0, |limit| limit - LARGEST_STEP),
+        };
+        let force = next.exp();
+        if force < FORCES.0 {
+            Next::NoSmaller
+        } else if force > FORCES.1 {
+            Next::AtLimit
+        } else {
+            Next::Force(force)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trials until a figure that is zero up to a force of 2 and cannot be had above a limit comes within one per cent.
+    fn search(mut force: f64, wanted: f64, limit: f64) -> (Next, usize) {
+        let mut bracket = Bracket::new(1.0);
+        for trial in 1..60 {
+            if force > limit {
+                bracket.limit(force);
+            } else {
+                let ratio = (force - 2.0_f64).max(0.0).powi(2) / wanted;
+                bracket.record(force, ratio);
+                if (ratio - 1.0).abs() < 0.01 {
+                    return (Next::Force(force), trial);
+                }
+            }
+            match bracket.next() {
+                Next::Force(next) => force = next,
+                end => return (end, trial),
+            }
+        }
+        panic!("no end");
+    }
+
+    #[test]
+    fn finds_a_force_from_either_side() {
+        for start in [0.01, 1.0, 5.0, 100.0, 1e6] {
+            let (end, trials) = search(start, 9.0, 1e7);
+            assert!(matches!(end, Next::Force(force) if (force - 5.0).abs() < 0.05), "{start}: {end:?}");
+            assert!(trials <= 25, "{start}: {trials}");
+        }
+    }
+
+    #[test]
+    fn stops_at_the_largest_force_that_can_be_solved() {
+        for start in [0.01, 1.0, 3.9, 100.0] {
+            let (end, trials) = search(start, 9.0, 4.0);
+            assert_eq!(end, Next::AtLimit);
+            assert!(trials <= 25, "{start}: {trials}");
+        }
+    }
+
+    #[test]
+    fn stops_at_the_smallest_force() {
+        let mut bracket = Bracket::new(0.5);
+        let mut force = 1.0;
+        loop {
+            bracket.record(force, 7.0);
+            match bracket.next() {
+                Next::Force(next) => force = next,
+                end => return assert_eq!(end, Next::NoSmaller),
+            }
+        }
+    }
+}

@@ -1,0 +1,375 @@
+//! The force under which a figure of the contact has a value: the onset of yield, or a target.
+//!
+//! ```text
+//! guess:    the force whose mean pressure is about what the figure suggests
+//! coarse:   whole solves on meshes of a third of the density, until a force meets the value nearly
+//! fine:     whole solves as the job asks for them, from there on with the slope that the coarse ones have shown
+//! ```
+//!
+//! Figures of contacts follow powers of the force over long ranges, so that both are looked at in logarithms.
+
+use super::bracket::{Bracket, Next};
+use super::load_sequence::LoadSequence;
+use super::load_stepper::{SilentObserver, auxiliary};
+use super::utilization::highest_utilization;
+use crate::contact::{ActiveSetSolver, ContactLoad};
+use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
+use crate::solver::error::{Unreachable, UnreachableReason};
+use crate::solver::loads::Sought;
+use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
+use crate::solver::problem::{Problem, ProblemBody};
+use crate::solver::solution::{BodySolution, Solution, StepSolution};
+use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
+
+/// How much coarser than asked the meshes are on which the force is looked for, the same where the figure follows the width of
+/// the contact, which a mesh knows to half an element, and the fewest elements.
+const COARSER: u32 = 3;
+const COARSER_FOR_WIDTH: u32 = 2;
+const FEWEST_ELEMENTS: u32 = 6;
+/// Deviation of the figure that is near enough on a coarse mesh, which is itself off by as much.
+const NEAR: f64 = 0.01;
+/// Deviation that ends the search. At 20 elements figures scatter by 0.02 % (peak pressure) to 0.4 %
+/// (half-width) with the mesh.
+const TOLERANCE: f64 = 1e-3;
+/// The same for the onset of yield, which scatters less.
+const ONSET_TOLERANCE: f64 = 2e-4;
+/// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
+const MISSED: f64 = 0.01;
+const MISSED_ELEMENTS: f64 = 0.5;
+/// Most solves on coarse and on fine meshes.
+const MAX_COARSE: usize = 40;
+const MAX_FINE: usize = 4;
+const MAX_FINE_OF_ONSET: usize = 8;
+/// Slope of the logarithms below which the figure does not tell the force.
+const INSENSITIVE: f64 = 0.02;
+/// Deviation up to which such a figure is looked upon as having the value under any force.
+const FLAT: f64 = 0.03;
+/// Least change of a force, as a logarithm, over which a slope is read off two fine solves.
+const SLOPE_SPAN: f64 = 0.02;
+/// Change of a force that shows the slope where the first trial is near already.
+const NEIGHBOUR: f64 = 1.1;
+/// Largest change of the logarithm of the force on fine meshes.
+const LARGEST_CORRECTION: f64 = 0.3;
+/// Mean pressure over the yield stress under which plastic strain is first looked for.
+const PLASTIC_START: f64 = 1.5;
+/// Mean pressure over the yield stress that a first trial does not exceed.
+const HIGHEST_START: f64 = 2.5;
+/// Mean over peak pressure of a first trial.
+const MEAN_OF_PEAK: f64 = 0.75;
+
+/// Solves for the force. The steps are those of the last solve: the force itself and, for a figure that is permanent, the
+/// contact after it is taken away.
+///
+/// # Errors
+/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
+pub(super) fn run(
+    sought: Sought,
+    sequence: &LoadSequence<'_>,
+    solution: &mut Solution,
+    observer: &mut dyn Observer,
+) -> Result<Vec<StepSolution>, SolveError> {
+    let problem = sequence.problem;
+    // Of the weakest depth.
+    let strength = |body: &ProblemBody| Some(body.yield_stress()? * body.strength_range().0);
+    let weakest = problem.bodies.iter().filter_map(strength).reduce(f64::min);
+    if sought != Sought::Onset {
+        return ForceSearch { sought, problem, weakest, sequence: *sequence }.run(solution, observer);
+    }
+    if weakest.is_none() {
+        return Err(SolveError::NoYieldPoint);
+    }
+    let elastic = problem.without_plasticity();
+    let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
+    ForceSearch { sought, problem, weakest, sequence }.run(solution, observer)
+}
+
+struct ForceSearch<'a> {
+    sought: Sought,
+    /// The bodies with the plasticity that the job gives them.
+    problem: &'a Problem,
+    /// Lowest yield stress \[MPa\].
+    weakest: Option<f64>,
+    sequence: LoadSequence<'a>,
+}
+
+/// What a force has given.
+struct Trial {
+    /// The figure over its wanted value.
+    ratio: f64,
+    steps: Vec<StepSolution>,
+}
+
+/// A trial, or why its force is too large to be solved.
+type Tried = Result<Trial, String>;
+
+impl ForceSearch<'_> {
+    fn run(
+        &self,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<StepSolution>, SolveError> {
+        let (force, slope) = self.coarse(solution, &mut SilentObserver { inner: &mut *observer })?;
+        solution.sensitivity = Some(slope);
+        self.fine(force, slope, solution, observer)
+    }
+
+    /// A force that meets the value nearly, and the slope of the logarithms there.
+    fn coarse(&self, solution: &mut Solution, observer: &mut dyn Observer) -> Result<(f64, f64), SolveError> {
+        let job = self.coarse_job();
+        let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
+        let mut bracket = Bracket::new(self.expected_slope());
+        let mut force = self.first_force()?;
+        let mut reason = UnreachableReason::LargestForce;
+        let mut near = None;
+        for _ in 0..MAX_COARSE {
+            match self.trial(&sequence, force, solution, observer)? {
+                Ok(trial) if trial.is_converged() => {
+                    bracket.record(force, trial.ratio);
+                    if trial.deviation() <= NEAR {
+                        near = Some(force);
+                    }
+                    let is_flat = || bracket.slope_at(force).is_some_and(|slope| slope < INSENSITIVE);
+                    if trial.deviation() <= FLAT && is_flat() {
+                        return Err(self.unreachable(force, trial.ratio, UnreachableReason::Insensitive));
+                    }
+                }
+                Ok(_) => {
+                    bracket.limit(force);
+                    reason = UnreachableReason::Limit("the iteration does not converge".to_owned());
+                }
+                Err(why) => {
+                    bracket.limit(force);
+                    reason = UnreachableReason::Limit(why);
+                }
+            }
+            if let Some(near) = near.or_else(|| bracket.jump()) {
+                match bracket.slope_at(near) {
+                    Some(slope) if slope < INSENSITIVE => {
+                        return Err(self.unreachable(near, 1.0, UnreachableReason::Insensitive));
+                    }
+                    Some(slope) => return Ok((near, slope)),
+                    None => force = near * NEIGHBOUR,
+                }
+                continue;
+            }
+            match bracket.next() {
+                Next::Force(next) => force = next,
+                Next::NoSmaller => {
+                    return Err(self.unreachable(force, f64::NAN, UnreachableReason::SmallestForce));
+                }
+                Next::AtLimit => break,
+            }
+        }
+        let (force, ratio) = bracket.largest().unwrap_or((force, 0.0));
+        Err(self.unreachable(force, ratio, reason))
+    }
+
+    /// From a force that is nearly right to the answer.
+    fn fine(
+        &self,
+        mut force: f64,
+        mut slope: f64,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<StepSolution>, SolveError> {
+        let (tolerance, most) = match self.sought {
+            Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
+            Sought::Target(_) => (TOLERANCE, MAX_FINE),
+        };
+        let mut best: Option<Trial> = None;
+        let mut last: Option<[f64; 2]> = None;
+        for _ in 0..most {
+            let trial = match self.trial(&self.sequence, force, solution, observer)? {
+                Ok(trial) => trial,
+                Err(why) => {
+                    let ratio = best.map_or(0.0, |best| best.ratio);
+                    return Err(self.unreachable(force, ratio, UnreachableReason::Limit(why)));
+                }
+            };
+            if !trial.is_converged() {
+                return Ok(trial.steps);
+            }
+            let at = [force.ln(), trial.ratio.max(f64::MIN_POSITIVE).ln()];
+            if best.as_ref().is_none_or(|best| trial.deviation() < best.deviation()) {
+                best = Some(trial);
+            }
+            if best.as_ref().is_some_and(|best| best.deviation() <= tolerance) {
+                break;
+            }
+            if let Some(last) = last
+                && (at[0] - last[0]).abs() >= SLOPE_SPAN
+            {
+                let found = (at[1] - last[1]) / (at[0] - last[0]);
+                slope = found.clamp(0.5 * slope, 2.0 * slope);
+            }
+            last = Some(at);
+            force *= (-at[1] / slope).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION).exp();
+        }
+        let Some(mut best) = best else { return Err(SolveError::NoLoad) };
+        if best.deviation() > self.missed().max(tolerance) {
+            best.steps.iter_mut().for_each(|step| step.status = SolveStatus::NotConverged);
+        }
+        Ok(best.steps)
+    }
+
+    /// Solves under one force.
+    fn trial(
+        &self,
+        sequence: &LoadSequence<'_>,
+        force: f64,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<Tried, SolveError> {
+        let mut loads = vec![ContactLoad::Force(force)];
+        if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
+            loads.push(ContactLoad::Force(0.0));
+        }
+        let mut steps = Vec::new();
+        match sequence.solve(&loads, solution, observer, &mut |step, _| steps.push(step)) {
+            Ok(()) => {}
+            Err(SolveError::TooWide { .. }) => {
+                return Ok(Err(
+                    "the contact would spread over more of the surfaces than is solved".to_owned()
+                ));
+            }
+            Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
+            Err(error) => return Err(error),
+        }
+        if let Some(interrupt) = solution.interrupted.take().or_else(|| steps.iter().find_map(stopped)) {
+            return Err(SolveError::Interrupted(interrupt));
+        }
+        if steps.iter().any(|step| step.has_collapsed) {
+            return Ok(Err("a body collapses: its plastic strain grows without bound".to_owned()));
+        }
+        let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
+        Ok(Ok(Trial { ratio, steps }))
+    }
+
+    /// The figure over its wanted value.
+    fn ratio(&self, step: &StepSolution) -> f64 {
+        match self.sought {
+            Sought::Onset => highest_utilization(step, self.problem).map_or(0.0, |highest| highest.ratio),
+            Sought::Target(target) => target_figure(step, target.figure) / target.value.get(),
+        }
+    }
+
+    /// Whether the figure follows the width of the contact.
+    fn is_of_width(&self) -> bool {
+        let of_width = [TargetFigure::HalfWidth, TargetFigure::MeanPressure];
+        matches!(self.sought, Sought::Target(target) if of_width.contains(&target.figure))
+    }
+
+    /// Deviation from which on the value counts as missed.
+    fn missed(&self) -> f64 {
+        let elements = f64::from(self.sequence.job.mesh.elements_per_half_width);
+        match self.sought {
+            Sought::Onset => 0.0,
+            Sought::Target(_) if self.is_of_width() => MISSED.max(2.0 * MISSED_ELEMENTS / elements),
+            Sought::Target(_) => MISSED,
+        }
+    }
+
+    /// What is expected of `d ln figure / d ln force`.
+    fn expected_slope(&self) -> f64 {
+        match self.sought {
+            Sought::Onset => 0.5,
+            Sought::Target(target) => match target.figure {
+                TargetFigure::PeakPressure | TargetFigure::MeanPressure => 0.4,
+                TargetFigure::HalfWidth => 0.5,
+                TargetFigure::PermanentApproach
+                | TargetFigure::DentDepth
+                | TargetFigure::MaxPlasticStrain => 2.0,
+            },
+        }
+    }
+
+    /// A force to start from, by what closed forms say of the size of the contact.
+    fn first_force(&self) -> Result<f64, SolveError> {
+        let weakest = self.weakest.unwrap_or(f64::INFINITY);
+        let mean = match self.sought {
+            Sought::Onset => weakest,
+            Sought::Target(target) => match target.figure {
+                TargetFigure::HalfWidth => {
+                    return force_below(self.problem, |_, a| a < target.value.get());
+                }
+                TargetFigure::PeakPressure => MEAN_OF_PEAK * target.value.get(),
+                TargetFigure::MeanPressure => target.value.get(),
+                _ => PLASTIC_START * weakest,
+            },
+        };
+        let mean = mean.min(HIGHEST_START * weakest);
+        force_below(self.problem, |force, a| self.problem.mean_pressure(force, a) < mean)
+    }
+
+    /// The job on the meshes on which the force is looked for.
+    fn coarse_job(&self) -> Job {
+        let job = self.sequence.job;
+        let coarser = if self.is_of_width() { COARSER_FOR_WIDTH } else { COARSER };
+        let elements = (job.mesh.elements_per_half_width / coarser).max(FEWEST_ELEMENTS);
+        let SolverSettings { theory, increments, .. } = job.solver;
+        Job {
+            mesh: MeshSettings { elements_per_half_width: elements },
+            solver: SolverSettings { theory, increments, ..auxiliary() },
+            ..job.clone()
+        }
+    }
+
+    /// The error of a value that no force gives; `ratio` is what the nearest force that was solved gives of it.
+    fn unreachable(&self, force: f64, ratio: f64, reason: UnreachableReason) -> SolveError {
+        let (target, nearest) = match self.sought {
+            Sought::Onset => (None, ratio),
+            Sought::Target(target) => (Some(target), ratio * target.value.get()),
+        };
+        SolveError::Unreachable(Unreachable { target, nearest, force, reason })
+    }
+}
+
+impl Trial {
+    fn is_converged(&self) -> bool {
+        self.steps.iter().all(|step| step.status == SolveStatus::Converged)
+    }
+
+    fn deviation(&self) -> f64 {
+        (self.ratio - 1.0).abs()
+    }
+}
+
+/// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
+pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
+    let largest =
+        |of: fn(&BodySolution) -> f64| step.bodies.iter().flatten().map(|body| of(body)).fold(0.0, f64::max);
+    match figure {
+        TargetFigure::PermanentApproach => step.approach,
+        TargetFigure::DentDepth => largest(BodySolution::dent_depth),
+        TargetFigure::PeakPressure => step.peak_pressure,
+        TargetFigure::MeanPressure => step.mean_pressure(),
+        TargetFigure::HalfWidth => step.half_width(),
+        TargetFigure::MaxPlasticStrain => largest(BodySolution::max_plastic_strain),
+    }
+}
+
+fn stopped(step: &StepSolution) -> Option<Interrupt> {
+    match step.status {
+        SolveStatus::Cancelled => Some(Interrupt::Cancelled),
+        SolveStatus::TimedOut => Some(Interrupt::TimedOut),
+        SolveStatus::Converged | SolveStatus::NotConverged => None,
+    }
+}
+
+/// The largest force of which something is expected to hold that holds for small ones; `holds` takes the force and the
+/// half-width that is expected under it.
+fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, SolveError> {
+    let (mut low, mut high) = (1e-9, 1e9);
+    let expected = |force: f64| ContactSizeEstimate::expected(problem, ContactLoad::Force(force));
+    if matches!(expected(low), Err(SolveError::Conforming)) {
+        return Err(SolveError::Conforming);
+    }
+    for _ in 0..80 {
+        let middle = f64::sqrt(low * high);
+        match expected(middle) {
+            Ok(extent) if holds(middle, extent.half_width) => low = middle,
+            _ => high = middle,
+        }
+    }
+    Ok(low)
+}
