@@ -156,6 +156,7 @@
  *
  * @typedef {object} ErrorEstimate
  * @property {number} approach
+ * @property {number} [contact_stiffness]
  * @property {number} [force]
  * @property {number} half_width
  * @property {number} peak_pressure

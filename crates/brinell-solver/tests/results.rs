@@ -188,7 +188,7 @@ fn a_law_without_a_yield_point_is_outlined_at_its_reference_stress() {
 }
 
 #[test]
-fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve() {
+fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve_and_that_of_its_steps() {
     let mut job = cylinders(&Value::Null, 1.0);
     let forces: Vec<f64> = (0..7).map(|k| 300.0 + 25.0 * f64::from(k)).collect();
     job["load"] = json!({"forces": forces});
@@ -196,9 +196,13 @@ fn the_stiffness_of_a_sweep_is_the_slope_of_its_curve() {
     let curve = report.load_approach.as_ref().unwrap();
     assert_eq!(curve.force.len(), 7);
     assert!(curve.approach.windows(2).all(|pair| pair[1] > pair[0]));
-    // An elastic contact's tangent, computed in a different way.
     for (slope, step) in curve.stiffness.iter().zip(&report.steps) {
-        assert_within(*slope, step.contact_stiffness, 0.02);
+        assert_within(*slope, step.contact_stiffness, 1e-12);
+    }
+    for (k, slope) in curve.stiffness.iter().enumerate().take(6).skip(1) {
+        let secant =
+            (curve.force[k + 1] - curve.force[k - 1]) / (curve.approach[k + 1] - curve.approach[k - 1]);
+        assert_within(*slope, secant, 0.02);
     }
     assert!(run(&paper()).load_approach.is_none());
 }

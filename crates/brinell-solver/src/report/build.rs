@@ -23,8 +23,8 @@ pub(super) struct ReportBuilder<'a> {
     job: &'a Job,
     write: UnitConverter,
     status: Option<SolveStatus>,
-    /// Approach and force of the converged steps.
-    curve: Vec<[f64; 2]>,
+    /// Approach, force and contact stiffness of the converged steps.
+    curve: Vec<[f64; 3]>,
     /// Whether they are a history and not a curve.
     is_history: bool,
     target: TargetSeen,
@@ -61,10 +61,13 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             if step.increments.is_empty() {
-                self.curve.push([step.approach, step.force()]);
+                self.curve.push([step.approach, step.force(), step.contact_stiffness]);
             } else {
                 self.is_history = true;
-                self.curve.extend(step.increments.iter().map(|end| [end.approach, end.force]));
+                self.curve.extend(step.increments.iter().map(|end| [end.approach, end.force, 0.0]));
+                if let Some(end) = self.curve.last_mut() {
+                    end[2] = step.contact_stiffness;
+                }
             }
         }
         let enlargements = self.mesh.enlargements + step.enlargements;
@@ -86,7 +89,7 @@ impl<'a> ReportBuilder<'a> {
             status: status.unwrap_or(SolveStatus::Cancelled),
             steps: Vec::new(),
             load_approach: if is_history {
-                load_approach::history(curve, write)
+                load_approach::history(&curve, write)
             } else {
                 load_approach::curve(curve, write)
             },

@@ -4,6 +4,8 @@
 //! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements
 //! half-width      max(|Δ|, 0.5 h/a)
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
+//! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
+//!                 memory 0.12 + 1.5 h/a
 //! force           0; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
@@ -39,6 +41,31 @@ const APPROACH_FLOOR: f64 = 0.25;
 /// radius of the contact.
 const PLASTIC_REVOLUTION_FLOOR: f64 = 0.06;
 
+/// Floor of the error of the contact stiffness over h/a: of elastic bodies, of bodies that yield, and of these in plane stress.
+const STIFFNESS_FLOORS: [f64; 3] = [0.1, 0.3, 0.5];
+/// The part of it for bodies that yield that is so many times the difference of the approaches.
+const STIFFNESS_OVER_APPROACH: f64 = 3.0;
+/// The same with a memory, where the motion of the mesh leaves out that plastic strain stays with the material, which no mesh
+/// makes smaller; and its part over h/a.
+const STIFFNESS_OF_HISTORIES: [f64; 2] = [0.12, 1.5];
+
+/// The bar of the contact stiffness for elements of a size over the half-width and an approach that differs by so much.
+fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) -> f64 {
+    let [elastic, plastic, plane_stress] = STIFFNESS_FLOORS;
+    let floor = match step.stress_state {
+        StressState::PlaneStress => plane_stress,
+        StressState::PlaneStrain | StressState::Axisymmetric => plastic,
+    };
+    if !yields {
+        elastic * size
+    } else if step.energy.is_some() {
+        let [bias, scatter] = STIFFNESS_OF_HISTORIES;
+        bias + scatter * size
+    } else {
+        (floor * size).max(STIFFNESS_OVER_APPROACH * approach)
+    }
+}
+
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about
 /// the theory: for that see `validity`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -53,6 +80,9 @@ pub struct ErrorEstimate {
     /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
     #[serde(default)]
     pub force: f64,
+    /// Of the contact stiffness \[1 >= 0\].
+    #[serde(default)]
+    pub contact_stiffness: f64,
 }
 
 /// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
@@ -75,6 +105,11 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     // Half as many increments differ by more than what these are wrong by.
     let increments = step.increment_error.unwrap_or_default();
     let approach = increments.approach + relative(step.approach, coarse.approach).max(approach_floor);
+    let difference = match step.load {
+        ContactLoad::Force(_) => relative(step.approach, coarse.approach),
+        ContactLoad::Approach(_) => relative(step.force(), coarse.force),
+    };
+    let contact_stiffness = stiffness_bar(step, yields, size, difference);
     let (approach, force) = match step.load {
         ContactLoad::Force(_) => (approach, 0.0),
         ContactLoad::Approach(_) => {
@@ -92,5 +127,6 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
             + relative(half_width, coarse.half_width).max(HALF_WIDTH_FLOOR * size),
         approach,
         force,
+        contact_stiffness,
     })
 }

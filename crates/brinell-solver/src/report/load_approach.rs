@@ -16,36 +16,45 @@ pub struct LoadApproach {
     pub force: Vec<f64>,
     /// Approach α \[length\].
     pub approach: Vec<f64>,
-    /// dP/dα along this curve: of the loading, with the plastic flow that it brings. Second order: the slope of the
-    /// parabola through a point and its neighbours, at the ends through the three outermost points \[stiffness\].
+    /// dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between
+    /// the ends of the loads of a history it is the slope of the parabola through a point and its neighbours \[stiffness\].
     pub stiffness: Vec<f64>,
 }
 
-/// The curve through points `[approach, force]` of converged steps; `None` of fewer than two different approaches.
+/// The curve through points `[approach, force, contact stiffness]` of converged steps; `None` of fewer than two different approaches.
 ///
 /// Deformation theory has no memory, so the order in which the loads were applied does not matter.
-pub(super) fn curve(mut points: Vec<[f64; 2]>, write: UnitConverter) -> Option<LoadApproach> {
+pub(super) fn curve(mut points: Vec<[f64; 3]>, write: UnitConverter) -> Option<LoadApproach> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     points.dedup_by(|b, a| b[0] - a[0] <= SAME * b[0].abs());
     if points.len() < 2 {
         return None;
     }
     Some(LoadApproach {
-        force: points.iter().map(|[_, p]| write.force(*p)).collect(),
-        approach: points.iter().map(|[alpha, _]| write.length(*alpha)).collect(),
-        stiffness: slopes(&points).into_iter().map(|slope| write.stiffness(slope)).collect(),
+        force: points.iter().map(|[_, p, _]| write.force(*p)).collect(),
+        approach: points.iter().map(|[alpha, ..]| write.length(*alpha)).collect(),
+        stiffness: points.iter().map(|[.., slope]| write.stiffness(*slope)).collect(),
     })
 }
 
-/// The way of a history through points `[approach, force]` of its increments, from rest. Slopes are taken within each run
-/// that rises or falls.
-pub(super) fn history(points: Vec<[f64; 2]>, write: UnitConverter) -> Option<LoadApproach> {
-    let mut way = vec![[0.0; 2]];
+/// The way of a history through points `[approach, force, contact stiffness]` of its increments, from rest. Where no stiffness is
+/// known it is the slope within the run that rises or falls.
+pub(super) fn history(points: &[[f64; 3]], write: UnitConverter) -> Option<LoadApproach> {
+    let mut way = vec![[0.0; 3]];
     way.extend(points);
-    way.dedup_by(|b, a| (b[0] - a[0]).abs() <= SAME * b[0].abs());
+    // Of two points at one place the later one knows more.
+    way.dedup_by(|b, a| {
+        let is_same = (b[0] - a[0]).abs() <= SAME * b[0].abs();
+        if is_same {
+            *a = *b;
+        }
+        is_same
+    });
     if way.len() < 2 {
         return None;
     }
+    let known: Vec<f64> = way.iter().map(|point| point[2]).collect();
+    let way: Vec<[f64; 2]> = way.into_iter().map(|[approach, force, _]| [approach, force]).collect();
     let mut stiffness: Vec<f64> = Vec::with_capacity(way.len());
     let mut first = 0;
     while first + 1 < way.len() {
@@ -56,6 +65,11 @@ pub(super) fn history(points: Vec<[f64; 2]>, write: UnitConverter) -> Option<Loa
         // A turning point belongs to the run that ends there.
         stiffness.extend(run.into_iter().skip(usize::from(first > 0)));
         first += length;
+    }
+    for (slope, known) in stiffness.iter_mut().zip(known) {
+        if known > 0.0 {
+            *slope = known;
+        }
     }
     Some(LoadApproach {
         force: way.iter().map(|[_, p]| write.force(*p)).collect(),
@@ -98,9 +112,10 @@ mod tests {
     fn a_history_keeps_its_order_and_turns_where_it_turns() {
         use crate::job::{Analysis, Units};
         let write = UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain);
-        let way = history(vec![[1.0, 2.0], [2.0, 4.0], [1.5, 1.0], [1.0, 0.0]], write).unwrap();
+        let way =
+            history(&[[1.0, 2.0, 0.0], [2.0, 4.0, 1.9], [1.5, 1.0, 0.0], [1.0, 0.0, 0.0]], write).unwrap();
         assert_eq!(way.approach, [0.0, 1.0, 2.0, 1.5, 1.0]);
-        assert_eq!(way.stiffness[..3], [2.0, 2.0, 2.0]);
+        assert_eq!(way.stiffness[..3], [2.0, 2.0, 1.9]);
         assert!(way.stiffness.len() == 5 && way.stiffness[3] > 2.0);
     }
 

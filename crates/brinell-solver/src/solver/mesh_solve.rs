@@ -144,6 +144,11 @@ impl MeshSolve {
         RadialEnvelope::around(self.system.zone.centre(), yielded)
     }
 
+    /// Whether any point has yielded.
+    pub fn yields(&self) -> bool {
+        self.fields.iter().flat_map(|field| field.stress.points.iter().flatten()).any(|point| point.yielded)
+    }
+
     /// Whether the material yields outside the plastic region.
     pub fn yields_outside_region(&self) -> bool {
         let mut bodies = self.system.bodies.iter().zip(&self.fields);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::fem::assembly::{MaterialModel, PlasticPoints, StressField};
+use crate::fem::assembly::{MaterialModel, PlasticPoints, StressField, Unloaded};
 use crate::fem::mesh::Mesh;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::elastic_body::ElasticBody;
@@ -140,10 +140,14 @@ impl BodyModel {
 
     /// Stresses in the whole body at displacements of all nodes.
     pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
-        let unloaded = self.elastic.unloaded();
+        self.stress_field_of(&self.elastic.unloaded(), nodal)
+    }
+
+    /// Stresses in the whole body as it is meshed here, by elements that are the same as those of its own mesh.
+    pub fn stress_field_of(&self, unloaded: &Unloaded<'_>, nodal: &[[f64; 2]]) -> StressField {
         match &self.plastic_region.points {
-            Some(points) => points.stress_field(&unloaded, nodal),
-            None => self.model.stress_field(&unloaded, nodal),
+            Some(points) => points.stress_field(unloaded, nodal),
+            None => self.model.stress_field(unloaded, nodal),
         }
     }
 

@@ -2,34 +2,149 @@
 //!
 //! With the tangent stiffness K_T of the answer and its set of pairs in contact, the displacements v that go with
 //! `dα = 1` are those of the least energy `v·K_T v` that close every active pair by its cosine e to the approach, mostly 1, and
-//! that energy is dP/dα.
-//! Conjugate gradients find it with the factor K that is there already as preconditioner. K_T itself is not formed:
-//! `(K - K_T) v` is the derivative of the initial-stress load in the direction of v.
+//! that energy is ∂P/∂α.
+//!
+//! That is the slope for elements that are small beside all else. A mesh has a curve with corners: it is steeper where a pair
+//! has just come into contact and its material is still elastic, and flatter until the next one does. Linear bodies tell enough
+//! of that by their stiffness with one pair more or less. Where bodies yield the slopes differ by up to half at 20 elements over
+//! the half-width, and the mesh has to grow with the contact, so that its ends stay where they are between two nodes:
+//!
+//! ```text
+//! dP/dα = ∂P/∂α + Σ_j μ_j ∂P/∂a_j,     μ_j = da_j/dα
+//! ```
+//!
+//! with one `a_j` for each end of the contact that moves, and ∂P/∂a_j the change of the load as the mesh moves with that end
+//! and the approach stays (`mesh_motion.rs`), which is nothing but the error of the mesh. The ends move so that the
+//! distribution of the force over the nodes keeps its first moments.
 
+use nalgebra::{DMatrix, DVector};
+
+use super::mesh_motion::MeshMotion;
+use super::tangent::{ActivePairConstraint, Change, Correction, Tangent, add};
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::couplings::iteration::State;
+use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::ask;
+use crate::solver::problem::Problem;
 use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
-
-/// Steps at most; a factor of the elastic stiffness takes about ten, one of tangent moduli two or three.
-const MAX_STEPS: usize = 40;
-/// Part of the stiffness that the last step may have changed it by.
-const TOLERANCE: f64 = 1e-4;
-/// Step of the finite difference, relative to the displacements.
-const DIFFERENCE: f64 = 1e-6;
 
 /// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches. The observer can
 /// stop it.
 pub(crate) fn contact_stiffness(
-    system: &System,
-    state: &State,
-    patch: Option<ContactPatch>,
+    problem: &Problem,
+    solve: &MeshSolve,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
+    let MeshSolve { system, outcome, patch, .. } = solve;
+    let state = &outcome.state;
     let tangent = Tangent::new(system, &state.response.displacement);
+    let softening = |v: &BlockVector| tangent.softening(v);
     ask(observer)?;
-    stiffness(system, state, patch, |v| tangent.softening(v), observer)
+    if solve.yields() {
+        let motions = MeshMotion::of(solve);
+        if let Some(stiffness) = growing(problem, solve, &motions, &softening, observer)? {
+            return Ok(stiffness);
+        }
+    }
+    stiffness(system, state, *patch, &softening, observer)
+}
+
+/// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh; `None` where they do not or where
+/// that does not tell how fast they move.
+fn growing(
+    problem: &Problem,
+    solve: &MeshSolve,
+    motions: &[MeshMotion],
+    softening: &dyn Fn(&BlockVector) -> BlockVector,
+    observer: &mut dyn Observer,
+) -> Result<Option<f64>, Interrupt> {
+    let MeshSolve { system, outcome, .. } = solve;
+    let Some(constraint) = ActivePairConstraint::new(system, &outcome.state) else { return Ok(None) };
+    if motions.is_empty() || constraint.active.len() <= motions.len() {
+        return Ok(None);
+    }
+    let mut press = constraint.close(|k| system.closing[k]);
+    let elastic = press.load(system);
+    let Correction { change, energy } =
+        constraint.correct(&press.displacement, elastic, softening, observer)?;
+    press.add(&change);
+    let mut columns = Vec::with_capacity(motions.len());
+    for motion in motions {
+        columns.push(moved(problem, solve, &constraint, *motion, softening, observer)?);
+    }
+    let force = &outcome.state.response.contact.force;
+    let moments = Moments::new(system, force, motions);
+    let matrix = DMatrix::from_fn(columns.len(), columns.len(), |k, j| moments.rate(k, &columns[j].force));
+    let right = DVector::from_fn(columns.len(), |k, _| -moments.rate(k, &press.force));
+    let speeds = matrix.lu().solve(&right);
+    let stiffness = speeds.map(|speeds| {
+        let growth = speeds.iter().zip(&columns).map(|(speed, column)| speed * column.load(system));
+        system.symmetry_factor() as f64 * (elastic - energy + growth.sum::<f64>())
+    });
+    Ok(stiffness.filter(|stiffness| *stiffness > 0.0 && stiffness.is_finite()))
+}
+
+/// The change of displacements and contact forces as the mesh moves and the approach stays.
+fn moved(
+    problem: &Problem,
+    solve: &MeshSolve,
+    constraint: &ActivePairConstraint<'_>,
+    motion: MeshMotion,
+    softening: &dyn Fn(&BlockVector) -> BlockVector,
+    observer: &mut dyn Observer,
+) -> Result<Change, Interrupt> {
+    let system = &solve.system;
+    let mut displacement = motion.force_rates(solve);
+    ask(observer)?;
+    let mut opening = motion.gap_rates(problem, system);
+    for ((body, x), &count) in system.bodies.iter().zip(&mut displacement).zip(&system.bodies_represented) {
+        x.iter_mut().for_each(|value| *value = -*value);
+        body.factor.solve(x);
+        for (g, w) in opening.iter_mut().zip(body.elastic.contact_displacement(x)) {
+            *g += count as f64 * w;
+        }
+    }
+    let mut change = constraint.close(|k| -opening[k]);
+    add(&mut change.displacement, 1.0, &displacement);
+    ask(observer)?;
+    let correction = constraint.correct(&change.displacement, 0.0, softening, observer)?;
+    change.add(&correction.change);
+    Ok(change)
+}
+
+/// Moments of the contact force over the nodes: of one end that moves the second one about the point that does not, of two ends
+/// the first and the second one.
+struct Moments<'a> {
+    force: &'a [f64],
+    /// Distance of each node from the origin of the moments \[mm\].
+    arm: Vec<f64>,
+    /// Exponents of the arm.
+    orders: &'static [i32],
+}
+
+impl<'a> Moments<'a> {
+    fn new(system: &System, force: &'a [f64], motions: &[MeshMotion]) -> Self {
+        let (origin, orders): (f64, &[i32]) = match motions {
+            [motion] => (motion.still(), &[2]),
+            _ => {
+                let weighted = system.zone.abscissae().iter().zip(force).map(|(x, r)| x * r);
+                // The middle of the force would leave the first moment without a value to compare with.
+                (weighted.sum::<f64>() / force.iter().sum::<f64>() - system.zone.half_width(), &[1, 2])
+            }
+        };
+        let arm = system.zone.abscissae().iter().map(|x| x - origin).collect();
+        Self { force, arm, orders }
+    }
+
+    /// By how much the k-th moment over the force changes, relative to what it is.
+    fn rate(&self, k: usize, change: &[f64]) -> f64 {
+        let moment = |force: &[f64], order: i32| -> f64 {
+            force.iter().zip(&self.arm).map(|(r, arm)| r * arm.powi(order)).sum()
+        };
+        let order = self.orders.get(k).copied().unwrap_or(0);
+        moment(change, order) / moment(self.force, order) - moment(change, 0) / moment(self.force, 0)
+    }
 }
 
 /// The same where the load begins to fall and plastic strain stays as it is; the stiffness of the system is the elastic one.
@@ -39,57 +154,23 @@ pub(crate) fn unloading(
     patch: Option<ContactPatch>,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
-    stiffness(system, state, patch, |_| system.zeros(), observer)
+    stiffness(system, state, patch, &|_| system.zeros(), observer)
 }
 
-/// The stiffness with the tangent `K - softening`.
+/// The stiffness with the tangent `K - softening` and a contact that does not grow.
 fn stiffness(
     system: &System,
     state: &State,
     patch: Option<ContactPatch>,
-    softening: impl Fn(&BlockVector) -> BlockVector,
+    softening: &dyn Fn(&BlockVector) -> BlockVector,
     observer: &mut dyn Observer,
 ) -> Result<f64, Interrupt> {
-    let active: Vec<usize> = state.response.contact.active_set.iter().collect();
-    if active.is_empty() {
-        return Ok(0.0);
-    }
-    let block = system.flexibility.principal_block(&active);
-    let Ok(factor) = DenseCholesky::factor(block) else { return Ok(0.0) };
-    let closing = ActivePairConstraint { system, active, factor };
-    let (v, force) = closing.close();
-    ask(observer)?;
-    let mut residual = softening(&v);
-    let along = force.iter().zip(&system.closing).map(|(r, e)| r * e);
-    let mut stiffness = along.sum::<f64>() - system.inner(&v, &residual);
-    let mut last: Option<(BlockVector, BlockVector, f64)> = None;
-    for _ in 0..MAX_STEPS {
-        ask(observer)?;
-        let mut direction = closing.solve(&residual);
-        ask(observer)?;
-        let product = system.inner(&residual, &direction);
-        // `load` is K times the direction, but for contact forces, which do no work on it.
-        let mut load = residual.clone();
-        if let Some((last_direction, last_load, last_product)) = &last {
-            add(&mut direction, product / last_product, last_direction);
-            add(&mut load, product / last_product, last_load);
-        }
-        let mut tangent_load = load.clone();
-        add(&mut tangent_load, -1.0, &softening(&direction));
-        let energy = system.inner(&direction, &tangent_load);
-        if !(product > 0.0 && energy > 0.0) {
-            break;
-        }
-        let step = product / energy;
-        stiffness -= step * product;
-        if step * product <= TOLERANCE * stiffness.abs() {
-            break;
-        }
-        add(&mut residual, -step, &tangent_load);
-        last = Some((direction, load, product));
-    }
-    let correction = patch.map_or(1.0, |patch| edge_correction(system, &closing.active, patch));
-    Ok(system.symmetry_factor() as f64 * stiffness * correction)
+    let Some(constraint) = ActivePairConstraint::new(system, state) else { return Ok(0.0) };
+    let press = constraint.close(|k| system.closing[k]);
+    let load = press.load(system);
+    let Correction { energy, .. } = constraint.correct(&press.displacement, load, softening, observer)?;
+    let correction = patch.map_or(1.0, |patch| edge_correction(system, &constraint.active, patch));
+    Ok(system.symmetry_factor() as f64 * (load - energy) * correction)
 }
 
 /// Part of an element by which active pairs reach beyond the outermost of them. With it the stiffness of elastic
@@ -132,73 +213,4 @@ fn edge_correction(system: &System, active: &[usize], patch: ContactPatch) -> f6
         }
     }
     correction
-}
-
-/// `a += factor · b`.
-fn add(a: &mut BlockVector, factor: f64, b: &BlockVector) {
-    for (a, b) in a.iter_mut().flatten().zip(b.iter().flatten()) {
-        *a += factor * b;
-    }
-}
-
-/// Solves with the active pairs tied together.
-struct ActivePairConstraint<'a> {
-    system: &'a System,
-    active: Vec<usize>,
-    factor: DenseCholesky,
-}
-
-impl ActivePairConstraint<'_> {
-    /// The contact forces that close every active pair by its cosine, and the displacements under them.
-    fn close(&self) -> (BlockVector, Vec<f64>) {
-        let force = self.forces(|k| self.system.closing[k]);
-        (self.system.substitute(self.system.zeros(), &force), force)
-    }
-
-    /// Displacements under loads, with contact forces that keep every active pair as it is.
-    fn solve(&self, loads: &BlockVector) -> BlockVector {
-        let (forward, gap_opening) = self.system.eliminate(loads);
-        self.system.substitute(forward, &self.forces(|k| -gap_opening[k]))
-    }
-
-    /// Contact forces of all pairs that close each active one by so much.
-    fn forces(&self, closing: impl Fn(usize) -> f64) -> Vec<f64> {
-        let mut tied: Vec<f64> = self.active.iter().map(|&k| closing(k)).collect();
-        self.factor.solve_in_place(&mut tied);
-        let mut force = vec![0.0; self.system.initial_gap.len()];
-        for (&k, r) in self.active.iter().zip(tied) {
-            force[k] = r;
-        }
-        force
-    }
-}
-
-/// The tangent of the initial-stress load at an answer.
-struct Tangent<'a> {
-    system: &'a System,
-    displacement: &'a BlockVector,
-    load: BlockVector,
-    size: f64,
-}
-
-impl<'a> Tangent<'a> {
-    fn new(system: &'a System, displacement: &'a BlockVector) -> Self {
-        let mut load = system.zeros();
-        system.initial_stress(displacement, &mut load);
-        Self { system, displacement, load, size: system.norm(displacement) }
-    }
-
-    /// `(K - K_T) v`.
-    fn softening(&self, v: &BlockVector) -> BlockVector {
-        let step = DIFFERENCE * self.size / self.system.norm(v).max(f64::MIN_POSITIVE);
-        let mut beyond = self.displacement.clone();
-        add(&mut beyond, step, v);
-        let mut load = self.system.zeros();
-        self.system.initial_stress(&beyond, &mut load);
-        add(&mut load, -1.0, &self.load);
-        for value in load.iter_mut().flatten() {
-            *value /= step;
-        }
-        load
-    }
 }

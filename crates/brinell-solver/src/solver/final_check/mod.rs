@@ -1,6 +1,8 @@
 //! The final state, checked afresh by the full displacement fields and the material law everywhere.
 
 mod contact_stiffness;
+mod mesh_motion;
+mod tangent;
 
 use std::sync::Arc;
 
@@ -14,6 +16,7 @@ use crate::solver::couplings::iteration::{norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::problem::Problem;
 use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
@@ -41,6 +44,7 @@ pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
 /// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
+    problem: &Problem,
     pass: &mut MeshSolve,
     load: ContactLoad,
     tolerance: f64,
@@ -51,10 +55,9 @@ pub(crate) fn finish(
     let contact_stiffness = if pass.outcome.status.is_stopped() {
         0.0
     } else {
-        let MeshSolve { system, outcome, patch, .. } = &*pass;
-        match phases.time_observed(Phase::Solves, observer, |observer| {
-            contact_stiffness(system, &outcome.state, *patch, observer)
-        }) {
+        match phases
+            .time_observed(Phase::Solves, observer, |observer| contact_stiffness(problem, pass, observer))
+        {
             // No answer is lost because its slope is not known.
             Ok(stiffness) => {
                 if stiffness.is_finite() {

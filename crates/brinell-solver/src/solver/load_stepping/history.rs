@@ -549,6 +549,7 @@ impl MeshHistory<'_> {
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
         let mut step = final_check::finish(
+            self.request.problem,
             solve,
             load,
             tolerance,

@@ -112,7 +112,15 @@ impl<'a> LoadStepper<'a> {
         // Before the stresses are handed over.
         let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
         let tolerance = request.solver.tolerance.get();
-        let mut step = final_check::finish(&mut pass, load, tolerance, 0.0, &mut solution.phases, observer);
+        let mut step = final_check::finish(
+            self.problem,
+            &mut pass,
+            load,
+            tolerance,
+            0.0,
+            &mut solution.phases,
+            observer,
+        );
         step.coarse = figures;
         step.unresolved = found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing());
         // Memory is freed here, where the time it takes is measured.

@@ -1,0 +1,137 @@
+//! How an answer changes where its mesh moves with the ends of the contact.
+//!
+//! The mesh moves along the surfaces, by the velocity of one end of the contact there, by none at the other end and by none far
+//! away. Displacements of nodes being kept, out-of-balance forces and gaps arise at the rates
+//!
+//! ```text
+//! f' = d/dt ∫ Bᵀ σ(ε) dV,     g' = δ0'(x) ẋ
+//! ```
+
+use crate::fem::assembly::Unloaded;
+use crate::fem::mesh::{Mesh, Outline};
+use crate::solver::body_system::system::{BlockVector, System};
+use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::problem::Problem;
+
+/// Distance from the middle of the contact up to which the mesh moves as its surface does, over the half-width.
+const RIGID: f64 = 2.0;
+/// Part of the smallest extent of a body beyond which nothing moves.
+const STILL: f64 = 0.5;
+/// Finite step of the mesh over the element size.
+const STEP: f64 = 1e-5;
+
+/// A motion of the mesh with one end of the contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MeshMotion {
+    /// Where surfaces do not move, and where they move by 1 \[mm\].
+    still: f64,
+    end: f64,
+    /// Middle and half-width of the contact \[mm\].
+    centre: f64,
+    half_width: f64,
+}
+
+impl MeshMotion {
+    /// One for each end of the contact that is not held by an edge; none where the contact is in several parts, and for a pin in
+    /// its hole, whose nodes are on circles.
+    ///
+    /// Corners of the surfaces within the contact do not move.
+    pub fn of(solve: &MeshSolve) -> Vec<Self> {
+        let MeshSolve { system, outcome, patch, .. } = solve;
+        let zone = &system.zone;
+        let active = &outcome.state.response.contact.active_set;
+        if system.conforming.is_some() {
+            return Vec::new();
+        }
+        let (Some(patch), [_]) = (patch, solve.parts().as_slice()) else { return Vec::new() };
+        let (Some(first), Some(last)) = (active.iter().min(), active.iter().max()) else { return Vec::new() };
+        let left = if zone.is_symmetric() { zone.centre() } else { patch.left };
+        let corners: Vec<f64> =
+            (first + 1..last).filter(|&k| zone.is_corner(k)).map(|k| zone.abscissa(k)).collect();
+        let (centre, half_width) = (0.5 * (patch.left + patch.right), patch.half_width());
+        let motion = |still: f64, end: f64| Self { still, end, centre, half_width };
+        let mut motions = Vec::new();
+        if zone.edge(last).is_none() {
+            motions.push(motion(corners.last().copied().unwrap_or(left), patch.right));
+        }
+        if !zone.is_symmetric() && zone.edge(first).is_none() {
+            motions.push(motion(corners.first().copied().unwrap_or(patch.right), patch.left));
+        }
+        motions.retain(|motion| (motion.end - motion.still).abs() > zone.spacing());
+        motions
+    }
+
+    /// Where surfaces do not move \[mm\].
+    pub fn still(&self) -> f64 {
+        self.still
+    }
+
+    /// ẋ at an abscissa of the surface.
+    fn velocity(&self, x: f64) -> f64 {
+        ((x - self.still) / (self.end - self.still)).max(0.0)
+    }
+
+    /// Part of it at a distance from the middle of the contact in a body of some extent.
+    fn fade(&self, distance: f64, extent: f64) -> f64 {
+        let (near, far) = (RIGID * self.half_width, STILL * extent);
+        if distance <= near.min(0.5 * far) {
+            1.0
+        } else if distance >= far {
+            0.0
+        } else {
+            (far / distance).ln() / (far / near.min(0.5 * far)).ln()
+        }
+    }
+
+    /// g' of every pair.
+    pub fn gap_rates(&self, problem: &Problem, system: &System) -> Vec<f64> {
+        let step = STEP * system.zone.spacing();
+        let rate = |&x: &f64| {
+            let by = step * self.velocity(x);
+            (problem.initial_gap(x + by) - problem.initial_gap(x - by)) / (2.0 * step)
+        };
+        system.zone.abscissae().iter().map(rate).collect()
+    }
+
+    /// f' on all equations of each model.
+    pub fn force_rates(&self, solve: &MeshSolve) -> BlockVector {
+        let step = STEP * solve.system.zone.spacing();
+        let bodies = solve.system.bodies.iter().zip(&solve.fields);
+        bodies
+            .map(|(body, field)| {
+                let elastic = &body.elastic;
+                let mesh = self.moved(&elastic.mesh, &elastic.key.outline, step);
+                let unloaded = Unloaded { mesh: &mesh, ..elastic.unloaded() };
+                let moved = body.stress_field_of(&unloaded, &field.nodal);
+                let mut rates = elastic.zeros();
+                let forces = moved.internal_force.iter().zip(&field.stress.internal_force);
+                for (node, (then, now)) in (0u32..).zip(forces) {
+                    for ((&k, then), now) in elastic.equations.of_node(node).iter().zip(then).zip(now) {
+                        rates[k as usize] += (then - now) / step;
+                    }
+                }
+                if let Some(held) = rates.last_mut() {
+                    *held = 0.0;
+                }
+                rates
+            })
+            .collect()
+    }
+
+    /// The mesh after a step of so much at the end of the contact.
+    fn moved(&self, mesh: &Mesh, outline: &Outline, step: f64) -> Mesh {
+        let (left, right) = outline.span();
+        let extent = outline.depth().min(right - self.centre).min(self.centre - left);
+        let middle = [self.centre, outline.height(self.centre)];
+        let mut mesh = mesh.clone();
+        for node in &mut mesh.nodes {
+            let [x, y] = *node;
+            let distance = (x - middle[0]).hypot(y - middle[1]);
+            let by = step * self.fade(distance, extent) * self.velocity(x);
+            if by != 0.0 {
+                *node = [x + by, y + outline.height(x + by) - outline.height(x)];
+            }
+        }
+        mesh
+    }
+}
