@@ -33,6 +33,15 @@ use crate::job;
 /// Parts into which the plastic part of a strain path is divided.
 pub const SUBSTEPS: u32 = 16;
 
+/// γ Δp below which six terms of the exponential series are exact.
+const SMALL_RECOVERY: f64 = 1.0 / 128.0;
+/// Newton step, relative to Δp, behind which nothing but rounding is left.
+const LAST_STEP: f64 = 1e-7;
+
+/// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole one.
+const ROUGH: f64 = 1e-6;
+const FINE: f64 = 1e-14;
+
 /// One term of the backstress.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BackstressTerm {
@@ -49,18 +58,22 @@ impl From<&job::BackstressTerm> for BackstressTerm {
 }
 
 impl BackstressTerm {
-    /// `exp(-γ Δp)`.
-    fn decay(&self, dp: f64) -> f64 {
-        if self.rate == 0.0 { 1.0 } else { (-self.rate * dp).exp() }
+    /// `exp(-γ Δp) - 1`.
+    #[inline(always)]
+    fn recovery(&self, dp: f64) -> f64 {
+        let x = -self.rate * dp;
+        if x > -SMALL_RECOVERY {
+            // Taylor's series to rounding, in place of a call that most of the time of a point would go into.
+            x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0)))))
+        } else {
+            x.exp_m1()
+        }
     }
 
     /// `C/γ (1 - exp(-γ Δp))`, C Δp where γ is zero \[MPa\].
-    fn growth(&self, dp: f64) -> f64 {
-        if self.rate == 0.0 {
-            self.modulus * dp
-        } else {
-            -self.modulus / self.rate * (-self.rate * dp).exp_m1()
-        }
+    #[inline(always)]
+    fn growth(&self, dp: f64, recovery: f64) -> f64 {
+        if self.rate == 0.0 { self.modulus * dp } else { -self.modulus / self.rate * recovery }
     }
 }
 
@@ -130,7 +143,7 @@ impl<const N: usize> FlowPlasticity<N> {
 
     /// The state at the end of a straight path whose every component is known.
     #[inline]
-    fn along(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
+    fn along(&self, strain: [f64; 4], state: &FlowState<N>, parts: u32) -> FlowState<N> {
         let double_shear = 2.0 * self.elastic.shear;
         let elastic_strain: [f64; 4] = std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
         let mut now = Flowing {
@@ -154,9 +167,12 @@ impl<const N: usize> FlowPlasticity<N> {
         for (s, d) in now.stress.iter_mut().zip(step) {
             *s += elastic_part * d;
         }
-        let part = (1.0 - elastic_part) / f64::from(self.substeps);
-        for k in 1..=self.substeps {
-            self.flow(step.map(|d| part * d), &mut now, k == self.substeps);
+        let part = (1.0 - elastic_part) / f64::from(parts);
+        let (mut flow, mut yield_stress) = (0.0, radius);
+        for k in 1..=parts {
+            let before = now.accumulated;
+            self.flow(step.map(|d| part * d), &mut now, &mut yield_stress, flow, k == parts);
+            flow = now.accumulated - before;
         }
         let end = deviator(strain);
         let [x, y, z, t] = now.stress.map(|s| s / double_shear);
@@ -169,9 +185,17 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One backward Euler step for an elastic change of the stress deviator, on the way or the last.
+    /// One backward Euler step for an elastic change of the stress deviator, on the way or the last, from the yield stress
+    /// before to that after it; about as much flow is expected.
     #[inline]
-    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>, is_last: bool) {
+    fn flow(
+        &self,
+        change: [f64; 4],
+        now: &mut Flowing<N>,
+        yield_stress: &mut f64,
+        expected: f64,
+        is_last: bool,
+    ) {
         let triple_shear = 3.0 * self.elastic.shear;
         let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
         if N == 0 {
@@ -190,20 +214,26 @@ impl<const N: usize> FlowPlasticity<N> {
             now.stress = trial.map(|s| ratio * s);
             return;
         }
-        let dp = self.multiplier(trial, now);
+        let dp = self.multiplier(trial, now, yield_stress, expected);
         if dp <= 0.0 {
             now.stress = trial;
             return;
         }
-        let relative = self.relative(trial, now, dp);
+        let mut relative = trial;
+        let recovery = self.backstress.map(|term| term.recovery(dp));
+        for (x, recovery) in now.backstress.iter().zip(recovery) {
+            for (r, x) in relative.iter_mut().zip(x) {
+                *r -= x * (1.0 + recovery);
+            }
+        }
         let size = equivalent_stress(relative);
         let n = relative.map(|r| 1.5 * r / size);
         let before = now.stress;
         for k in 0..4 {
             now.stress[k] = trial[k] - 2.0 / 3.0 * triple_shear * dp * n[k];
         }
-        for (x, term) in now.backstress.iter_mut().zip(&self.backstress) {
-            let (decay, growth) = (term.decay(dp), 2.0 / 3.0 * term.growth(dp));
+        for ((x, term), recovery) in now.backstress.iter_mut().zip(&self.backstress).zip(recovery) {
+            let (decay, growth) = (1.0 + recovery, 2.0 / 3.0 * term.growth(dp, recovery));
             for (x, n) in x.iter_mut().zip(n) {
                 *x = *x * decay + growth * n;
             }
@@ -213,61 +243,72 @@ impl<const N: usize> FlowPlasticity<N> {
         now.accumulated += dp;
     }
 
-    /// `s_tr - Σ X_i e_i`.
-    fn relative(&self, trial: [f64; 4], now: &Flowing<N>, dp: f64) -> [f64; 4] {
-        let mut relative = trial;
-        for (x, term) in now.backstress.iter().zip(&self.backstress) {
-            let decay = term.decay(dp);
-            for (r, x) in relative.iter_mut().zip(x) {
-                *r -= x * decay;
-            }
-        }
-        relative
-    }
-
-    /// Δp: Newton's method within the bracket `[0, |ξ|_eq/3G]`.
-    fn multiplier(&self, trial: [f64; 4], now: &Flowing<N>) -> f64 {
+    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after it.
+    ///
+    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. `|ξ|_eq²` is a quadratic form of the `e_i`,
+    /// whose coefficients are known beforehand.
+    fn multiplier(&self, trial: [f64; 4], now: &Flowing<N>, yield_stress: &mut f64, expected: f64) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
-        let excess = |dp: f64| {
-            let relative = self.relative(trial, now, dp);
-            let size = equivalent_stress(relative);
-            let (q, slope) = self.mapping.law().stress_and_slope(now.accumulated + dp);
-            let (mut rest, mut rate) = (size - triple_shear * dp - q, -triple_shear - slope);
-            for (x, term) in now.backstress.iter().zip(&self.backstress) {
-                let decay = term.decay(dp);
-                rest -= term.growth(dp);
-                rate -= term.modulus * decay;
-                if size > 0.0 {
-                    rate += 1.5 * term.rate * decay * product(relative, *x) / size;
-                }
-            }
-            (rest, rate)
-        };
-        let (first, mut rate) = excess(0.0);
-        if first <= 0.0 {
+        let square = 1.5 * product(trial, trial);
+        let along: [f64; N] = std::array::from_fn(|i| 1.5 * product(trial, now.backstress[i]));
+        let gram: [[f64; N]; N] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| 1.5 * product(now.backstress[i], now.backstress[j]))
+        });
+        let first: f64 = gram.iter().flatten().sum::<f64>() - 2.0 * along.iter().sum::<f64>() + square;
+        if first <= *yield_stress * *yield_stress {
             return 0.0;
         }
-        let mut rest = first;
-        let (mut low, mut high) = (0.0, equivalent_stress(self.relative(trial, now, 0.0)) / triple_shear);
-        // A backstress that recovers faster than the point flows may shift the root beyond that.
-        while excess(high).0 > 0.0 {
-            high *= 2.0;
-        }
-        let mut dp = 0.0;
+        let law = self.mapping.law();
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        // That of a backstress that does not recover and of perfect plasticity is too large.
+        let hardening: f64 = self.backstress.iter().map(|term| term.modulus).sum();
+        let mut dp = if expected > 0.0 {
+            expected
+        } else {
+            (first.sqrt() - *yield_stress) / (triple_shear + hardening)
+        };
         for _ in 0..100 {
-            let newton = dp - rest / rate;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let step = next - dp;
-            dp = next;
-            (rest, rate) = excess(dp);
+            let recovery = self.backstress.map(|term| term.recovery(dp));
+            let (mut size, mut change) = (square, 0.0);
+            for i in 0..N {
+                let decay = 1.0 + recovery[i];
+                // X_i · ξ.
+                let part = along[i] - (0..N).map(|j| gram[i][j] * (1.0 + recovery[j])).sum::<f64>();
+                size -= decay * (along[i] + part);
+                change += self.backstress[i].rate * decay * part;
+            }
+            let size = size.max(0.0).sqrt();
+            let (q, slope) = law.stress_and_slope(now.accumulated + dp);
+            *yield_stress = q;
+            let (mut rest, mut rate) = (size - triple_shear * dp - q, -triple_shear - slope);
+            if size > 0.0 {
+                rate += change / size;
+            }
+            for (term, recovery) in self.backstress.iter().zip(recovery) {
+                rest -= term.growth(dp, recovery);
+                rate -= term.modulus * (1.0 + recovery);
+            }
+            let step = -rest / rate;
+            if step.abs() <= LAST_STEP * dp {
+                dp += step;
+                *yield_stress += slope * step;
+                break;
+            }
             if rest > 0.0 {
                 low = dp;
             } else {
                 high = dp;
             }
-            if step.abs() <= 1e-14 * dp || rest == 0.0 || high - low <= 1e-15 * high {
+            if high.is_finite() && high - low <= 1e-15 * high {
                 break;
             }
+            dp = if dp + step > low && dp + step < high {
+                dp + step
+            } else if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                2.0 * dp
+            };
         }
         dp
     }
@@ -279,7 +320,7 @@ impl<const N: usize> FlowPlasticity<N> {
         for _ in 0..30 {
             let q =
                 self.mapping.stress((size - triple_shear * dp).max(0.0) / triple_shear + accumulated + dp);
-            let kinematic: f64 = self.backstress.iter().map(|term| term.growth(dp)).sum();
+            let kinematic: f64 = self.backstress.iter().map(|term| term.growth(dp, term.recovery(dp))).sum();
             let hardening: f64 = self.backstress.iter().map(|term| term.modulus).sum();
             let step = (size - triple_shear * dp - kinematic - q) / (triple_shear + hardening);
             dp = (dp + step).max(0.0);
@@ -293,29 +334,51 @@ impl<const N: usize> FlowPlasticity<N> {
     /// The state at the end of a straight path; in plane stress the one whose ε_zz leaves `σ_zz = 0`.
     fn state_after(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
         match self.out_of_plane {
-            OutOfPlane::Strained => self.along(strain, state),
+            OutOfPlane::Strained => self.along(strain, state, self.substeps),
             OutOfPlane::PlaneStress => self.in_plane_stress(strain, state),
         }
     }
 
-    /// σ_zz rises with ε_zz, by no less than K and no more than `K + 4/3 G`, which brackets the zero from any one point. The
-    /// secant of the last two ends in it.
+    /// The state that leaves σ_zz = 0. A path in one part finds most of ε_zz, at a small part of the cost of the whole one.
     fn in_plane_stress(&self, strain: [f64; 4], state: &FlowState<N>) -> FlowState<N> {
-        let ElasticModuli { bulk, shear } = self.elastic;
-        let (lame, stiffest) = (self.elastic.lame(), bulk + 4.0 / 3.0 * shear);
+        let lame = self.elastic.lame();
         let change = strain[0] - state.strain[0] + strain[1] - state.strain[1];
-        let start = state.strain[2] - lame / (lame + 2.0 * shear) * change;
+        let elastic = state.strain[2] - lame / (lame + 2.0 * self.elastic.shear) * change;
+        let stiffest = self.elastic.bulk + 4.0 / 3.0 * self.elastic.shear;
+        let mut start = (elastic, stiffest);
+        let size = strain[0].abs() + strain[1].abs() + elastic.abs() + strain[3].abs();
+        if self.substeps > 1 {
+            let (end, slope) = self.without_thickness_stress(strain, state, start, 1, ROUGH * size);
+            if end.accumulated.to_bits() == state.accumulated.to_bits() {
+                // An elastic path has no parts.
+                return end;
+            }
+            start = (end.strain[2], slope);
+        }
+        self.without_thickness_stress(strain, state, start, self.substeps, FINE * size).0
+    }
+
+    /// σ_zz rises with ε_zz, by no less than K and no more than `K + 4/3 G`, which brackets the zero from any one point. The
+    /// secant of the last two ends in it, from a strain and a slope; within the accuracy of ε_zz. Returns its slope, too.
+    fn without_thickness_stress(
+        &self,
+        strain: [f64; 4],
+        state: &FlowState<N>,
+        (start, mut slope): (f64, f64),
+        parts: u32,
+        accuracy: f64,
+    ) -> (FlowState<N>, f64) {
+        let ElasticModuli { bulk, shear } = self.elastic;
         let at = |zz: f64| {
-            let end = self.along([strain[0], strain[1], zz, strain[3]], state);
+            let end = self.along([strain[0], strain[1], zz, strain[3]], state, parts);
             let stress = self.stress(&end)[2];
             (zz, stress, end)
         };
         let mut now = at(start);
-        let scale = 1e-14 * shear * (strain[0].abs() + strain[1].abs() + start.abs() + strain[3].abs());
-        let (mut low, mut high, mut slope) = (f64::NEG_INFINITY, f64::INFINITY, stiffest);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for _ in 0..60 {
             let (zz, stress, _) = now;
-            if stress.abs() <= scale {
+            if stress.abs() <= accuracy * shear {
                 break;
             }
             let farthest = zz - 1.000_001 * stress / bulk;
@@ -326,9 +389,9 @@ impl<const N: usize> FlowPlasticity<N> {
             }
             let secant = zz - stress / slope;
             now = at(if secant > low && secant < high { secant } else { 0.5 * (low + high) });
-            slope = ((now.1 - stress) / (now.0 - zz)).clamp(bulk, stiffest);
+            slope = ((now.1 - stress) / (now.0 - zz)).clamp(bulk, bulk + 4.0 / 3.0 * shear);
         }
-        now.2
+        (now.2, slope)
     }
 
     fn stress(&self, state: &FlowState<N>) -> [f64; 4] {

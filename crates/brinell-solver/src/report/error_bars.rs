@@ -5,7 +5,7 @@
 //! half-width      max(|Δ|, 0.5 h/a)
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
 //! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
-//!                 memory 0.12 + 1.5 h/a
+//!                 memory 0.12 + 1.5 h/a; of those whose contact is in several parts, or in a hole, 4 h/a
 //! force           0; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
@@ -49,6 +49,9 @@ const STIFFNESS_OVER_APPROACH: f64 = 3.0;
 /// makes smaller; and its part over h/a.
 const STIFFNESS_OF_HISTORIES: [f64; 2] = [0.12, 1.5];
 
+/// The same over h/a for a contact in several parts and a pin in its hole, where no mesh grows with the contact.
+const STIFFNESS_OF_FIXED_ENDS: f64 = 4.0;
+
 /// The bar of the contact stiffness for elements of a size over the half-width and an approach that differs by so much.
 fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) -> f64 {
     let [elastic, plastic, plane_stress] = STIFFNESS_FLOORS;
@@ -58,6 +61,8 @@ fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) ->
     };
     if !yields {
         elastic * size
+    } else if step.parts.len() > 1 || step.conforming.is_some() {
+        STIFFNESS_OF_FIXED_ENDS * size
     } else if step.energy.is_some() {
         let [bias, scatter] = STIFFNESS_OF_HISTORIES;
         bias + scatter * size

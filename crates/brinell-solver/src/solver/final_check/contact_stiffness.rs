@@ -99,7 +99,9 @@ fn moved(
     ask(observer)?;
     let mut opening = motion.gap_rates(problem, system);
     for ((body, x), &count) in system.bodies.iter().zip(&mut displacement).zip(&system.bodies_represented) {
-        x.iter_mut().for_each(|value| *value = -*value);
+        for value in x.iter_mut() {
+            *value = -*value;
+        }
         body.factor.solve(x);
         for (g, w) in opening.iter_mut().zip(body.elastic.contact_displacement(x)) {
             *g += count as f64 * w;
@@ -125,13 +127,12 @@ struct Moments<'a> {
 
 impl<'a> Moments<'a> {
     fn new(system: &System, force: &'a [f64], motions: &[MeshMotion]) -> Self {
-        let (origin, orders): (f64, &[i32]) = match motions {
-            [motion] => (motion.still(), &[2]),
-            _ => {
-                let weighted = system.zone.abscissae().iter().zip(force).map(|(x, r)| x * r);
-                // The middle of the force would leave the first moment without a value to compare with.
-                (weighted.sum::<f64>() / force.iter().sum::<f64>() - system.zone.half_width(), &[1, 2])
-            }
+        let (origin, orders): (f64, &[i32]) = if let [motion] = motions {
+            (motion.still(), &[2])
+        } else {
+            let weighted = system.zone.abscissae().iter().zip(force).map(|(x, r)| x * r);
+            // The middle of the force would leave the first moment without a value to compare with.
+            (weighted.sum::<f64>() / force.iter().sum::<f64>() - system.zone.half_width(), &[1, 2])
         };
         let arm = system.zone.abscissae().iter().map(|x| x - origin).collect();
         Self { force, arm, orders }
