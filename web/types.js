@@ -12,7 +12,7 @@
  * @typedef {object} Mesh fields of one body, packed by the worker
  * @property {Float32Array} nodes
  * @property {Float32Array} displacement
- * @property {Uint32Array} triangles
+ * @property {Uint32Array} elements four corners of each, counter-clockwise
  * @property {Float32Array} von_mises
  * @property {Float32Array} equivalent_plastic_strain
  * @property {Float32Array} sigma_x

@@ -15,12 +15,19 @@ const sizeOf = ({ type, components, count }) => components * count * (type === '
 export class FieldReader {
   /** Bytes of the header so far. @type {number[]} */
   #head = [];
-  /** Each array with its bytes so far; nothing until the header is there. @type {{entry: Entry, bytes: Uint8Array}[] | undefined} */
+  /** Each array with its bytes so far; nothing until the header is there. @type {{entry: Entry, bytes: Uint8Array<ArrayBuffer>}[] | undefined} */
   #targets;
   /** The target that is being filled. */
   #filling = 0;
   /** Place of the next byte among those of the arrays. */
   #at = 0;
+  /** @type {ArrayBuffer[]} */
+  #spare;
+
+  /** @param {ArrayBuffer[]} [spare] room of arrays that nobody looks at any more; what is used of it is taken out */
+  constructor(spare = []) {
+    this.#spare = spare;
+  }
 
   /** @param {Uint8Array} chunk that comes next */
   push(chunk) {
@@ -44,8 +51,15 @@ export class FieldReader {
     const text = new TextDecoder().decode(Uint8Array.from(this.#head.slice(HEADER)));
     const base = this.#head.length;
     const entries = /** @type {Entry[]} */ (JSON.parse(text).arrays);
-    this.#targets = entries.map((entry) => ({ entry, bytes: new Uint8Array(sizeOf(entry)) }));
+    this.#targets = entries.map((entry) => ({ entry, bytes: this.#room(sizeOf(entry)) }));
     this.push(chunk.subarray(base - known));
+  }
+
+  /** @param {number} size in bytes @returns {Uint8Array<ArrayBuffer>} */
+  #room(size) {
+    const fits = this.#spare.findIndex(({ byteLength }) => byteLength >= size && byteLength <= 1.5 * size);
+    const buffer = fits < 0 ? new ArrayBuffer(size) : this.#spare.splice(fits, 1)[0];
+    return new Uint8Array(buffer, 0, size);
   }
 
   /** How long the header is, as far as is known. */
@@ -61,40 +75,18 @@ export class FieldReader {
     const fields = /** @type {Arrays} */ ({ upper: null, lower: null });
     for (const { entry, bytes } of this.#targets) {
       const { buffer } = bytes;
+      const numbers = entry.count * entry.components;
       const values =
         entry.type === 'u32'
-          ? new Uint32Array(buffer)
+          ? new Uint32Array(buffer, 0, numbers)
           : entry.type === 'f32'
-            ? new Float32Array(buffer)
-            : Float32Array.from(new Float64Array(buffer));
-      const array = entry.name === 'elements' ? triangles(values) : values;
-      // Millions of numbers of which nobody would clean up soon.
-      if (array !== values) release([values]);
+            ? new Float32Array(buffer, 0, numbers)
+            : Float32Array.from(new Float64Array(buffer, 0, numbers));
       fields[entry.body] ??= {};
-      fields[entry.body][entry.name === 'elements' ? 'triangles' : entry.name] = array;
-      buffers.push(/** @type {ArrayBuffer} */ (array.buffer));
+      fields[entry.body][entry.name] = values;
+      buffers.push(/** @type {ArrayBuffer} */ (values.buffer));
     }
     this.#targets = undefined;
     return fields;
   }
-}
-
-/**
- * Frees the memory of arrays at once, by handing it over to nobody: a collector that sees small objects only lets hundreds of
- * megabytes pass.
- * @param {{buffer: ArrayBufferLike}[]} arrays
- */
-export const release = (arrays) =>
-  structuredClone(null, { transfer: arrays.map(({ buffer }) => /** @type {ArrayBuffer} */ (buffer)) });
-
-/** Each quadrilateral as two triangles. @param {ArrayLike<number>} corners four of each */
-export function triangles(corners) {
-  const packed = new Uint32Array(1.5 * corners.length);
-  for (let k = 0, j = 0; k < corners.length; k += 4, j += 6) {
-    packed[j] = packed[j + 3] = corners[k];
-    packed[j + 1] = corners[k + 1];
-    packed[j + 2] = packed[j + 4] = corners[k + 2];
-    packed[j + 5] = corners[k + 3];
-  }
-  return packed;
 }

@@ -1,15 +1,21 @@
 /** Fetches results and fields, packs mesh fields into typed arrays and hands them over without copying. */
 
-import { FieldReader, triangles } from './field-arrays.js';
+import { FieldReader } from './field-arrays.js';
 
 /** Nodal fields that are shown. */
 const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
 /** Bytes between two reports of how far it is. */
 const REPORTED = 1 << 20;
+/** Arrays of the fields of a step. */
+const MOST_SPARE = 18;
+
+/** Room of fields that nobody looks at any more: a collector lets hundreds of megabytes of it pass. @type {ArrayBuffer[]} */
+let spare = [];
 
 const running = /** @type {Map<number, AbortController>} */ (new Map());
 
-self.addEventListener('message', async ({ data: { number, abort, ...question } }) => {
+self.addEventListener('message', async ({ data: { number, abort, back, ...question } }) => {
+  if (back) return (spare = [...back, ...spare].slice(0, MOST_SPARE));
   if (abort) return running.get(number)?.abort();
   const controller = new AbortController();
   running.set(number, controller);
@@ -32,7 +38,7 @@ async function answerOf({ url, options }, number, signal, buffers) {
   const response = await fetch(url, { ...options, signal });
   const binary = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && binary) {
-    const reader = new FieldReader();
+    const reader = new FieldReader(spare);
     await each(response, number, (chunk) => reader.push(chunk));
     return { answer: reader.finish(buffers) };
   }
@@ -104,7 +110,7 @@ function pack(field, buffers) {
   const packed = /** @type {Record<string, any>} */ ({
     nodes: pairs(field.nodes),
     displacement: pairs(field.displacement),
-    triangles: triangles(field.elements.flat()),
+    elements: Uint32Array.from(field.elements.flat()),
   });
   for (const name of SCALARS) packed[name] = Float32Array.from(field[name]);
   for (const array of Object.values(packed)) buffers.push(array.buffer);

@@ -32,6 +32,9 @@ export const fetchResult = (id, progress) =>
  */
 export const fetchFields = (id, step, progress) => ask(`v1/jobs/${id}/fields/${step + 1}`, {}, { progress });
 
+/** Gives back the room of fields that nobody looks at any more. @param {ArrayBuffer[]} buffers */
+export const giveBack = (buffers) => worker?.postMessage({ back: buffers }, buffers);
+
 /**
  * Solves a job at once and keeps nothing of it.
  * @param {import('../types.js').Job} job

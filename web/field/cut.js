@@ -1,5 +1,7 @@
 /** What a nodal field is along a line through the bodies. */
 
+import { triangle } from './locate.js';
+
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {[number, number]} Point */
 
@@ -15,7 +17,7 @@
  * @param {Point} to
  * @returns {Point[]} distance from the beginning, value; by distance
  */
-export function cut({ mesh: { nodes, displacement, triangles }, lift }, values, deformation, side, parity, from, to) {
+export function cut({ mesh: { nodes, displacement, elements }, lift }, values, deformation, side, parity, from, to) {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (!(length > 0)) return [];
   const [ex, ey] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
@@ -35,8 +37,8 @@ export function cut({ mesh: { nodes, displacement, triangles }, lift }, values, 
     const at = along[a] + t * (along[b] - along[a]);
     if (at >= 0 && at <= length) points.push([at, parity * (values[a] + t * (values[b] - values[a]))]);
   };
-  for (let k = 0; k < triangles.length; k += 3) {
-    const [a, b, c] = [triangles[k], triangles[k + 1], triangles[k + 2]];
+  for (let k = 0; k < 2 * elements.length; k += 4) {
+    const [a, b, c] = triangle(elements, k);
     const [sa, sb, sc] = [across[a] > 0, across[b] > 0, across[c] > 0];
     if (sa === sb && sb === sc) continue;
     edge(a, b);

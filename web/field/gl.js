@@ -4,6 +4,11 @@ import { MOST_BANDS } from './palette.js';
 
 /** Numbers that are handed over at once. */
 const PIECE = 1 << 18;
+/** Corners of an element as two triangles, and as four sides. */
+const [TRIANGLES, SIDES] = [
+  [0, 1, 2, 0, 2, 3],
+  [0, 1, 1, 2, 2, 3, 3, 0],
+];
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {{array: WebGLVertexArrayObject, sides: WebGLBuffer}} Edges */
@@ -94,9 +99,10 @@ export class Renderer {
     const buffers = [mesh.nodes, mesh.displacement].map((data) => this.#buffer(gl.ARRAY_BUFFER, data));
     // Its values come by choose().
     buffers.push(gl.createBuffer());
-    const triangles = this.#buffer(gl.ELEMENT_ARRAY_BUFFER, mesh.triangles);
+    const triangles = this.#indices(mesh.elements, TRIANGLES);
     const vertices = this.#array(buffers, triangles);
-    return { body, mesh, vertices, buffers: [...buffers, triangles], edges: null, count: mesh.triangles.length };
+    const count = (mesh.elements.length / 4) * TRIANGLES.length;
+    return { body, mesh, vertices, buffers: [...buffers, triangles], edges: null, count };
   }
 
   /** @param {Body} body */
@@ -152,22 +158,29 @@ export class Renderer {
     body.edges ??= this.#edges(body);
     gl.uniform4f(at.line, 0.08, 0.09, 0.1, 1);
     gl.bindVertexArray(body.edges.array);
-    gl.drawElements(gl.LINES, (body.count / 6) * 8, gl.UNSIGNED_INT, 0);
+    gl.drawElements(gl.LINES, (body.count / TRIANGLES.length) * SIDES.length, gl.UNSIGNED_INT, 0);
   }
 
-  /** Four sides of each quadrilateral. @param {Body} body @returns {Edges} */
+  /** @param {Body} body @returns {Edges} */
   #edges({ mesh, buffers }) {
-    const { triangles } = mesh;
-    const corners = new Uint32Array((triangles.length / 6) * 8);
-    for (let k = 0, j = 0; k < triangles.length; k += 6, j += 8) {
-      const [a, b, c, d] = [triangles[k], triangles[k + 1], triangles[k + 2], triangles[k + 5]];
-      corners[j] = corners[j + 7] = a;
-      corners[j + 1] = corners[j + 2] = b;
-      corners[j + 3] = corners[j + 4] = c;
-      corners[j + 5] = corners[j + 6] = d;
-    }
-    const sides = this.#buffer(this.gl.ELEMENT_ARRAY_BUFFER, corners);
+    const sides = this.#indices(mesh.elements, SIDES);
     return { sides, array: this.#array(buffers.slice(0, 3), sides) };
+  }
+
+  /** Corners of every element in an order, put together piece by piece. @param {Uint32Array} elements @param {number[]} order */
+  #indices(elements, order) {
+    const { gl } = this;
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, elements.length * order.length, gl.STATIC_DRAW);
+    const piece = new Uint32Array((PIECE / 4) * order.length);
+    for (let begin = 0; begin < elements.length; begin += PIECE) {
+      const end = Math.min(begin + PIECE, elements.length);
+      let count = 0;
+      for (let k = begin; k < end; k += 4) for (const corner of order) piece[count++] = elements[k + corner];
+      gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, begin * order.length, piece, 0, count);
+    }
+    return buffer;
   }
 
   /** @param {WebGLBuffer[]} buffers nodes, displacements, values @param {WebGLBuffer} indices */

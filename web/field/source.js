@@ -1,7 +1,6 @@
 /** The fields of a job, fetched step by step as they are looked at, of which only so many are kept. */
 
-import { release } from '../api/field-arrays.js';
-import { fetchFields } from '../api/result.js';
+import { fetchFields, giveBack } from '../api/result.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {{upper: Mesh | null, lower: Mesh | null}} Fields */
@@ -81,9 +80,12 @@ export class FieldSource {
 }
 
 /** @param {Fields} fields */
-function free({ upper, lower }) {
-  for (const mesh of [upper, lower]) release(Object.values(mesh ?? {}));
-}
+const free = ({ upper, lower }) =>
+  giveBack(
+    [upper, lower].flatMap((mesh) =>
+      Object.values(mesh ?? {}).map(({ buffer }) => /** @type {ArrayBuffer} */ (buffer)),
+    ),
+  );
 
 /** @param {Fields} fields */
 const bytesOf = ({ upper, lower }) =>

@@ -48,17 +48,32 @@ const GIVEN = /** @type {Given[]} */ ([
   { body: 'lower', name: 'sigma_x', type: 'f32', components: 1, values: [5, 6, 7] },
 ]);
 
-test('arrays of both precisions are read in whatever pieces they come, elements become triangles', () => {
+test('arrays of both precisions are read in whatever pieces they come', () => {
   const bytes = encode(GIVEN);
   for (const size of [1, 7, 64, 1000]) {
     const { upper, lower, buffers } = inPieces(new FieldReader(), bytes, size);
     assert.equal(upper, null, 'a rigid body has no arrays');
     assert.deepEqual([...lower.nodes], NODES);
-    assert.deepEqual([...lower.triangles], [0, 1, 2, 0, 2, 3]);
+    assert.deepEqual([...lower.elements], [0, 1, 2, 3]);
     assert.deepEqual([...lower.von_mises], [1, 2, 3, 4.5]);
     assert.deepEqual([...lower.sigma_x], [5, 6, 7]);
     assert.equal(new Set(buffers).size, 4, 'each array is its own');
   }
+});
+
+test('room of other arrays is used again where it fits', () => {
+  const bytes = encode(GIVEN);
+  const spare = [40, 1000, 12, 17].map((size) => new ArrayBuffer(size));
+  const [nodes, , sigma, elements] = spare;
+  const { lower } = inPieces(new FieldReader(spare), bytes, 11);
+  for (const [array, room] of [
+    [lower.nodes, nodes],
+    [lower.sigma_x, sigma],
+    [lower.elements, elements],
+  ])
+    assert.ok(array.buffer === room);
+  assert.deepEqual([[...lower.nodes], [...lower.elements], [...lower.sigma_x]], [NODES, [0, 1, 2, 3], [5, 6, 7]]);
+  assert.equal(spare.length, 1, 'what is far too large stays');
 });
 
 test('what is no fields, or half of them, is refused', () => {

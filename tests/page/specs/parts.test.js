@@ -44,12 +44,12 @@ test('many points are found in one look where one by one finds them', () => {
   for (let j = 0; j + 1 < down; j++)
     for (let i = 0; i + 1 < across; i++) {
       const a = across * j + i;
-      corners.push(a, a + 1, a + across + 1, a, a + across + 1, a + across);
+      corners.push(a, a + 1, a + across + 1, a + across);
     }
   const mesh = /** @type {any} */ ({
     nodes,
     displacement: new Float32Array(nodes.length),
-    triangles: Uint32Array.from(corners),
+    elements: Uint32Array.from(corners),
   });
   const points = Array.from(
     { length: 400 },
