@@ -3,7 +3,7 @@
 import { ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
-import { loadOf } from '../setup/fields.js';
+import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { writeHistory } from '../setup/history.js';
 import { NAMES, finished } from '../result/watch.js';
 
@@ -162,6 +162,7 @@ function loadWords(job) {
   const kind = loadOf(job.load);
   const value = job.load?.[kind];
   if (kind === 'onset') return 'onset of yield';
+  if (kind === 'target') return `P for ${targetWords(job)}`;
   const far = kind.startsWith('approach');
   const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
   const figures =
@@ -171,6 +172,14 @@ function loadWords(job) {
         ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
         : plain(Number(value));
   return `${far ? 'α' : 'P'} ${figures} ${name}`;
+}
+
+/** @param {import('../types.js').Job} job */
+function targetWords({ load, ...job }) {
+  const figure = targetOf(load);
+  const { label, quantity } = TARGETS[figure];
+  const name = quantity && quantity !== 'load' ? unit(quantity, unitsOf(job)) : '';
+  return `${label.toLowerCase()} ${plain(Number(load.target[figure]))} ${name}`.trim();
 }
 
 /** @param {string} time */

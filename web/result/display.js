@@ -33,6 +33,8 @@ const QUANTITIES = {
     'shakedown_depth',
     'height',
     'pile_up',
+    'permanent_approach',
+    'dent_depth',
   ]),
   ...named('stress', [
     'peak_pressure',
@@ -82,6 +84,11 @@ export function inUnits(value, of, set) {
     if (typeof part === 'number') return part * times(key);
     if (Array.isArray(part)) return part.map((one) => walk(one, key));
     if (part === null || typeof part !== 'object') return part;
+    // The figure that a force was looked for: its name says what it is.
+    if (key === 'target') {
+      const [wanted, reached] = [part.wanted, part.reached].map((value) => value * times(part.figure));
+      return { ...part, wanted, reached, force: part.force * times('force') };
+    }
     return Object.fromEntries(
       Object.entries(part).map(([name, one]) => [name, LEFT.has(name) ? one : walk(one, name)]),
     );

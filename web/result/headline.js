@@ -1,6 +1,7 @@
 /** The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in mind about it. */
 
 import { byId, h } from '../lib/dom.js';
+import { TARGETS } from '../setup/fields.js';
 import { help } from '../setup/help.js';
 import { inWords } from '../setup/words.js';
 import { figure, forceOf, grouped, duration, percent, stiffnessOf, unit } from '../lib/units.js';
@@ -59,6 +60,17 @@ function figures(job, report, step) {
       undefined,
       beside(contact.mean_pressure, hertz ? meanOf(hertz, round) : undefined),
     ),
+    ...(report.target
+      ? [
+          card(
+            'Force found',
+            report.target.force,
+            force,
+            report.target.relative_error ?? undefined,
+            targetWords(report),
+          ),
+        ]
+      : []),
     card('Plastic strain', 100 * strain, '%', undefined, zoneWords(step, length)),
     card(
       'Contact stiffness',
@@ -90,6 +102,17 @@ function figures(job, report, step) {
         ]
       : []),
   ];
+}
+
+/** For what a force was looked for, and what came of it. @param {import('../types.js').Report} report */
+export function targetWords({ target, units }) {
+  if (!target) return '';
+  const { label, quantity } = TARGETS[target.figure] ?? {
+    label: target.figure.replaceAll('_', ' '),
+    quantity: 'number',
+  };
+  const name = quantity && quantity !== 'load' ? unit(quantity, units) : '';
+  return `for a ${label.toLowerCase()} of ${figure(target.wanted, 4)} ${name}, reached ${figure(target.reached)}`;
 }
 
 /** @param {{peak_pressure: number}} hertz @param {boolean} round */

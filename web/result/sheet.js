@@ -14,15 +14,18 @@ import {
   SETTINGS,
   SHAPES,
   SUPPORTS,
+  TARGETS,
   THEORIES,
   lawOf,
   loadOf,
   overDepthOf,
+  targetOf,
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
 import { writeValue } from '../jobs/names.js';
+import { targetWords } from './headline.js';
 import { FIGURES, figuresTable, tableElements } from './figures.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -90,6 +93,7 @@ export function showSheet({ shown, at, drawings, field }) {
       'ul',
       {},
       h('li', {}, `Approach: from ${step.approach_datum}.`),
+      report.target && h('li', {}, `Force found ${targetWords(report)}.`),
       step.validity.map(({ message }) => h('li', {}, inWords(message))),
       h(
         'li',
@@ -162,7 +166,7 @@ function inputs(job) {
     );
   };
   const kind = loadOf(job.load);
-  const load = LOADS[kind].field;
+  const load = kind === 'target' ? TARGETS[targetOf(job.load)] : LOADS[kind].field;
   const elements = job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
   const whole = (/** @type {any} */ name, /** @type {string} */ value, /** @type {string} */ of) =>
     h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, value), h('td', { class: 'unit' }, of));
@@ -215,7 +219,9 @@ function inputs(job) {
       ),
       whole(
         load ? [`${load.label} `, h('i', {}, load.symbol ?? '')] : 'Load',
-        load ? writeValue(job.load?.[kind]) : 'onset of yield',
+        load
+          ? writeValue(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
+          : 'onset of yield',
         load ? unit(load.quantity === 'load' ? forceOf(job) : (load.quantity ?? 'number'), units) : '',
       ),
       whole('Theory', THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '', ''),

@@ -118,6 +118,7 @@ export class View {
   report() {
     this.#sheet();
     document.documentElement.dataset.view = 'sheet';
+    byId('sheet').querySelector('button')?.focus();
     scrollTo(0, 0);
   }
 

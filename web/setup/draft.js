@@ -2,7 +2,19 @@
 
 import { convert, forceOf } from '../lib/units.js';
 import * as pointer from '../lib/pointer.js';
-import { BACKSTRESS, ELASTIC, LAWS, LOADS, OVER_DEPTH, SHAPES, lawOf, loadOf, overDepthOf } from './fields.js';
+import {
+  BACKSTRESS,
+  ELASTIC,
+  LAWS,
+  LOADS,
+  OVER_DEPTH,
+  SHAPES,
+  TARGETS,
+  lawOf,
+  loadOf,
+  overDepthOf,
+  targetOf,
+} from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {import('../lib/units.js').Units} Units */
@@ -126,7 +138,9 @@ function* dimensional(job) {
     yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, [BACKSTRESS]);
   }
-  const { field } = LOADS[loadOf(job.load)];
+  const kind = loadOf(job.load);
+  if (kind === 'target') yield* within(job, '/load', [TARGETS[targetOf(job.load)]]);
+  const { field } = LOADS[kind];
   if (field)
     yield* within(job, '/load', [{ ...field, quantity: field.quantity === 'load' ? forceOf(job) : field.quantity }]);
 }

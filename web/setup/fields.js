@@ -133,7 +133,26 @@ export const LOADS = {
     },
   },
   onset: { label: 'Onset of yield' },
+  target: { label: 'Force for a given figure' },
 };
+
+/** Figures of the contact for which a force can be looked for. @type {Record<string, Field & {example: number}>} */
+export const TARGETS = {
+  peak_pressure: target('peak_pressure', 'Peak pressure', 'p_max', 'stress', 1200),
+  mean_pressure: target('mean_pressure', 'Mean pressure', 'p_m', 'stress', 1000),
+  half_width: target('half_width', 'Half-width', 'a', 'length', 0.3),
+  max_plastic_strain: target('max_plastic_strain', 'Largest plastic strain', 'ε_p', 'strain', 0.002),
+  permanent_approach: target('permanent_approach', 'Permanent approach', 'α_p', 'length', 0.002),
+  dent_depth: target('dent_depth', 'Depth of the dent', 'δ', 'length', 0.001),
+};
+
+/** What is left behind, of which flow theory alone knows. */
+export const PERMANENT = new Set(['permanent_approach', 'dent_depth']);
+
+/** @param {string} key @param {string} label @param {string} symbol @param {Quantity} quantity @param {number} example */
+function target(key, label, symbol, quantity, example) {
+  return { key: `target/${key}`, label, symbol, quantity, example, help: 'target' };
+}
 
 /** @type {Record<string, string>} */
 export const ANALYSES = { plane_strain: 'Plane strain', plane_stress: 'Plane stress', axisymmetric: 'Axisymmetric' };
@@ -174,6 +193,7 @@ export const allFields = () => [
   BACKSTRESS,
   ...SETTINGS,
   ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
+  ...Object.values(TARGETS),
 ];
 
 /** What the service takes where a job says nothing. */
@@ -284,6 +304,10 @@ export function typicalOverDepth(kind, units) {
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */
 export const loadOf = (load) => Object.keys(LOADS).find((key) => isObject(load) && key in load) ?? 'force';
+
+/** @param {Record<string, any> | undefined} load @returns {string} key of {@link TARGETS} */
+export const targetOf = (load) =>
+  Object.keys(TARGETS).find((key) => isObject(load?.target) && key in load.target) ?? 'peak_pressure';
 
 /** @param {Record<string, any> | undefined} material @returns {number | undefined} stress at which flow begins, to be marked */
 export function yieldStress(material) {

@@ -14,7 +14,9 @@ import {
   LOADS,
   SETTINGS,
   SHAPES,
+  PERMANENT,
   SUPPORTS,
+  TARGETS,
   THEORIES,
   UNIT_SYSTEMS,
   lawOf,
@@ -22,6 +24,7 @@ import {
   overDepthOf,
   plasticityLike,
   shapeLike,
+  targetOf,
   typicalOverDepth,
 } from './fields.js';
 import { allMaterials, askHardness, askToKeep, forget, ownMaterials } from './library.js';
@@ -107,6 +110,7 @@ export class Form {
       hasBackstress(job, 'upper'),
       hasBackstress(job, 'lower'),
       loadOf(job.load),
+      targetOf(job.load),
       job.upper?.shape?.type,
       job.lower?.shape?.type,
       job.analysis === 'axisymmetric',
@@ -146,6 +150,7 @@ export class Form {
       return overDepthOf(pointer.get(this.draft.job, place.replace('/plasticity/depth_kind', '')));
     if (place.endsWith('/law')) return lawOf(pointer.get(this.draft.job, place.replace('/law', '')));
     if (place === '/load/kind') return loadOf(this.draft.job.load);
+    if (place === '/load/target_kind') return targetOf(this.draft.job.load);
     return pointer.get(this.draft.job, place);
   }
 
@@ -289,9 +294,28 @@ export class Form {
         { class: 'grid' },
         this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
         field && this.#field('/load', field),
+        kind === 'target' && this.#target(),
         this.#choice('/solver/theory', 'Theory', THEORIES),
       ),
     );
+  }
+
+  #target() {
+    const figures = Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label]));
+    return [
+      this.#choice('/load/target_kind', 'Figure', figures, (figure) => this.#useTarget(String(figure))),
+      this.#field('/load', TARGETS[targetOf(this.draft.job.load)]),
+    ];
+  }
+
+  /** @param {string} figure */
+  #useTarget(figure) {
+    const job = structuredClone(this.draft.job);
+    const { example, quantity } = TARGETS[figure];
+    const value = quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', unitsOf(job)) : example;
+    job.load = { target: { [figure]: value } };
+    if (PERMANENT.has(figure)) job.solver = { ...job.solver, theory: 'flow' };
+    this.draft.replace(job, SOURCE);
   }
 
   /** @param {string} parent @param {Field} field */
@@ -380,6 +404,7 @@ export class Form {
 
   /** @param {string} kind */
   #useLoad(kind) {
+    if (kind === 'target') return this.#useTarget('peak_pressure');
     const old = this.draft.job.load ?? {};
     const highest = Math.max(...(old.history ?? []).map((/** @type {any} */ load) => load.force ?? 0));
     const one = Number(old.force ?? old.forces?.at(-1) ?? highest) || 600;

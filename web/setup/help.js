@@ -11,6 +11,8 @@ export const TEXTS = {
   young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
   poisson_ratio: 'Contraction across over stretching along: 0.3 for steel, 0.33 for aluminium.',
   law: 'How the stress that makes the metal flow grows with plastic strain. Elastic: it never flows. Bilinear: a yield stress and a slope. Swift, Ludwik and Voce: fits of tensile tests. Table: points of a test. Rigid: it neither bends nor flows.',
+  target:
+    'The load is the answer: it is searched for until the contact has this figure. What stays behind (permanent approach, dent) is known to flow theory alone.',
   error_bar:
     'How far the figure may be from that of an infinitely fine mesh, estimated from a second mesh of half the density; the bars held in at least 95 of 100 tested cases. They say nothing of the model or of the figures put in.',
   backstress:
@@ -23,7 +25,7 @@ export const TEXTS = {
   width: 'Full width of the body. Ten half-widths of the contact or more keep its sides out of the answer.',
   depth:
     'From the surface to the base, where the body is held. The approach grows with it without bound, the pressure does not.',
-  kind: 'Force: the load is known. Approach: how far the bodies are pressed together is known, the force is an answer. A sweep gives a curve. Onset of yield: the least load that makes the metal flow.',
+  kind: 'Force: the load is known. Approach: how far the bodies are pressed together is known, the force is an answer. A sweep gives a curve. Force for a given figure: a pressure, width, strain or dent is wanted, and the force for it is the answer. Onset of yield: the least load that makes the metal flow.',
   force:
     'In plane strain and plane stress the load per unit of thickness, on the whole contact; in axisymmetry the whole force.',
   approach: 'How far the two held sides move towards each other. It depends on where the bodies are held.',

@@ -2,7 +2,7 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
-import { loadOf } from './fields.js';
+import { TARGETS, loadOf, targetOf } from './fields.js';
 import { writeHistory } from './history.js';
 import { outline, pin } from './outline.js';
 
@@ -151,9 +151,10 @@ function load(job, upper, scale) {
       : Array.isArray(value)
         ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}`
         : plain(Number(value));
+  const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
   const text =
-    kind === 'onset'
-      ? 'P = ? (first yield)'
+    kind === 'onset' || kind === 'target'
+      ? `P = ? (${kind === 'onset' ? 'first yield' : wanted})`
       : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),

@@ -340,6 +340,29 @@ service.test('a slider begins at nothing too, and a choice that is not made says
   assert.equal((await draft(page)).upper.shape.interpolation, undefined);
 });
 
+service.test('a force is looked for by what it does', async (page) => {
+  await page.getByLabel('Given').selectOption('target');
+  assert.deepEqual((await draft(page)).load, { target: { peak_pressure: 1200 } });
+  await page.getByLabel('Figure', { exact: true }).selectOption('dent_depth');
+  assert.equal((await draft(page)).solver.theory, 'flow', 'only flow theory knows what is left');
+  await page.getByLabel('Units').selectOption('SI');
+  assert.deepEqual((await draft(page)).load, { target: { dent_depth: 1e-6 } });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByLabel('Theory').selectOption('deformation');
+  await page.locator('[data-place="/load/target/dent_depth"] .error').getByText('unloading').waitFor();
+  await page.getByLabel('Figure', { exact: true }).selectOption('half_width');
+  await page.getByText('Mesh, solver, output, tags').click();
+  await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
+  await page.getByLabel('Half-width a').fill('0.2');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor();
+  const found = page.locator('#headline > dl > div', { hasText: 'Force found' });
+  assert.match((await found.textContent()) ?? '', /for a half-width of 0\.2000 mm, reached 0\.[12]\d+/);
+  await page.getByText('Units shown').click();
+  await page.getByLabel('Unit of length').selectOption('µm');
+  await found.getByText('for a half-width of 200.0 µm').waitFor();
+});
+
 service.test('every example converges', async (page) => {
   const states = await page.evaluate(async () => {
     const { examplesOf } = await import(/** @type {any} */ ('/web/setup/examples.js'));

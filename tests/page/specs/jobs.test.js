@@ -1,4 +1,4 @@
-/** Jobs of others and of before: links, list, search, comparison, downloads; by keyboard alone; with an API key. */
+/** Jobs of others and of before: links, list, search, comparison, downloads; with an API key. */
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -77,43 +77,6 @@ service.test('everything can be taken along', async (page) => {
     ]);
     assert.equal(file.suggestedFilename(), `${panel}.png`);
   }
-});
-
-service.test('the whole way by keyboard', async (page) => {
-  const name = () =>
-    page.evaluate(() => {
-      const at = /** @type {HTMLElement | null} */ (document.activeElement);
-      return (
-        at?.getAttribute('aria-label') ??
-        /** @type {HTMLInputElement | null} */ (at)?.labels?.[0]?.textContent ??
-        at?.textContent ??
-        ''
-      );
-    });
-  /** @param {RegExp} wanted */
-  const tabTo = async (wanted) => {
-    for (let k = 0; k < 80; k++) {
-      await page.keyboard.press('Tab');
-      if (wanted.test(await name())) return;
-    }
-    assert.fail(`Tab never comes to ${wanted}`);
-  };
-  await page.keyboard.press('Tab');
-  assert.equal(await name(), 'Skip to the result');
-  await tabTo(/^Radius/);
-  await page.keyboard.press('Control+A');
-  await page.keyboard.type('25');
-  await tabTo(/^Force/);
-  await tabTo(/^Solve$/);
-  await page.keyboard.press('Enter');
-  await page.locator('[data-status=succeeded]').waitFor();
-  assert.equal(JSON.parse(await page.evaluate(() => sessionStorage.getItem('draft') ?? '')).upper.shape.radius, 25);
-  await tabTo(/^von Mises$/);
-  await page.keyboard.press('Space');
-  await page.locator('#panel-depth .legend').getByText('von Mises').waitFor({ state: 'detached' });
-  await tabTo(/^Field of/);
-  await page.keyboard.press('+');
-  await page.getByText(/^(upper|lower) body, x/).waitFor();
 });
 
 service.test(

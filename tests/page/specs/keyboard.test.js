@@ -1,0 +1,118 @@
+/** Every task by keyboard alone. */
+
+import assert from 'node:assert/strict';
+import { suite } from '../browser.js';
+import { draft, drawn, follow, solved } from '../jobs.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const service = suite();
+const SOLVED = '[data-status=succeeded]';
+
+/** What has the cursor, by its name. @param {Page} page */
+const name = (page) =>
+  page.evaluate(() => {
+    const at = /** @type {HTMLElement | null} */ (document.activeElement);
+    return (
+      at?.getAttribute('aria-label') ??
+      document.getElementById(at?.getAttribute('aria-labelledby') ?? '')?.textContent ??
+      /** @type {HTMLInputElement | null} */ (at)?.labels?.[0]?.textContent ??
+      at?.textContent ??
+      ''
+    ).trim();
+  });
+
+/** @param {Page} page @param {RegExp} wanted */
+async function tabTo(page, wanted) {
+  for (let k = 0; k < 160; k++) {
+    await page.keyboard.press('Tab');
+    if (wanted.test(await name(page))) return;
+  }
+  assert.fail(`Tab never comes to ${wanted}`);
+}
+
+/** @param {Page} page @param {RegExp} wanted @param {...string} keys */
+async function press(page, wanted, ...keys) {
+  await tabTo(page, wanted);
+  for (const key of keys) await page.keyboard.press(key);
+}
+
+/** @param {Page} page @param {RegExp} wanted @param {string} text */
+async function type(page, wanted, text) {
+  await press(page, wanted, 'Control+A');
+  await page.keyboard.type(text);
+}
+
+service.test('set up, solve, look around in the field', async (page) => {
+  await page.keyboard.press('Tab');
+  assert.equal(await name(page), 'Skip to the result');
+  await type(page, /^Radius/, '25');
+  await type(page, /^Material/, 'Rail');
+  await press(page, /^From hardness/, 'Enter');
+  await page.keyboard.type('300');
+  await press(page, /^Use$/, 'Enter');
+  await type(page, /^Given/, 'Sweep');
+  await type(page, /^Forces/, '100 300 612');
+  await press(page, /^Explanation$/, 'Enter');
+  await page.locator('[popover]:popover-open').waitFor();
+  await page.keyboard.press('Escape');
+  await press(page, /^Solve$/, 'Enter');
+  await page.locator(SOLVED).waitFor();
+  const { upper, load } = await draft(page);
+  assert.deepEqual([upper.shape.radius, upper.material.plasticity.yield_stress], [25, 772]);
+  assert.deepEqual(load, { forces: [100, 300, 612] });
+  await drawn(page);
+  await press(page, /^Step$/, 'Home');
+  await page.locator('.steps output').getByText('1 of 3').waitFor();
+  await press(page, /^von Mises$/, 'Space');
+  await page.locator('#panel-depth .legend').getByText('von Mises', { exact: true }).waitFor({ state: 'detached' });
+  await press(page, /^Shown$/, 'End');
+  await press(page, /^Cut$/, 'Space');
+  await press(page, /^Field of displacement uy/, '+', 'ArrowUp');
+  await page.getByText(/^(upper|lower) body, x/).waitFor();
+  await type(page, /^Cut from x$/, '0.05');
+  await page.keyboard.press('Enter');
+  await page.locator('.cut .plot[aria-label^="displacement uy along the cut"]').waitFor();
+});
+
+service.test(
+  'compare, copy, take along, report',
+  async (page) => {
+    const [one, other] = [await solved(page, {}), await solved(page, { load: { force: 300 } })];
+    await follow(page, `job=${one}`);
+    await page.locator(SOLVED).waitFor();
+    await press(page, /^Jobs$/, 'Enter');
+    await press(page, new RegExp(`^Compare ${other.slice(-8)}`), 'Space');
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    await press(page, /^Markdown$/, 'Enter');
+    await page.getByText('Markdown copied').waitFor();
+    await press(page, /^Download$/, 'Enter');
+    const [file] = await Promise.all([page.waitForEvent('download'), press(page, /^Pressure, CSV$/, 'Enter')]);
+    assert.match(file.suggestedFilename(), /pressure\.csv$/);
+    await page.keyboard.press('Escape');
+    assert.equal(await page.locator('details.menu[open]').count(), 0);
+    await press(page, /^Report$/, 'Enter');
+    assert.equal(await name(page), 'Print or save as PDF');
+    await press(page, /^Back$/, 'Enter');
+    assert.equal(await name(page), 'Report', 'the cursor is where it was');
+    await press(page, /^Units shown$/, 'Enter');
+    await press(page, /^Unit of length$/, 'ArrowDown', 'ArrowDown');
+    await page.locator('#headline').getByText('µm').first().waitFor();
+  },
+  { permissions: ['clipboard-read', 'clipboard-write'] },
+);
+
+service.test('write the job, undo, move a slider', async (page) => {
+  await press(page, /^JSON$/, 'Enter');
+  await press(page, /^Job as JSON/, 'Control+A');
+  const job = JSON.parse(await page.locator('#json-text').inputValue());
+  await page.keyboard.insertText(JSON.stringify({ ...job, load: { force: 400 } }));
+  const force = page.locator('[data-place="/load/force"] input[type=text]');
+  await page.waitForFunction(() => JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.load.force === 400);
+  await press(page, /^Undo$/, 'Enter');
+  assert.equal(await force.inputValue(), '612.6106');
+  await tabTo(page, /^Force/);
+  await press(page, /^Slider$/, 'Enter', 'ArrowRight');
+  await page.locator('[data-status=live]').waitFor();
+  assert.notEqual(await force.inputValue(), '612.6106');
+});
