@@ -270,6 +270,12 @@
  * @property {'hole'} type
  * @property {number | null} [width]
  *
+ * @typedef {object} IncrementNumber
+ * @property {number} count
+ * @property {number} load
+ * @property {number} loads
+ * @property {number} number
+ *
  * @typedef {object} Increments
  * @property {(number)[]} approach
  * @property {(number)[]} force
@@ -288,6 +294,7 @@
  * @property {number} equilibrium_residual
  * @property {number} factorizations
  * @property {number} force_change
+ * @property {IncrementNumber} [increment]
  * @property {number} initial_stress_updates
  * @property {number} iteration
  * @property {number} peak_pressure

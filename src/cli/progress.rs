@@ -42,8 +42,13 @@ impl ProgressLine {
 
     /// Shows an iteration.
     pub(super) fn show(&mut self, record: &IterationRecord) {
+        let increment = record.increment.map_or_else(String::new, |at| {
+            let load =
+                if at.loads > 1 { format!("load {} of {}, ", at.load, at.loads) } else { String::new() };
+            format!("{load}increment {} of {}, ", at.number, at.count)
+        });
         self.text = format!(
-            "iteration {}, residual {:.1e}, peak pressure {}",
+            "{increment}iteration {}, residual {:.1e}, peak pressure {}",
             record.iteration,
             record.equilibrium_residual,
             significant(record.peak_pressure, 5)

@@ -86,6 +86,7 @@ fn record(iteration: usize) -> IterationRecord {
         approach: 0.1,
         peak_pressure: 1.0,
         elapsed_ms: 1.0,
+        increment: None,
     }
 }
 

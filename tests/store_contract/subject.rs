@@ -209,6 +209,7 @@ pub fn iteration(number: usize) -> IterationRecord {
         approach: 0.02,
         peak_pressure: 1200.0,
         elapsed_ms: 1.0,
+        increment: None,
     }
 }
 

@@ -5,8 +5,8 @@ import { duration, figure } from '../lib/units.js';
 /** @typedef {import('../types.js').Iteration} Iteration */
 
 /**
- * Iterations are counted anew from 1 in every step of a sweep, and in every increment of flow theory, of which nobody knows in
- * advance how many there will be. The time left is that of the steps that are done, times those that are not.
+ * Iterations are counted anew from 1 in every step of a sweep. The time left is that of the steps that are done, times those that
+ * are not.
  * @param {Iteration[]} history of the job as far as it is
  * @param {import('../types.js').Job} job
  */
@@ -16,7 +16,10 @@ export function progressWords(history, job) {
   const now = `iteration ${last.iteration}, out of balance ${figure(last.equilibrium_residual, 2)}`;
   const begins = history.filter(({ iteration }) => iteration === 1);
   const loads = job.load?.forces ?? job.load?.approaches;
-  if (job.solver?.theory === 'flow' || job.load?.history) return `increment ${begins.length}, ${now}`;
+  if (last.increment) {
+    const { load, loads: all, number, count } = last.increment;
+    return `${all > 1 ? `load ${load} of ${all}, ` : ''}increment ${number} of ${count}, ${now}`;
+  }
   if (!Array.isArray(loads) || loads.length < 2) return now;
   const step = Math.min(begins.length, loads.length);
   return `step ${step} of ${loads.length}${left(begins, last, loads.length)}, ${now}`;

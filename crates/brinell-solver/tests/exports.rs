@@ -273,6 +273,14 @@ fn a_history_is_written_as_tables_and_figures() {
     let rows: Vec<&str> = increments.lines().skip(1).collect();
     assert_eq!(rows.len(), flow.increments.force.len() + 1);
     assert!(rows[rows.len() - 1].starts_with("2,1,0,"), "{}", rows[rows.len() - 1]);
+    let summary = written(Export::SummaryCsv);
+    let rows: Vec<Vec<&str>> = summary.lines().map(|row| row.split(',').collect()).collect();
+    assert!(rows.len() == 3 && rows.iter().all(|row| row.len() == rows[0].len()), "{summary}");
+    let last: Vec<_> = rows[0].iter().zip(&rows[2]).collect();
+    let cell = |name: &str| *last.iter().find(|(column, _)| column.starts_with(name)).unwrap().1;
+    let surfaces = &report.steps[1].flow.as_ref().unwrap().surfaces;
+    assert_eq!(cell("lower_dent"), surfaces.lower.as_ref().unwrap().depth.to_string());
+    assert_eq!((cell("unloading_stiffness"), cell("increments")), ("0", "1"));
     let surfaces = written(Export::SurfaceCsv);
     let dent = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap();
     let last = format!("2,lower,{},{}", dent.x[dent.x.len() - 1], dent.height[dent.height.len() - 1]);

@@ -20,7 +20,7 @@ use crate::solver::observer::ask;
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
 use crate::solver::solution::CoarseFigures;
-use crate::solver::{Interrupt, Observer, SolveError, couplings};
+use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, couplings};
 
 /// What a pass is asked to do.
 #[derive(Clone)]
@@ -38,6 +38,8 @@ pub(crate) struct MeshSolveRequest<'a> {
     pub cache: Option<&'a Arc<FactorCache>>,
     /// What residuals are relative to, at least.
     pub scales: Scales,
+    /// The increment of a history that is solved.
+    pub increment: Option<IncrementNumber>,
 }
 
 /// A discretized problem, and the displacements that the last loads left on it.
@@ -368,6 +370,7 @@ pub(crate) fn iterate(
         max_iterations: request.solver.max_iterations as usize,
         renewable: coupling.uses_tangent_moduli(),
         scales: request.scales,
+        increment: request.increment,
     };
     let first = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
     if !first.stalled {

@@ -33,7 +33,7 @@ pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};
 pub(crate) use load_stepping::utilization::highest_utilization;
 pub use mesh_sizing::estimate::{Estimate, estimate};
-pub use observer::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+pub use observer::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
 pub use phases::{Phase, PhaseTimes};
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;

@@ -89,6 +89,23 @@ pub struct IterationRecord {
     pub peak_pressure: f64,
     /// Since the start of the job \[ms >= 0\].
     pub elapsed_ms: f64,
+    /// The increment of a history to which the iteration belongs; absent where loads are not divided.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub increment: Option<IncrementNumber>,
+}
+
+/// Where a history of loads is. All numbers are one-based.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = IncrementNumber))]
+pub struct IncrementNumber {
+    /// Number of the increment within its load.
+    pub number: usize,
+    /// Increments of that load.
+    pub count: usize,
+    /// Number of the load.
+    pub load: usize,
+    /// Loads of the history.
+    pub loads: usize,
 }
 
 /// Sees a solve from outside: follows it, times it and may stop it. The core has no clock and no

@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
 use brinell_solver::report;
-use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus, run};
+use brinell_solver::solver::{
+    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, run,
+};
 use serde_json::{Value, json};
 
 /// Says stop at the n-th question, and counts the iterations that it has seen.
@@ -145,4 +147,37 @@ fn a_job_that_is_stopped_keeps_its_iterations() {
         }
         assert!(renewals > 0, "{coupling} factorizes while it iterates");
     }
+}
+
+/// Takes down which increments it is told of.
+#[derive(Default)]
+struct Increments(Vec<IncrementNumber>);
+
+impl Observer for Increments {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.0.extend(record.increment);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Every iteration of the final mesh says in which increment of which load it is; those of deformation theory are in none.
+#[test]
+fn a_history_says_how_far_it_is() {
+    let mut asked = job("accelerated");
+    let mut seen = Increments::default();
+    run(&asked, &mut seen).unwrap();
+    assert!(seen.0.is_empty());
+    let mut wire = serde_json::to_value(&asked).unwrap();
+    wire["load"] = json!({"history": [{"force": 500}, {"force": 0}]});
+    wire["solver"] = json!({"theory": "flow", "increments": 3});
+    asked = Job::from_value(&wire).unwrap();
+    let solution = run(&asked, &mut seen).unwrap();
+    let mut told = seen.0.clone();
+    told.dedup();
+    let all = (1..=2)
+        .flat_map(|load| (1..=3).map(move |number| IncrementNumber { number, count: 3, load, loads: 2 }));
+    assert_eq!(told, all.collect::<Vec<_>>());
+    let kept: Vec<_> =
+        solution.steps.iter().flat_map(|step| &step.history).filter_map(|r| r.increment).collect();
+    assert_eq!(kept, seen.0);
 }

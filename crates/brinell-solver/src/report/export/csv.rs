@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use super::ExportError;
 use crate::job::{Named, Quantity, Units};
-use crate::report::{Report, SubsurfaceReport};
+use crate::report::{FlowReport, Report, SubsurfaceReport};
 
 fn units(report: &Report) -> Units {
     if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
 }
 
-/// One row of figures for each step, as a spreadsheet wants them.
+/// One row of figures for each step, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
 pub fn summary_csv(report: &Report) -> String {
     let units = units(report);
     let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
@@ -18,15 +18,25 @@ pub fn summary_csv(report: &Report) -> String {
     let stress = Quantity::Stress.symbol(units);
     let mut text = format!(
         "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],mean_pressure [{stress}],\
-         half_width [{length}],contact_stiffness [{force}/{length}],max_equivalent_plastic_strain\n"
+         half_width [{length}],contact_stiffness [{force}/{length}],max_equivalent_plastic_strain"
     );
+    let has_flow = report.steps.iter().any(|step| step.flow.is_some());
+    if has_flow {
+        let _ = write!(
+            text,
+            ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up [{length}],\
+             lower_dent [{length}],lower_pile_up [{length}],work [{force} {length}],\
+             dissipated [{force} {length}],increments"
+        );
+    }
+    text.push('\n');
     for (k, step) in report.steps.iter().enumerate() {
         let status = Named::name(step.status);
         let zones = [&step.plasticity.upper, &step.plasticity.lower];
         let strain =
             zones.into_iter().flatten().map(|zone| zone.max_equivalent_plastic_strain).fold(0.0, f64::max);
         let contact = &step.contact;
-        let _ = writeln!(
+        let _ = write!(
             text,
             "{},{status},{},{},{},{},{},{},{strain}",
             k + 1,
@@ -37,8 +47,31 @@ pub fn summary_csv(report: &Report) -> String {
             contact.half_width,
             step.contact_stiffness,
         );
+        if has_flow {
+            write_flow(&mut text, step.flow.as_ref());
+        }
+        text.push('\n');
     }
     text
+}
+
+/// The columns of flow theory. A rigid body leaves its own empty.
+fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
+    let Some(flow) = flow else {
+        text.push_str(",,,,,,,,");
+        return;
+    };
+    let _ = write!(text, ",{}", flow.unloading_stiffness);
+    for surface in [&flow.surfaces.upper, &flow.surfaces.lower] {
+        match surface {
+            Some(surface) => {
+                let _ = write!(text, ",{},{}", surface.depth, surface.pile_up);
+            }
+            None => text.push_str(",,"),
+        }
+    }
+    let energy = &flow.energy;
+    let _ = write!(text, ",{},{},{}", energy.work, energy.dissipated, flow.increments.force.len());
 }
 
 /// `step, x, pressure, force, gap` of every candidate pair.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::body_system::system::{BlockVector, Response, System};
 use crate::solver::phases::{Phase, PhaseTimes};
-use crate::solver::{Interrupt, IterationRecord, Observer, SolveError, SolveStatus};
+use crate::solver::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus};
 use sparse_cholesky::Cholesky;
 
 /// What an iteration is run with.
@@ -20,6 +20,8 @@ pub(crate) struct Controls<'a> {
     pub renewable: bool,
     /// What residuals and changes are relative to, at least.
     pub scales: Scales,
+    /// The increment of a history that is iterated.
+    pub increment: Option<IncrementNumber>,
 }
 
 /// The largest norms of a load history so far. Unloaded bodies have no contact forces that a residual could be relative
@@ -225,6 +227,7 @@ impl<'a> Iteration<'a> {
             approach: response.contact.approach,
             peak_pressure: self.system.peak_pressure(&response.contact.force),
             elapsed_ms: 1e3 * self.observer.elapsed().as_secs_f64(),
+            increment: self.controls.increment,
         };
         self.previous = Some(response.contact.clone());
         let verdict = self.observer.on_iteration(&record);

@@ -34,7 +34,7 @@ use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{CoarseFigures, IncrementRecord, Solution, StepSolution};
-use crate::solver::{Observer, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::{IncrementNumber, Observer, SolveError, SolveStatus, couplings, final_check};
 
 /// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
 /// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
@@ -262,6 +262,7 @@ struct Progress {
     /// Displacements one increment before, and the load measure then.
     before: Option<(BlockVector, f64)>,
     time: f64,
+    number: IncrementNumber,
     force: f64,
     approach: f64,
     /// Largest force and approach so far.
@@ -363,6 +364,7 @@ impl MeshHistory<'_> {
             whole: Vec::new(),
             before: None,
             time: 0.0,
+            number: IncrementNumber { number: 0, count: 0, load: 0, loads: 0 },
             force: 0.0,
             approach: 0.0,
             reached: [0.0; 2],
@@ -388,6 +390,8 @@ impl MeshHistory<'_> {
                     ContactLoad::Force(_) => ContactLoad::Force(end),
                     ContactLoad::Approach(_) => ContactLoad::Approach(end),
                 };
+                let loads = self.request.loads.len();
+                progress.number = IncrementNumber { number: k + 1, count, load: number + 1, loads };
                 let mut solve =
                     self.increment(system, target, time, &leg, &mut progress, solution, observer)?;
                 solve.enlargements = enlargements;
@@ -481,7 +485,8 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> Result<MeshSolve, SolveError> {
         let phases = &mut solution.phases;
-        let mut request = MeshSolveRequest { load: target, scales: progress.scales, ..self.mesh.clone() };
+        let (scales, increment) = (progress.scales, Some(progress.number));
+        let mut request = MeshSolveRequest { load: target, scales, increment, ..self.mesh.clone() };
         request.previous = None;
         let mut start = None;
         if couplings::of(request.solver.coupling).uses_tangent_moduli() {

@@ -250,6 +250,7 @@ impl<'a> LoadStepper<'a> {
             previous: None,
             cache: self.cache,
             scales: Scales::default(),
+            increment: None,
         }
     }
 }
