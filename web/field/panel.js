@@ -341,8 +341,8 @@ export class FieldPanel {
     for (const body of this.#bodies) body.lift = lifted[body.name];
   }
 
-  /** @param {string} [title] @returns {HTMLCanvasElement | null} the field with its scale of colours */
-  canvas(title = this.panel.caption) {
+  /** @param {string} [title] @param {(name: string) => string} [colours] of the page, or of paper @returns {HTMLCanvasElement | null} the field with its scale of colours */
+  canvas(title = this.panel.caption, colours = colour) {
     const step = this.#step();
     if (!this.#renderer || !step || this.stage.hidden) return null;
     this.#draw();
@@ -352,6 +352,7 @@ export class FieldPanel {
       quantity: `${nameOf(this.#quantity, this.#shown?.report.analysis ?? '')}${name ? ` [${name}]` : ''}${
         this.#deformation === 1 ? '' : `, displacements ×${this.#deformation}`
       }`,
+      colours,
     });
   }
 

@@ -23,7 +23,11 @@ function* leaves(part, pointer = '') {
 /** @param {Job[]} jobs @returns {Difference[]} */
 export function differences(jobs) {
   const maps = jobs.map((job) => new Map(leaves(job)));
-  const pointers = [...new Set(maps.flatMap((map) => [...map.keys()]))];
+  const all = [...new Set(maps.flatMap((map) => [...map.keys()]))];
+  // A force and a sweep of forces are both the load of their job.
+  const loads = all.filter((pointer) => pointer.startsWith('/load/'));
+  const pointers = loads.length > 1 ? ['/load', ...all.filter((pointer) => !loads.includes(pointer))] : all;
+  for (const map of maps) map.set('/load', map.get(loads.find((pointer) => map.has(pointer)) ?? ''));
   return pointers
     .map((pointer) => ({ pointer, ...nameOf(pointer), values: maps.map((map) => map.get(pointer)) }))
     .filter(({ values }) => new Set(values.map((value) => JSON.stringify(value))).size > 1)
@@ -35,6 +39,7 @@ const rank = (pointer) => (pointer.startsWith('/load') ? 0 : /^\/(upper|lower)/.
 
 /** @param {string} pointer */
 function nameOf(pointer) {
+  if (pointer === '/load') return { label: 'Load', symbol: 'P' };
   const parts = pointer.split('/').slice(1);
   const key = parts[parts.length - 1];
   const field = FIELDS.get(key);

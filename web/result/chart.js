@@ -294,7 +294,12 @@ function swatch(curve) {
 const isDecade = (value) => value !== null && Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 
 /** Only powers of ten are worth a line. @param {any} _ @param {(number | null)[]} splits */
-const decades = (_, splits) => splits.map((value) => (isDecade(value) ? value : null));
+const decades = (_, splits) => {
+  const powers = splits.filter(isDecade).length;
+  // Of many there is room for some.
+  const every = Math.ceil(powers / 9);
+  return splits.map((value) => (isDecade(value) && Math.round(Math.log10(value ?? 1)) % every === 0 ? value : null));
+};
 
 /** @param {uPlot} u @param {Mark[]} marks */
 function drawMarks(u, marks) {

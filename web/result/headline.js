@@ -2,6 +2,7 @@
 
 import { byId, h } from '../lib/dom.js';
 import { TARGETS } from '../setup/fields.js';
+import { symbol } from '../setup/entry.js';
 import { help } from '../setup/help.js';
 import { inWords } from '../setup/words.js';
 import { figure, forceOf, grouped, duration, percent, stiffnessOf, unit } from '../lib/units.js';
@@ -76,7 +77,7 @@ function figures(job, report, step) {
       'Contact stiffness',
       step.contact_stiffness,
       unit(stiffnessOf(report), units),
-      undefined,
+      error?.contact_stiffness,
       'dP/dα, slope of load over approach',
     ),
     ...(step.flow
@@ -158,7 +159,7 @@ function card(name, value, unit, error, note, long = false) {
 /** @param {import('../types.js').Report} report @param {Step} step */
 function remarks(report, step) {
   const notes = step.validity.map(({ code, message }) =>
-    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', inWords(message)),
+    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', symbol(inWords(message))),
   );
   const bars =
     step.estimated_error && step.status === 'converged'

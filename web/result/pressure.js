@@ -34,6 +34,8 @@ export class PressurePanel {
     this.panel.element.classList.remove('preview');
     const [first] = shown;
     const step = first.report.steps[at];
+    // Where the load is taken away there is no pressure to be seen.
+    if (shown.length === 1 && !(step.contact.peak_pressure > 0)) return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
     /** @type {import('./chart.js').Curve[]} */

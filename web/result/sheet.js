@@ -93,8 +93,13 @@ export function showSheet({ shown, at, drawings, field }) {
       'ul',
       {},
       h('li', {}, `Approach: from ${step.approach_datum}.`),
-      report.target && h('li', {}, `Force found ${targetWords(report)}.`),
-      step.validity.map(({ message }) => h('li', {}, inWords(message))),
+      report.target &&
+        h(
+          'li',
+          {},
+          `Force found: ${figure(report.target.force)} ${unit(forceOf(report), report.units)} ${targetWords(report)}.`,
+        ),
+      step.validity.map(({ message }) => h('li', {}, symbol(inWords(message)))),
       h(
         'li',
         {},

@@ -1,6 +1,7 @@
 /** All that is shown of solved jobs: the first in figures and pictures, the others laid over its curves. */
 
 import { byId, h } from '../lib/dom.js';
+import { paper } from '../lib/theme.js';
 import { figure, forceOf, setOf, unit, unitsOf } from '../lib/units.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
@@ -129,7 +130,7 @@ export class View {
       drawings: [this.pressure, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
-      field: this.field.canvas(),
+      field: this.field.canvas(undefined, paper),
     });
   }
 

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { locate, locateAll } from '../../../web/field/locate.js';
+import { differences, names } from '../../../web/jobs/names.js';
 import { figure } from '../../../web/lib/units.js';
 import { progressWords } from '../../../web/result/progress.js';
 
@@ -73,4 +74,22 @@ test('figures have five digits, whatever they round to', () => {
     [NaN, '—'],
   ]))
     assert.equal(figure(value), text);
+});
+
+test('jobs with loads of different kinds are told apart by them', () => {
+  const job = (/** @type {object} */ load) => ({
+    load,
+    mesh: { elements_per_half_width: 8 },
+    solver: { tolerance: 1e-6 },
+  });
+  const jobs = [job({ forces: [100, 612] }), job({ force: 300 }), job({ approach: 0.01 })];
+  assert.deepEqual(names(jobs.map((job, k) => ({ id: `job-${k}`, job }))), ['P 100 … 612', 'P 300', 'P 0.01']);
+  assert.deepEqual(
+    differences(jobs).map(({ pointer }) => pointer),
+    ['/load'],
+  );
+  assert.deepEqual(
+    differences([job({ force: 1 }), job({ force: 2 })]).map(({ label }) => label),
+    ['Force'],
+  );
 });
