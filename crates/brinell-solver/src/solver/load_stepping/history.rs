@@ -359,21 +359,7 @@ impl MeshHistory<'_> {
             figures: Vec::new(),
             has_collapsed: false,
         };
-        let mut progress = Progress {
-            accepted: system.zeros(),
-            whole: Vec::new(),
-            before: None,
-            time: 0.0,
-            number: IncrementNumber { number: 0, count: 0, load: 0, loads: 0 },
-            force: 0.0,
-            approach: 0.0,
-            reached: [0.0; 2],
-            scales: Scales::default(),
-            plastic: RadialEnvelope::NONE,
-            is_falling: false,
-            peak: [0.0; 2],
-            points: Vec::new(),
-        };
+        let mut progress = Progress::at_rest(system.zeros());
         let mut widest = 0.0;
         // Of all loads so far: what follows an increment that has not converged inherits its error.
         let mut status = SolveStatus::Converged;
@@ -580,6 +566,25 @@ impl MeshHistory<'_> {
 }
 
 impl Progress {
+    /// Before the first load; `zeros` are the displacements then.
+    fn at_rest(zeros: BlockVector) -> Self {
+        Self {
+            accepted: zeros,
+            whole: Vec::new(),
+            before: None,
+            time: 0.0,
+            number: IncrementNumber { number: 0, count: 0, load: 0, loads: 0 },
+            force: 0.0,
+            approach: 0.0,
+            reached: [0.0; 2],
+            scales: Scales::default(),
+            plastic: RadialEnvelope::NONE,
+            is_falling: false,
+            peak: [0.0; 2],
+            points: Vec::new(),
+        }
+    }
+
     /// Turns to a load. What points gain while loads fall counts from where the first of them begins to fall.
     fn begin(&mut self, leg: &Leg) {
         if leg.falls() && !self.is_falling {
