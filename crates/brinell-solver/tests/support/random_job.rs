@@ -1,0 +1,289 @@
+//! Random jobs over the whole format, seeded.
+
+use serde_json::{Map, Value, json};
+
+/// The generator splitmix64.
+pub struct Random(pub u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        10f64.powf(self.between(low.log10(), high.log10()))
+    }
+
+    fn happens(&mut self, probability: f64) -> bool {
+        self.unit() < probability
+    }
+
+    fn count(&mut self, most: u64) -> u64 {
+        1 + self.bits() % most
+    }
+
+    fn one_of<T: Clone>(&mut self, choices: &[T]) -> T {
+        let count = choices.len() as u64;
+        choices[usize::try_from(self.bits() % count).unwrap_or_default()].clone()
+    }
+}
+
+/// What the parts of a job have in common, in millimetres and megapascals.
+struct Scale {
+    analysis: &'static str,
+    is_flow: bool,
+    radius: f64,
+    young: f64,
+    /// Half-width and peak pressure that an elastic contact of two cylinders has under the force.
+    half_width: f64,
+    peak: f64,
+    yield_stress: f64,
+}
+
+/// Any job that a person might ask for, on a mesh of so many elements over the half-width: a contact of half of a thousandth to
+/// a twentieth of the radius, at up to six yield stresses.
+pub fn job(random: &mut Random, elements: &[u32]) -> Value {
+    let analysis = random.one_of(&["plane_strain", "plane_stress", "axisymmetric"]);
+    let [radius, young] = [random.decades(0.1, 1e3), random.decades(1e3, 3e5)];
+    let half_width = radius * random.decades(5e-4, 0.05);
+    let peak = 0.3 * young * half_width / radius;
+    let yield_stress = peak / random.between(0.8, 6.0);
+    let is_flow = random.happens(0.35);
+    let scale = Scale { analysis, is_flow, radius, young, half_width, peak, yield_stress };
+    let first = body(random, &scale, true);
+    let second = body(random, &scale, false);
+    let (upper, lower) = if random.happens(0.5) { (first, second) } else { (second, first) };
+    let mut job = json!({"analysis": analysis, "upper": upper, "lower": lower, "load": load(random, &scale),
+        "mesh": {"elements_per_half_width": random.one_of(elements)}});
+    let mut solver = Map::new();
+    if is_flow {
+        solver.insert("theory".into(), json!("flow"));
+        if random.happens(0.3) {
+            solver.insert("increments".into(), json!(random.count(5)));
+        }
+    }
+    if random.happens(0.15) {
+        solver.insert("coupling".into(), json!(random.one_of(&["strong", "weak", "secant_stiffness"])));
+    }
+    if random.happens(0.1) {
+        solver.insert("contact".into(), json!("simplex"));
+    }
+    job["solver"] = Value::Object(solver);
+    if random.happens(0.1) {
+        job["output"] = json!({"fields": true});
+    }
+    if random.happens(0.2) {
+        to_si(&mut job, analysis);
+        job["units"] = json!("SI");
+    }
+    job
+}
+
+fn load(random: &mut Random, scale: &Scale) -> Value {
+    let Scale { half_width, radius, peak, .. } = *scale;
+    let force = if scale.analysis == "axisymmetric" {
+        2.0 * peak * half_width.powi(2)
+    } else {
+        1.5 * peak * half_width
+    };
+    let approach = half_width * half_width / radius;
+    if scale.is_flow {
+        let mut steps = vec![json!({"force": force})];
+        for _ in 0..random.count(3) {
+            steps.push(match random.one_of(&[0, 0, 1, 2, 3]) {
+                0 => json!({"force": 0}),
+                1 => json!({"force": force * random.between(0.1, 1.2)}),
+                2 => json!({"force": force}),
+                _ => json!({"approach": approach * random.between(0.1, 2.0)}),
+            });
+        }
+        return json!({"history": steps});
+    }
+    match random.one_of(&[0, 0, 0, 1, 2, 3, 4]) {
+        0 => json!({"force": force}),
+        1 => json!({"approach": approach * random.between(0.3, 2.0)}),
+        2 => json!({"forces": [0.3 * force, 0.7 * force, force, 0.5 * force]}),
+        3 => json!({"approaches": [0.5 * approach, approach, 0.8 * approach]}),
+        _ => json!({"onset": true}),
+    }
+}
+
+/// The first of the two is convex; only it may be rigid, of the two of a job at least one has to deform.
+fn body(random: &mut Random, scale: &Scale, is_first: bool) -> Value {
+    let (shape, must_be_rigid) =
+        if is_first { convex(random, scale) } else { (counterpart(random, scale), false) };
+    if must_be_rigid || is_first && random.happens(0.1) {
+        return json!({"shape": shape, "material": {"rigid": true}});
+    }
+    let mut material = json!({"young_modulus": scale.young * random.one_of(&[1.0, 1.0, 0.2, 5.0]),
+        "poisson_ratio": random.one_of(&[0.0, 0.2, 0.3, 0.3, 0.45, 0.499])});
+    if random.happens(0.8) {
+        let mut plasticity = plasticity(random, scale);
+        if scale.is_flow && random.happens(0.4) {
+            let terms: Vec<Value> = (0..random.count(4))
+                .map(|_| {
+                    let rate = if random.happens(0.3) { 0.0 } else { random.decades(1.0, 1000.0) };
+                    json!({"modulus": scale.young * random.decades(1e-3, 0.3), "rate": rate})
+                })
+                .collect();
+            plasticity["backstress"] = json!(terms);
+        }
+        if random.happens(0.1) {
+            let depth = scale.half_width * random.between(0.3, 3.0);
+            plasticity["over_depth"] = json!([[0, random.between(1.0, 2.0)], [depth, 1]]);
+        }
+        material["plasticity"] = plasticity;
+    }
+    json!({"shape": shape, "support": random.one_of(&["clamped", "roller"]), "material": material})
+}
+
+/// A shape that sticks out, and whether only a rigid body may have it.
+fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
+    let Scale { radius, half_width, .. } = *scale;
+    let [width, depth] = [radius * random.between(0.5, 2.0), radius * random.between(1.0, 4.0)];
+    let shape = match random.one_of(&[0, 0, 0, 0, 1, 2, 3, 4, 5, 6]) {
+        0 => json!({"type": "cylinder", "radius": radius}),
+        1 => json!({"type": "parabola", "radius": radius, "width": width, "depth": depth}),
+        2 => {
+            json!({"type": "ellipse", "semi_axis_x": radius, "semi_axis_y": radius * random.between(0.4, 2.0)})
+        }
+        3 => {
+            // As high at the half-width as a cylinder.
+            let exponent = random.between(1.2, 6.0);
+            let height = half_width * half_width / (2.0 * radius);
+            let scale = (height / half_width.powf(exponent)).powf((1.0 - exponent).recip());
+            json!({"type": "power", "exponent": exponent, "scale": scale, "width": 8.0 * half_width, "depth": radius})
+        }
+        4 => {
+            let kind = if scale.analysis == "axisymmetric" { "cone" } else { "wedge" };
+            let angle = (0.3 * half_width / radius).atan().to_degrees().max(0.1);
+            json!({"type": kind, "angle": angle, "tip_radius": half_width * random.one_of(&[0.0, 0.1, 1.0]),
+                "width": width, "depth": depth})
+        }
+        5 => {
+            let points: Vec<[f64; 2]> = (0..=16)
+                .map(|k| (f64::from(k) / 8.0 - 1.0) * 6.0 * half_width)
+                .map(|x| [x, -x * x / (2.0 * radius)])
+                .filter(|[x, _]| scale.analysis != "axisymmetric" || *x >= 0.0)
+                .collect();
+            let interpolation = random.one_of(&["smooth", "smooth", "linear"]);
+            json!({"type": "profile", "points": points, "depth": radius, "interpolation": interpolation})
+        }
+        _ => {
+            let width = 2.0 * half_width;
+            let shape = json!({"type": "punch", "width": width, "edge_radius": width * random.one_of(&[0.0, 0.02, 0.2]),
+                "depth": radius});
+            return (shape, true);
+        }
+    };
+    (shape, false)
+}
+
+fn counterpart(random: &mut Random, scale: &Scale) -> Value {
+    let radius = scale.radius;
+    let [size, depth] = [random.between(1.5, 4.0) * radius, random.between(1.0, 4.0) * radius];
+    match random.one_of(&[0, 0, 1, 1, 2]) {
+        0 => json!({"type": "cylinder", "radius": size}),
+        1 => json!({"type": "block", "width": 2.0 * size, "depth": depth}),
+        _ => json!({"type": "groove", "radius": size, "width": radius, "depth": depth}),
+    }
+}
+
+fn plasticity(random: &mut Random, scale: &Scale) -> Value {
+    let (young, limit) = (scale.young, scale.yield_stress);
+    let exponent = random.decades(0.02, 0.9);
+    match random.one_of(&[0, 1, 2, 3, 4, 5, 6]) {
+        0 => json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": 0}),
+        1 => {
+            json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": young * random.decades(1e-4, 0.15)})
+        }
+        2 => json!({"law": "ludwik", "yield_stress": limit, "coefficient": limit * random.decades(0.1, 10.0),
+            "exponent": exponent}),
+        3 => json!({"law": "swift", "yield_stress": limit, "strain_offset": random.decades(1e-4, 0.05),
+            "exponent": exponent}),
+        4 => {
+            json!({"law": "voce", "yield_stress": limit, "saturation_stress": limit * random.between(1.05, 3.0),
+            "rate": random.decades(1.0, 300.0)})
+        }
+        5 => json!({"law": "table", "points": [[0, limit],
+            [random.between(0.01, 0.05), limit * random.between(1.0, 1.5)], [0.2, 1.5 * limit]]}),
+        _ => json!({"law": "ramberg_osgood", "reference_stress": limit, "offset": random.decades(0.1, 1.0),
+            "exponent": random.between(3.0, 20.0)}),
+    }
+}
+
+/// Factors of lengths, stresses and forces.
+const LENGTHS: [&str; 11] = [
+    "radius",
+    "width",
+    "depth",
+    "tip_radius",
+    "edge_radius",
+    "semi_axis_x",
+    "semi_axis_y",
+    "scale",
+    "approach",
+    "approaches",
+    "case_depth",
+];
+const STRESSES: [&str; 7] = [
+    "young_modulus",
+    "yield_stress",
+    "tangent_modulus",
+    "coefficient",
+    "reference_stress",
+    "saturation_stress",
+    "modulus",
+];
+
+/// Writes a job in metres, pascals and newtons.
+fn to_si(value: &mut Value, analysis: &str) {
+    let force = if analysis == "axisymmetric" { 1.0 } else { 1e3 };
+    let scale_all = |value: &mut Value, factors: &[f64]| scale_numbers(value, factors);
+    let Value::Object(fields) = value else {
+        if let Value::Array(items) = value {
+            for item in items {
+                to_si(item, analysis);
+            }
+        }
+        return;
+    };
+    let is_profile = fields.get("type").is_some_and(|kind| kind == "profile");
+    for (key, item) in fields {
+        match key.as_str() {
+            "points" if is_profile => scale_all(item, &[1e-3, 1e-3]),
+            "points" => scale_all(item, &[1.0, 1e6]),
+            "over_depth" => scale_all(item, &[1e-3, 1.0]),
+            "force" | "forces" => scale_all(item, &[force]),
+            key if LENGTHS.contains(&key) => scale_all(item, &[1e-3]),
+            key if STRESSES.contains(&key) => scale_all(item, &[1e6]),
+            _ => to_si(item, analysis),
+        }
+    }
+}
+
+/// Multiplies numbers, those of pairs by one factor each.
+fn scale_numbers(value: &mut Value, factors: &[f64]) {
+    match value {
+        Value::Number(number) => *value = json!(number.as_f64().unwrap_or(0.0) * factors[0]),
+        Value::Array(items) => {
+            for (k, item) in items.iter_mut().enumerate() {
+                let factors = if item.is_number() && factors.len() > 1 { &factors[k..=k] } else { factors };
+                scale_numbers(item, factors);
+            }
+        }
+        _ => {}
+    }
+}
