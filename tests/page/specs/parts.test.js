@@ -28,9 +28,11 @@ test('a sweep says which step it is at and what time is left', () => {
   assert.match(words(Array(10).fill(2)), /^step 10 of 10, about 4 s left/);
   assert.match(words(Array(13).fill(2)), /^step 10 of 10, iteration/, 'steps of a mesh that grew are done again');
   assert.match(words([3], /** @type {any} */ ({ load: { force: 1 } })), /^iteration 3/);
+  const increment = { load: 1, loads: 2, number: 3, count: 8 };
+  const last = { iteration: 4, elapsed_ms: 9, equilibrium_residual: 1e-3, increment };
   assert.match(
-    words([3, 2], /** @type {any} */ ({ load: { history: [{}] }, solver: { theory: 'flow' } })),
-    /^increment 2, iteration 2/,
+    progressWords(/** @type {any} */ ([last]), { load: { history: [{}, {}] } }),
+    /^load 1 of 2, increment 3 of 8, iteration 4/,
   );
 });
 
