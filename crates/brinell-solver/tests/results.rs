@@ -284,6 +284,20 @@ fn coarse_mesh() {
     assert_says(&job, "coarse_mesh");
 }
 
+/// A weak core holds what a strong layer under compression pulls on.
+#[test]
+fn a_core_that_yields_before_the_load_is_told() {
+    let plasticity = json!({"law": "bilinear", "yield_stress": 900.0, "tangent_modulus": 20_000.0,
+        "over_depth": [[0.0, 1.0], [2.0, 1.0], [2.1, 0.06]]});
+    let mut job = cylinders(&plasticity, 50.0);
+    for side in ["upper", "lower"] {
+        let row = |depth: f64, stress: f64| json!({"depth": depth, "sigma_x": stress, "sigma_z": stress});
+        job[side]["material"]["initial_stress"] = json!([row(0.0, -800.0), row(2.0, -800.0), row(2.1, 0.0)]);
+    }
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    assert_says(&job, "initial_yield");
+}
+
 /// A pin that nearly fills its hole touches over a large part of its own radius, small as that is beside the effective one.
 #[test]
 fn a_pin_in_its_groove_is_a_wide_contact() {

@@ -10,8 +10,8 @@ use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
 use super::{
-    BackstressTerm, FaultCode, FieldError, Hardening, OverDepth, PoissonRatio, PositiveF64, Quantity,
-    StrengthProfile, Units,
+    BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio, PositiveF64,
+    Quantity, StrengthProfile, Units,
 };
 
 /// What a body is made of.
@@ -51,10 +51,11 @@ pub struct Deformable {
     plasticity: Option<Hardening>,
     backstress: Vec<BackstressTerm>,
     over_depth: Option<OverDepth>,
+    initial_stress: Vec<InitialStress>,
 }
 
 impl Deformable {
-    const KEYS: &[&str] = &["young_modulus", "poisson_ratio", "plasticity", "rigid"];
+    const KEYS: &[&str] = &["young_modulus", "poisson_ratio", "plasticity", InitialStress::KEY, "rigid"];
 
     /// Takes the constants if the curve is physical beside them: `E_t < E` (bilinear), an exponent in range
     /// (Ramberg–Osgood, Swift, Ludwik), `σ_s >= σ_y` (Voce).
@@ -65,7 +66,13 @@ impl Deformable {
         let beside = [("young_modulus", elastic.young_modulus.get())];
         let mut faults = plasticity.as_ref().map_or_else(Vec::new, |curve| curve.faults(&beside));
         if faults.is_empty() {
-            return Ok(Self { elastic, plasticity, backstress: Vec::new(), over_depth: None });
+            return Ok(Self {
+                elastic,
+                plasticity,
+                backstress: Vec::new(),
+                over_depth: None,
+                initial_stress: Vec::new(),
+            });
         }
         for fault in &mut faults {
             fault.pointer.insert_str(0, "/plasticity");
@@ -131,10 +138,38 @@ impl Deformable {
         (profile.range() != (1.0, 1.0)).then_some(profile)
     }
 
-    /// The same elastic constants without a hardening curve.
+    /// Stress before any load; empty where there is none.
+    pub fn initial_stress(&self) -> &[InitialStress] {
+        &self.initial_stress
+    }
+
+    /// The same material with a stress before any load, by depth; none if `rows` is empty.
+    ///
+    /// # Errors
+    /// Depths that do not rise, stress beyond yield, with a pointer relative to the material.
+    pub fn with_initial_stress(mut self, rows: Vec<InitialStress>) -> Result<Self, Vec<FieldError>> {
+        let mut faults =
+            InitialStress::faults(&rows, self.hardening_law().as_deref(), self.strength().as_ref());
+        if faults.is_empty() {
+            self.initial_stress = rows;
+            return Ok(self);
+        }
+        for fault in &mut faults {
+            fault.pointer.insert_str(0, "/initial_stress");
+        }
+        Err(faults)
+    }
+
+    /// The same elastic constants and initial stress without a hardening curve.
     #[must_use]
     pub fn without_plasticity(&self) -> Self {
-        Self { elastic: self.elastic, plasticity: None, backstress: Vec::new(), over_depth: None }
+        Self {
+            elastic: self.elastic,
+            plasticity: None,
+            backstress: Vec::new(),
+            over_depth: None,
+            initial_stress: self.initial_stress.clone(),
+        }
     }
 
     fn read(object: &Object<'_>, units: Option<Units>) -> Option<Self> {
@@ -149,12 +184,13 @@ impl Deformable {
             let over_depth = c.object()?.or(OverDepth::KEY, None, |c| OverDepth::read(c, units).map(Some));
             Some((Some(law?), terms?, over_depth?))
         });
+        let initial_stress = object.or(InitialStress::KEY, Vec::new(), |c| InitialStress::read_all(c, units));
         let (law, terms, over_depth) = plasticity?;
-        let material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
-        match over_depth {
-            Some(over_depth) => object.checked(material.with_over_depth(over_depth)),
-            None => Some(material),
+        let mut material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
+        if let Some(over_depth) = over_depth {
+            material = object.checked(material.with_over_depth(over_depth))?;
         }
+        object.checked(material.with_initial_stress(initial_stress?))
     }
 }
 
@@ -218,6 +254,11 @@ impl Serialize for InUnits<'_, Material> {
                 if let Some(curve) = &deformable.plasticity {
                     let plasticity = Plasticity(curve, &deformable.backstress, deformable.over_depth());
                     map.serialize_entry("plasticity", &InUnits(&plasticity, self.1))?;
+                }
+                if !deformable.initial_stress.is_empty() {
+                    let rows: Vec<_> =
+                        deformable.initial_stress.iter().map(|row| InUnits(row, self.1)).collect();
+                    map.serialize_entry(InitialStress::KEY, &rows)?;
                 }
             }
         }

@@ -14,8 +14,9 @@ pub mod contact_job;
 pub mod error;
 pub mod fields;
 pub mod hardening;
+pub mod initial_stress;
 pub mod load;
-pub mod material;
+mod material;
 pub mod number;
 pub mod over_depth;
 pub mod quantity;
@@ -42,6 +43,7 @@ pub use hardening::{
     BackstressTerm, Bilinear, Hardening, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table,
     TablePoints, Voce,
 };
+pub use initial_stress::{InitialStress, InitialStressProfile};
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};

@@ -1,6 +1,6 @@
 //! What a shape asks of the analysis and of the material.
 
-use super::{Analysis, FieldError, Job, Material, OuterEdge, Profile, Shape};
+use super::{Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterEdge, Profile, Shape};
 
 impl Job {
     /// Shapes that are of one kind of analysis, or of rigid bodies only.
@@ -30,6 +30,27 @@ impl Job {
             }
         }
         faults.extend(self.faults_of_holes());
+        faults.extend(self.faults_of_initial_stress());
+        faults
+    }
+
+    /// Initial stress that the analysis or the coupling does not know.
+    fn faults_of_initial_stress(&self) -> Vec<FieldError> {
+        let mut faults = Vec::new();
+        for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {
+            let Material::Deformable(material) = &body.material else { continue };
+            let key = format!("/{side}/material/{}", InitialStress::KEY);
+            for mut fault in InitialStress::faults_in(material.initial_stress(), self.analysis) {
+                fault.pointer.insert_str(0, &key);
+                faults.push(fault);
+            }
+            if !material.initial_stress().is_empty() && self.solver.coupling == Coupling::SecantStiffness {
+                let detail = "the secant stiffness has no place for a stress before the load; take `accelerated`, `strong` or \
+                              `weak`";
+                faults.push(FieldError::new("/solver/coupling", detail));
+                break;
+            }
+        }
         faults
     }
 

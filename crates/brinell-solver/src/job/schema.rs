@@ -8,8 +8,8 @@ use serde_json::{Map, Value, json};
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
-    HardnessProfile, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth, Quantity,
-    Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
+    HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth,
+    Quantity, Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -248,7 +248,11 @@ impl Schemas<'_> {
     fn materials(&self) -> Vec<(&'static str, Value)> {
         let yes = json!({"type": "boolean", "description": "Always true.", "const": true});
         let mut elastic: Vec<_> = Elastic::TABLE.fields.iter().map(|field| self.entry(field, None)).collect();
-        let absent = elastic.iter().map(|entry| entry.key).chain(["plasticity"]).collect::<Vec<_>>();
+        let absent = elastic
+            .iter()
+            .map(|entry| entry.key)
+            .chain(["plasticity", InitialStress::KEY])
+            .collect::<Vec<_>>();
         elastic.push(Entry {
             key: "plasticity",
             schema: or_null(
@@ -257,13 +261,27 @@ impl Schemas<'_> {
             ),
             required: false,
         });
+        elastic.push(Entry {
+            key: InitialStress::KEY,
+            schema: json!({
+                "type": ["array", "null"],
+                "description": "Stress before any load, by depth: straight between depths, constant beyond the ends. It is \
+                                relaxed before the load; what is left is reported.",
+                "items": self.named(InitialStress::TABLE.name),
+                "minItems": 1,
+                "maxItems": InitialStress::MAX_POINTS,
+            }),
+            required: false,
+        });
         elastic.push(never("rigid"));
+        let rows = InitialStress::TABLE.fields.iter().map(|field| self.entry(field, None));
         let mut rigid = vec![Entry { key: "rigid", schema: yes, required: true }];
         rigid.extend(absent.into_iter().map(never));
         vec![
             ("Material", self.one_of("What a body is made of.", &["Deformable", "Rigid"])),
             ("Deformable", object("An isotropic body, elastic unless it has a hardening curve.", elastic)),
             ("Rigid", object("A body that does not deform.", rigid)),
+            (InitialStress::TABLE.name, object(InitialStress::TABLE.description, rows.collect())),
         ]
     }
 

@@ -4,7 +4,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::fields::{Record, write_record};
 use super::{
-    BackstressTerm, HardenedCase, HardnessProfile, MeshSettings, OutputSettings, SolverSettings, Units,
+    BackstressTerm, HardenedCase, HardnessProfile, InitialStress, MeshSettings, OutputSettings,
+    SolverSettings, Units,
 };
 
 /// A part of a job beside the units in which it is to be written.
@@ -37,5 +38,6 @@ written_as_records!(
     OutputSettings,
     BackstressTerm,
     HardenedCase,
-    HardnessProfile
+    HardnessProfile,
+    InitialStress
 );

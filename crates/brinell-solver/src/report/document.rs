@@ -157,6 +157,16 @@ pub struct SubsurfaceReport {
     /// Von Mises stress over that yield stress \[1\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilization: Option<Vec<f64>>,
+    /// Tangential stress before the load, what is left of an initial stress after the body has relaxed; a part of `sigma_x`
+    /// \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_sigma_x: Option<Vec<f64>>,
+    /// Normal stress before the load \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_sigma_y: Option<Vec<f64>>,
+    /// Out-of-plane stress before the load \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_sigma_z: Option<Vec<f64>>,
 }
 
 /// Extent of plastic flow in one body.

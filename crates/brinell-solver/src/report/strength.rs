@@ -28,6 +28,14 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         );
         remarks.push(("yield_by_hardness", message));
     }
+    let utilized = step.bodies.iter().flatten().filter_map(initial_utilization);
+    if let Some(ratio) = utilized.max_by(f64::total_cmp).filter(|ratio| *ratio > 1.0) {
+        let message = format!(
+            "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress somewhere: the body yields \
+             before it is loaded, and that flow is reckoned to the first load."
+        );
+        remarks.push(("initial_yield", message));
+    }
     let coarsest = step.bodies.iter().flatten().filter_map(coarsest);
     if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let elements = f64::from(job.mesh.elements_per_half_width);
@@ -41,6 +49,17 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         remarks.push(("coarse_case", message));
     }
     remarks
+}
+
+/// Von Mises stress over yield stress before the load, where it is highest.
+fn initial_utilization(body: &Arc<BodySolution>) -> Option<f64> {
+    let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress)?;
+    let at_rest = body.at_rest()?;
+    let ratios = at_rest.stress.points.iter().map(|points| {
+        let mean = GaussPoint::mean(points);
+        von_mises(mean.stress) / (limit * body.model.strength(mean.position))
+    });
+    ratios.max_by(f64::total_cmp)
 }
 
 /// The largest ratio of strengths within an element that is stressed, and the middle of that element.

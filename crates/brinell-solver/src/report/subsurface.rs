@@ -31,7 +31,12 @@ pub(super) fn profile(
         equivalent_plastic_strain: Vec::new(),
         yield_stress: None,
         utilization: None,
+        initial_sigma_x: None,
+        initial_sigma_y: None,
+        initial_sigma_z: None,
     };
+    let at_rest = body.at_rest();
+    let mut recovery_at_rest = at_rest.as_ref().map(|at_rest| Recovery::new(at_rest, symmetric));
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {
@@ -44,6 +49,18 @@ pub(super) fn profile(
         let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
         let strength = body.model.strength(mesh.nodes[node as usize]);
         yield_stress.extend(limit.map(|limit| write.figure(Quantity::Stress, limit * strength)));
+        if let Some(recovery) = &mut recovery_at_rest {
+            let values = if is_on_line { Some(recovery.node(node)) } else { recovery.at([x, position[1]]) };
+            let [sigma_x, sigma_y, sigma_z, tau_xy, ..] = values.unwrap_or_default();
+            let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(mesh.frame.normal(position));
+            for (column, value) in [
+                (&mut report.initial_sigma_x, stress.sigma_x),
+                (&mut report.initial_sigma_y, stress.sigma_y),
+                (&mut report.initial_sigma_z, stress.sigma_z),
+            ] {
+                column.get_or_insert_default().push(write.figure(Quantity::Stress, value));
+            }
+        }
         report.depth.push(write.figure(Quantity::Length, place(node)[1] - surface));
         report.sigma_x.push(write.figure(Quantity::Stress, stress.sigma_x));
         report.sigma_y.push(write.figure(Quantity::Stress, stress.sigma_y));

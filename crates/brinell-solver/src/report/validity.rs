@@ -31,6 +31,7 @@ pub const VALIDITY_CODES: &[&str] = &[
     "contact_at_edge",
     "coarse_mesh",
     "coarse_case",
+    "initial_yield",
     "yield_by_hardness",
     "near_support",
     "sharp_corner",

@@ -7,7 +7,7 @@ use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_p
 use crate::fem::assembly::{MaterialModel, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Corner, Outline};
-use crate::job::{self, Analysis, Body, Deformable, Job, Material, Shape, Support};
+use crate::job::{self, Analysis, Body, Deformable, InitialStressProfile, Job, Material, Shape, Support};
 use crate::material::{
     BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity,
     HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
@@ -40,9 +40,38 @@ pub(crate) struct ProblemBody {
     pub material: Option<Deformable>,
     /// Its constitutive model.
     pub model: Option<Arc<dyn MaterialModel>>,
+    /// Its stress before any load.
+    pub initial_stress: Option<Arc<GivenStress>>,
     pub support: Support,
     /// Whether it is a profile of which nothing says what lies between its points.
     interpolation_is_open: bool,
+}
+
+/// Stress over the depth of a body before any load, as it is given.
+#[derive(Debug)]
+pub(crate) struct GivenStress {
+    profile: InitialStressProfile,
+    outline: Outline,
+}
+
+impl GivenStress {
+    fn of(material: &Deformable, outline: &Outline) -> Option<Arc<Self>> {
+        let rows = material.initial_stress();
+        let given = || Self { profile: InitialStressProfile::new(rows), outline: outline.clone() };
+        (!rows.is_empty()).then(|| Arc::new(given()))
+    }
+
+    /// `[σ_xx, σ_yy, σ_zz, τ_xy]` at a place \[MPa\].
+    pub fn at(&self, position: [f64; 2]) -> [f64; 4] {
+        let (depth, [n_x, n_y]) = self.outline.foot(position);
+        let [along, across] = self.profile.at(depth);
+        [along * n_y * n_y, along * n_x * n_x, across, -along * n_x * n_y]
+    }
+
+    /// Whether it is in equilibrium as it is.
+    pub fn is_in_equilibrium(&self) -> bool {
+        self.outline.is_flat()
+    }
 }
 
 /// Makes the constitutive model of a material in a body of this outline.
@@ -91,19 +120,19 @@ fn flow_theory_with<const N: usize>(
     })
 }
 
-/// A model of the hardening law of a material; of its scaled laws where strength varies over depth.
+/// A model of the hardening law of a material; of its scaled laws where strength varies over depth, and from its stress before
+/// any load.
 fn in_body<M: ConstitutiveModel>(
     material: &Deformable,
     outline: &Outline,
     model: impl Fn(Option<Arc<dyn HardeningLaw>>) -> M,
 ) -> Arc<dyn MaterialModel> {
     let law = material.hardening_law();
-    match material.strength() {
-        None => Arc::new(model(law)),
-        Some(profile) => {
-            Arc::new(Inhomogeneous::new(law, Some(DepthStrength::new(profile, outline.clone())), model))
-        }
+    let strength = material.strength().map(|profile| DepthStrength::new(profile, outline.clone()));
+    if strength.is_none() && material.initial_stress().is_empty() {
+        return Arc::new(model(law));
     }
+    Arc::new(Inhomogeneous::new(law, strength, model))
 }
 
 /// Part of the half-width in which a corner counts: one near the end of the contact ends it, rounded or not.
@@ -136,6 +165,7 @@ impl Problem {
                 model: material
                     .as_ref()
                     .map(|material| model(material, &outline, out_of_plane(stress_state))),
+                initial_stress: material.as_ref().and_then(|material| GivenStress::of(material, &outline)),
                 outline,
                 material,
                 support: body.support,
@@ -175,6 +205,7 @@ impl Problem {
                     .as_ref()
                     .map(|material| deformation_theory(material, &body.outline, out_of_plane)),
                 material,
+                initial_stress: body.initial_stress.clone(),
                 support: body.support,
                 interpolation_is_open: body.interpolation_is_open,
             }

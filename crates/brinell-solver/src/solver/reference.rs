@@ -38,10 +38,13 @@ impl ElasticReference {
             return None;
         }
         let radius = curvature.recip();
+        // The closed forms know of no stress before the load.
+        let is_stressed = problem.bodies.iter().any(|body| body.initial_stress.is_some());
+        let yielding = || problem.bodies.iter().filter(|_| !is_stressed);
         let onset = |body: &ProblemBody| onset(problem.stress_state, body, radius, modulus);
-        let first = problem.bodies.iter().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
+        let first = yielding().filter_map(onset).min_by(|a, b| a.0.total_cmp(&b.0));
         let rolling = |body: &ProblemBody| rolling_limit(problem.stress_state, body, radius, modulus);
-        let rolling_limit = problem.bodies.iter().filter_map(rolling);
+        let rolling_limit = yielding().filter_map(rolling);
         let (half_width, peak_pressure) = contact(problem.stress_state, force, radius, modulus);
         Some(Self {
             half_width,

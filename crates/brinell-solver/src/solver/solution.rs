@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::contact::{ContactLoad, KktReport};
-use crate::fem::assembly::{MaterialModel, StressField};
+use crate::fem::assembly::{GaussPoint, MaterialModel, PointStresses, StressField};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{Mesh, Quality, SurfaceFrame};
+use crate::material::von_mises;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
@@ -166,6 +167,8 @@ pub struct BodySolution {
     pub equations: usize,
     /// Constitutive model of the material.
     pub model: Arc<dyn MaterialModel>,
+    /// Stress at the points of each element before the load, after the body has relaxed; none without initial stress.
+    pub initial_stress: Option<Arc<PointStresses>>,
 }
 
 impl StepSolution {
@@ -214,7 +217,27 @@ impl BodySolution {
             stress,
             equations: elastic.equations.len(),
             model: Arc::clone(&body.model),
+            initial_stress: body.initial_stress.as_ref().map(|initial| Arc::clone(&initial.stress)),
         }
+    }
+
+    /// The same body before the load; `None` without initial stress.
+    pub fn at_rest(&self) -> Option<Self> {
+        let initial = self.initial_stress.as_ref()?;
+        let mut at_rest = self.clone();
+        for (points, stresses) in at_rest.stress.points.iter_mut().zip(initial.iter()) {
+            for (point, stress) in points.iter_mut().zip(stresses) {
+                *point = GaussPoint {
+                    position: point.position,
+                    weight: point.weight,
+                    area: point.area,
+                    stress: *stress,
+                    largest_von_mises: von_mises(*stress),
+                    ..GaussPoint::default()
+                };
+            }
+        }
+        Some(at_rest)
     }
 
     /// Largest equivalent plastic strain at a Gauss point.

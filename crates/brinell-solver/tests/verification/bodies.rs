@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use brinell_solver::fem::assembly::{
-    Equations, MaterialModel, PlasticPoints, Restraint, StiffnessAssembler, StressField, Unloaded,
-    out_of_plane,
+    Equations, MaterialModel, PlasticPoints, PointStresses, Restraint, StiffnessAssembler, StressField,
+    Unloaded, given_stress, initial_force, out_of_plane, relaxed_stress,
 };
 use brinell_solver::fem::element::{QUADRATURE_POINTS, StressState, element_stiffness};
 use brinell_solver::fem::mesh::{ContactZone, Mesh, SurfaceFrame};
@@ -121,6 +121,18 @@ impl Specimen {
             None => self.model.stress_field(&unloaded, &displacement),
         };
         Loaded { displacement, field, iterations }
+    }
+
+    /// What is left of a stress that is given before any load.
+    pub fn relaxed(&self, given: impl Fn([f64; 2]) -> [f64; 4]) -> PointStresses {
+        let Self { mesh, equations, stress_state, .. } = self;
+        let given = given_stress(mesh, *stress_state, given);
+        let force = initial_force(mesh, *stress_state, equations, &given);
+        let mut u: Vec<f64> = force.iter().map(|f| -f).collect();
+        self.factor.solve(&mut u);
+        let nodes = (0u32..).take(mesh.nodes.len());
+        let nodal: Vec<_> = nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])).collect();
+        relaxed_stress(mesh, *stress_state, self.model.elastic(), &given, &nodal)
     }
 
     /// Accepts the states under the last forces.

@@ -17,6 +17,7 @@ mod flow_references;
 mod flow_theory;
 mod indenters;
 mod independent_program;
+mod initial_stress;
 mod invariants;
 mod line_contact;
 mod onset_of_line_contact;

@@ -3,6 +3,7 @@
 mod equations;
 mod moduli_reduction;
 mod plastic_points;
+mod relaxation;
 mod stiffness;
 mod stress;
 
@@ -11,6 +12,7 @@ use crate::material::OutOfPlane;
 
 pub use equations::{Equations, Restraint};
 pub use plastic_points::{MaterialModel, PlasticPoints, PointStresses, Unloaded};
+pub use relaxation::{given_stress, initial_force, relaxed_stress};
 pub use stiffness::StiffnessAssembler;
 pub use stress::{GaussPoint, StressField};
 

@@ -229,6 +229,11 @@ impl Outline {
         }
     }
 
+    /// Whether the whole surface is a plane.
+    pub fn is_flat(&self) -> bool {
+        matches!(self.surface, Surface::Arc { curvature } if curvature == 0.0)
+    }
+
     /// Whether the whole surface is one circular arc or a plane.
     pub fn is_arc(&self) -> bool {
         matches!(self.surface, Surface::Arc { .. })

@@ -112,12 +112,20 @@ pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
     if graded {
         let _ = write!(text, ",yield_stress [{stress}],utilization");
     }
+    let is_stressed = |body: &SubsurfaceReport| body.initial_sigma_x.is_some();
+    let mut bodies = report.steps.iter().filter_map(|step| step.subsurface.as_ref());
+    let stressed = bodies.any(|bodies| [&bodies.upper, &bodies.lower].into_iter().flatten().any(is_stressed));
+    if stressed {
+        for name in ["x", "y", "z"] {
+            let _ = write!(text, ",initial_sigma_{name} [{stress}]");
+        }
+    }
     text.push('\n');
     for (k, step) in report.steps.iter().enumerate() {
         let Some(bodies) = &step.subsurface else { continue };
         for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
             let Some(body) = body else { continue };
-            write_profile(&mut text, k + 1, name, body, graded);
+            write_profile(&mut text, k + 1, name, body, (graded, stressed));
         }
     }
     Ok(text)
@@ -170,8 +178,14 @@ pub fn surface_csv(report: &Report) -> Result<String, ExportError> {
     Ok(text)
 }
 
-/// A body whose strength does not vary leaves the columns of those that do empty.
-fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceReport, graded: bool) {
+/// A body whose strength does not vary, or without initial stress, leaves the columns of those that have them empty.
+fn write_profile(
+    text: &mut String,
+    step: usize,
+    name: &str,
+    body: &SubsurfaceReport,
+    (graded, stressed): (bool, bool),
+) {
     for (k, depth) in body.depth.iter().enumerate() {
         let columns = [
             &body.sigma_x,
@@ -185,7 +199,9 @@ fn write_profile(text: &mut String, step: usize, name: &str, body: &SubsurfaceRe
         for column in columns {
             let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
         }
-        for column in [&body.yield_stress, &body.utilization].into_iter().filter(|_| graded) {
+        let of_strength = [&body.yield_stress, &body.utilization].into_iter().filter(|_| graded);
+        let initial = [&body.initial_sigma_x, &body.initial_sigma_y, &body.initial_sigma_z];
+        for column in of_strength.chain(initial.into_iter().filter(|_| stressed)) {
             let value = column.as_ref().and_then(|column| column.get(k));
             let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }

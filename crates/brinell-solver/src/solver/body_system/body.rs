@@ -2,18 +2,22 @@
 
 use std::sync::Arc;
 
-use crate::fem::assembly::{MaterialModel, PlasticPoints, StressField, Unloaded};
+use crate::fem::assembly::{
+    MaterialModel, PlasticPoints, PointStresses, StressField, Unloaded, given_stress, initial_force,
+    relaxed_stress,
+};
 use crate::fem::mesh::Mesh;
-use crate::material::ReferenceModuli;
+use crate::material::{ElasticModuli, ReferenceModuli};
 use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
 use crate::solver::body_system::transfer::{NodalField, TransferredField};
 use crate::solver::error::checkpoint;
 use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::problem::GivenStress;
 use crate::solver::{Observer, SolveError};
-use sparse_cholesky::Reach;
 use sparse_cholesky::dense::SymmetricMatrix;
+use sparse_cholesky::{Cholesky, Reach};
 
 /// Everything about one body that outlives an iteration.
 pub(crate) struct BodyModel {
@@ -26,6 +30,24 @@ pub(crate) struct BodyModel {
     pub flexibility: SymmetricMatrix,
     /// Whether that stiffness is softer than the elastic one.
     is_softened: bool,
+    /// Stress of the unloaded body.
+    pub initial_stress: Option<Arc<InitialState>>,
+}
+
+/// The stress of a body before any load, after it has relaxed.
+#[derive(Debug)]
+pub(crate) struct InitialState {
+    /// At the points of each element \[MPa\].
+    pub stress: Arc<PointStresses>,
+    /// `∫ Bᵀ σ dV` by equation: not zero where the mesh does not integrate a stress exactly that is in equilibrium.
+    force: Vec<f64>,
+}
+
+/// What a body is made of, and in what state.
+#[derive(Clone, Copy)]
+pub(crate) struct BodyMaterial<'a> {
+    pub model: &'a Arc<dyn MaterialModel>,
+    pub initial_stress: Option<&'a GivenStress>,
 }
 
 /// The part of a body where plastic flow is taken into account.
@@ -48,14 +70,23 @@ impl BodyModel {
     pub fn new(
         elastic: Arc<ElasticBody>,
         mut factor: PooledFactor,
-        model: &Arc<dyn MaterialModel>,
+        material: BodyMaterial<'_>,
         search_region: PlasticSearchRegion,
         previous: Option<NodalField<'_>>,
         phases: &mut PhaseTimes,
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
+        let BodyMaterial { model, initial_stress } = material;
+        let initial_stress = match initial_stress {
+            Some(given) => {
+                elastic.factorize(&mut factor, None, phases, observer)?;
+                Some(Arc::new(InitialState::relaxed(&elastic, &factor, model.elastic(), given)))
+            }
+            None => None,
+        };
         let (plastic_region, transferred) = phases.time(Phase::Plasticity, observer, || {
-            let mut plastic_region = PlasticRegion::new(&elastic, model, search_region);
+            let mut plastic_region =
+                PlasticRegion::new(&elastic, model, initial_stress.as_deref(), search_region);
             let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
             (plastic_region, transferred)
         });
@@ -64,12 +95,16 @@ impl BodyModel {
             elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
         let is_softened = plastic_region.is_softened();
         let model = Arc::clone(model);
-        Ok((Self { elastic, model, plastic_region, factor, flexibility, is_softened }, transferred))
+        Ok((
+            Self { elastic, model, plastic_region, factor, flexibility, is_softened, initial_stress },
+            transferred,
+        ))
     }
 
     /// Chooses another plastic region. The stiffness becomes elastic again at the next linearization.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
-        self.plastic_region = PlasticRegion::new(&self.elastic, &self.model, search_region);
+        self.plastic_region =
+            PlasticRegion::new(&self.elastic, &self.model, self.initial_stress.as_deref(), search_region);
     }
 
     /// Factorizes anew, with moduli of plastic flow at displacements or, without any, the elastic ones.
@@ -124,8 +159,8 @@ impl BodyModel {
 
     /// Takes more elements into the plastic region.
     pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &[f64]) {
-        let Self { elastic, model, plastic_region, .. } = self;
-        plastic_region.extend(elastic, &**model, search_region, accepted);
+        let Self { elastic, model, plastic_region, initial_stress, .. } = self;
+        plastic_region.extend(elastic, &**model, initial_stress.as_deref(), search_region, accepted);
     }
 
     fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
@@ -140,7 +175,12 @@ impl BodyModel {
 
     /// Stresses in the whole body at displacements of all nodes.
     pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
-        self.stress_field_of(&self.elastic.unloaded(), nodal)
+        self.stress_field_of(&self.unloaded(), nodal)
+    }
+
+    /// The body before any load.
+    pub fn unloaded(&self) -> Unloaded<'_> {
+        unloaded(&self.elastic, self.initial_stress.as_deref())
     }
 
     /// Stresses in the whole body as it is meshed here, by elements that are the same as those of its own mesh.
@@ -156,6 +196,9 @@ impl BodyModel {
         let equations = &self.elastic.equations;
         let mut rest = self.elastic.zeros();
         self.elastic.add_contact_forces(force, &mut rest);
+        if let Some(initial) = &self.initial_stress {
+            rest.iter_mut().zip(&initial.force).for_each(|(rest, force)| *rest += force);
+        }
         for (node, internal) in (0u32..).zip(&field.internal_force) {
             for (&k, f) in equations.of_node(node).iter().zip(internal) {
                 rest[k as usize] -= f;
@@ -179,6 +222,7 @@ impl PlasticRegion {
     fn new(
         elastic: &ElasticBody,
         model: &Arc<dyn MaterialModel>,
+        initial: Option<&InitialState>,
         search_region: PlasticSearchRegion,
     ) -> Self {
         let ElasticBody { mesh, equations, symbolic, .. } = elastic;
@@ -186,8 +230,9 @@ impl PlasticRegion {
         let nodes = active_nodes(elastic, &elements);
         let active_equations = equations.of_nodes(&nodes);
         let reach = symbolic.reach(&active_equations);
-        let points =
-            model.hardening().map(|_| Arc::clone(model).points(&elastic.unloaded(), equations, &elements));
+        let points = model
+            .hardening()
+            .map(|_| Arc::clone(model).points(&unloaded(elastic, initial), equations, &elements));
         Self { elements, nodes, active_equations, reach, points }
     }
 
@@ -232,6 +277,7 @@ impl PlasticRegion {
         &mut self,
         elastic: &ElasticBody,
         model: &dyn MaterialModel,
+        initial: Option<&InitialState>,
         search_region: PlasticSearchRegion,
         accepted: &[f64],
     ) {
@@ -240,7 +286,7 @@ impl PlasticRegion {
         for (inside, more) in self.elements.iter_mut().zip(searched_elements(mesh, model, search_region)) {
             *inside |= more;
         }
-        points.extend(&elastic.unloaded(), equations, &self.elements, accepted);
+        points.extend(&unloaded(elastic, initial), equations, &self.elements, accepted);
         self.nodes = active_nodes(elastic, &self.elements);
         self.active_equations = equations.of_nodes(&self.nodes);
         self.reach = symbolic.reach(&self.active_equations);
@@ -248,6 +294,31 @@ impl PlasticRegion {
 
     fn is_softened(&self) -> bool {
         self.points.as_ref().is_some_and(|points| !points.refers_to_elastic())
+    }
+}
+
+impl InitialState {
+    /// Relaxes a stress that is given, with the elastic factor of the body.
+    fn relaxed(elastic: &ElasticBody, factor: &Cholesky, moduli: ElasticModuli, given: &GivenStress) -> Self {
+        let (mesh, equations, stress_state) = (&elastic.mesh, &elastic.equations, elastic.stress_state());
+        let mut stress = given_stress(mesh, stress_state, |position| given.at(position));
+        let mut force = initial_force(mesh, stress_state, equations, &stress);
+        if !given.is_in_equilibrium() {
+            let mut displacement: Vec<f64> = force.iter().map(|f| -f).collect();
+            factor.solve(&mut displacement);
+            stress = relaxed_stress(mesh, stress_state, moduli, &stress, &elastic.nodal(&displacement));
+            force = initial_force(mesh, stress_state, equations, &stress);
+        }
+        Self { stress: Arc::new(stress), force }
+    }
+}
+
+/// A body before any load.
+fn unloaded<'a>(elastic: &'a ElasticBody, initial: Option<&'a InitialState>) -> Unloaded<'a> {
+    Unloaded {
+        mesh: &elastic.mesh,
+        stress_state: elastic.stress_state(),
+        initial_stress: initial.map(|initial| &*initial.stress),
     }
 }
 

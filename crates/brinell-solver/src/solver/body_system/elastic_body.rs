@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
-use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler, Unloaded};
+use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
@@ -102,11 +102,6 @@ impl ElasticBody {
     /// Third direction.
     pub fn stress_state(&self) -> StressState {
         self.key.stress_state
-    }
-
-    /// The body before any load.
-    pub fn unloaded(&self) -> Unloaded<'_> {
-        Unloaded { mesh: &self.mesh, stress_state: self.key.stress_state, initial_stress: None }
     }
 
     /// Whether a mesh has the same equations, wherever its nodes may lie.

@@ -4,12 +4,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::fem::assembly::MaterialModel;
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::axis;
-use crate::solver::body_system::body::BodyModel;
+use crate::solver::body_system::body::{BodyMaterial, BodyModel};
 use crate::solver::body_system::elastic_body::BodyKey;
 use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
@@ -76,7 +75,7 @@ impl System {
         observer: &mut dyn Observer,
     ) -> Result<(Self, Option<BlockVector>), SolveError> {
         let Design { zone, refinement, search_region, cache } = design;
-        let mut models: Vec<(BodyKey, &Arc<dyn MaterialModel>)> = Vec::new();
+        let mut models: Vec<(BodyKey, BodyMaterial<'_>)> = Vec::new();
         let mut bodies_represented: Vec<usize> = Vec::new();
         let mut model_of = [None; 2];
         for (side, body) in problem.bodies.iter().enumerate() {
@@ -95,12 +94,12 @@ impl System {
                 support: body.support,
             };
             model_of[side] = Some(models.len());
-            models.push((key, model));
+            models.push((key, BodyMaterial { model, initial_stress: body.initial_stress.as_deref() }));
             bodies_represented.push(1);
         }
         let mut bodies: Vec<BodyModel> = Vec::with_capacity(models.len());
         let mut transferred = Vec::with_capacity(models.len());
-        for (k, (key, law)) in models.into_iter().enumerate() {
+        for (k, (key, material)) in models.into_iter().enumerate() {
             // The second body may share the order and the analysis of the first.
             let first = bodies.first().map(|body| &body.elastic);
             let elastic = prepare(key, first, cache.map(|cache| &**cache), phases, observer)?;
@@ -109,7 +108,7 @@ impl System {
                 .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
             let (body, displacement) =
-                BodyModel::new(elastic, factor, law, search_region, previous, phases, observer)?;
+                BodyModel::new(elastic, factor, material, search_region, previous, phases, observer)?;
             bodies.push(body);
             transferred.push(displacement);
         }

@@ -33,14 +33,15 @@ pub(super) struct MeshMotion {
 
 impl MeshMotion {
     /// One for each end of the contact that is not held by an edge; none where the contact is in several parts, and for a pin in
-    /// its hole, whose nodes are on circles.
+    /// its hole, whose nodes are on circles, and for bodies with a stress before the load, which belongs to their nodes.
     ///
     /// Corners of the surfaces within the contact do not move.
     pub fn of(solve: &MeshSolve) -> Vec<Self> {
         let MeshSolve { system, outcome, patch, .. } = solve;
         let zone = &system.zone;
         let active = &outcome.state.response.contact.active_set;
-        if system.conforming.is_some() {
+        let is_stressed = system.bodies.iter().any(|body| body.initial_stress.is_some());
+        if system.conforming.is_some() || is_stressed {
             return Vec::new();
         }
         let (Some(patch), [_]) = (patch, solve.parts().as_slice()) else { return Vec::new() };
@@ -101,7 +102,7 @@ impl MeshMotion {
             .map(|(body, field)| {
                 let elastic = &body.elastic;
                 let mesh = self.moved(&elastic.mesh, &elastic.key.outline, step);
-                let unloaded = Unloaded { mesh: &mesh, ..elastic.unloaded() };
+                let unloaded = Unloaded { mesh: &mesh, ..body.unloaded() };
                 let moved = body.stress_field_of(&unloaded, &field.nodal);
                 let mut rates = elastic.zeros();
                 let forces = moved.internal_force.iter().zip(&field.stress.internal_force);

@@ -110,11 +110,19 @@ fn energy(system: &System, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
     for (body, copies) in bodies.iter().zip(&system.bodies_represented) {
         let ElasticModuli { bulk, shear } = body.model.elastic();
         let copies = (copies * system.symmetry_factor()) as f64;
+        let density = |stress: [f64; 4]| {
+            let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
+            von_mises(stress).powi(2) / (6.0 * shear) + pressure * pressure / (2.0 * bulk)
+        };
+        // What was stored before the load is no work of it.
+        if let Some(initial) = &body.initial_stress {
+            for (point, stress) in body.stress.points.iter().flatten().zip(initial.iter().flatten()) {
+                energy.elastic -= copies * point.weight * density(*stress);
+            }
+        }
         for point in body.stress.points.iter().flatten() {
             let weight = copies * point.weight;
-            let pressure = (point.stress[0] + point.stress[1] + point.stress[2]) / 3.0;
-            let deviatoric = von_mises(point.stress).powi(2) / (6.0 * shear);
-            energy.elastic += weight * (deviatoric + pressure * pressure / (2.0 * bulk));
+            energy.elastic += weight * density(point.stress);
             energy.plastic_work += weight * point.plastic_work;
             energy.backstress += weight * point.backstress_energy;
         }

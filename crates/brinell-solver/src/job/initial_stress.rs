@@ -1,0 +1,105 @@
+//! Stress that a body has before it is loaded: from grinding, peening or hardening.
+
+use super::fields::{Field, read_record, record};
+use super::over_depth::{faults_of_depths, interpolate};
+use super::reader::Cursor;
+use super::{
+    Analysis, FaultCode, FieldError, HardeningLaw, NonNegativeF64, Quantity, StrengthProfile, Units,
+};
+
+record! {
+    /// Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.
+    #[derive(Copy)]
+    pub struct InitialStress("", "Initial stress") {
+        /// Depth below the surface.
+        pub depth: NonNegativeF64 = Field::quantity(Quantity::Depth).label("Depth", "z").example(0.05),
+        /// Stress along the surface in the plane of the section, tension positive.
+        pub sigma_x: f64 = Field::quantity(Quantity::SignedStress).label("Along the surface", "σ_x").example(-600.0),
+        /// Stress along the surface out of that plane, in axisymmetry equal to `sigma_x`, in plane stress zero.
+        pub sigma_z: f64 = Field::quantity(Quantity::SignedStress).label("Out of plane", "σ_z").example(-600.0),
+    }
+}
+
+impl InitialStress {
+    /// Its key in a material.
+    pub const KEY: &'static str = "initial_stress";
+    /// Most depths.
+    pub const MAX_POINTS: usize = 1000;
+
+    pub(super) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {
+        cursor.array(1..=Self::MAX_POINTS, |item| read_record(&item.object()?, None, units, None, &[]))
+    }
+
+    /// What is wrong with rows beside a hardening curve and its factors over depth.
+    pub(super) fn faults(
+        rows: &[Self],
+        law: Option<&dyn HardeningLaw>,
+        strength: Option<&StrengthProfile>,
+    ) -> Vec<FieldError> {
+        let mut faults = faults_of_depths(rows.iter().map(|row| row.depth.get()), |k| format!("/{k}/depth"));
+        let Some(law) = law.filter(|_| faults.is_empty()) else { return faults };
+        if law.yield_stress() <= 0.0 {
+            let detail = "needs a hardening curve with a yield point: any stress would yield";
+            faults.push(FieldError {
+                pointer: String::new(),
+                code: FaultCode::Inconsistent,
+                detail: detail.to_owned(),
+            });
+            return faults;
+        }
+        // Between the depths of both profiles the one is convex and the other straight.
+        let profile = InitialStressProfile::new(rows);
+        let knots = strength.map_or(&[][..], StrengthProfile::points);
+        let depths = rows.iter().map(|row| row.depth.get()).chain(knots.iter().map(|[depth, _]| *depth));
+        let excess = |depth: f64| {
+            let [x, z] = profile.at(depth);
+            let limit = law.yield_stress() * strength.map_or(1.0, |strength| strength.factor(depth));
+            (depth, (x * x - x * z + z * z).sqrt(), limit)
+        };
+        let worst = depths.map(excess).max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
+        if let Some((depth, stress, limit)) = worst.filter(|(_, stress, limit)| stress > limit) {
+            let detail = format!(
+                "yields by itself: at the depth {depth:.4e} mm its von Mises stress is {stress:.4e} MPa, the yield stress \
+                 {limit:.4e} MPa"
+            );
+            faults.push(FieldError { pointer: String::new(), code: FaultCode::Inconsistent, detail });
+        }
+        faults
+    }
+
+    /// What is wrong with rows in an analysis.
+    pub(super) fn faults_in(rows: &[Self], analysis: Analysis) -> Vec<FieldError> {
+        let (is_wrong, detail): (fn(&Self) -> bool, _) = match analysis {
+            Analysis::PlaneStrain => return Vec::new(),
+            Analysis::PlaneStress => (|row| row.sigma_z.abs() > 0.0, "must be 0 in plane stress"),
+            Analysis::Axisymmetric => (
+                |row| (row.sigma_x - row.sigma_z).abs() > 1e-9 * row.sigma_x.abs(),
+                "must equal `sigma_x` in axisymmetry: no stress that depends on depth alone is in equilibrium otherwise",
+            ),
+        };
+        let faulty = rows.iter().enumerate().filter(|(_, row)| is_wrong(row));
+        faulty.map(|(k, _)| FieldError::new(format!("/{k}/sigma_z"), detail)).collect()
+    }
+}
+
+/// Initial stress over depth: straight between points, constant before the first and beyond the last.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InitialStressProfile {
+    sigma_x: Vec<[f64; 2]>,
+    sigma_z: Vec<[f64; 2]>,
+}
+
+impl InitialStressProfile {
+    /// The profile through rows in order of depth.
+    pub fn new(rows: &[InitialStress]) -> Self {
+        let component = |of: fn(&InitialStress) -> f64| -> Vec<[f64; 2]> {
+            rows.iter().map(|row| [row.depth.get(), of(row)]).collect()
+        };
+        Self { sigma_x: component(|row| row.sigma_x), sigma_z: component(|row| row.sigma_z) }
+    }
+
+    /// `[σ_x, σ_z]` at a depth \[MPa\].
+    pub fn at(&self, depth: f64) -> [f64; 2] {
+        [&self.sigma_x, &self.sigma_z].map(|points| interpolate(points, depth).unwrap_or(0.0))
+    }
+}
