@@ -129,6 +129,7 @@
  * @property {'cylinder'} type
  *
  * @typedef {object} Deformable
+ * @property {(InitialStress)[] | null} [initial_stress]
  * @property {Plasticity | null} [plasticity]
  * @property {number} poisson_ratio
  * @property {null} [rigid]
@@ -282,6 +283,11 @@
  * @property {(number)[]} half_width
  * @property {(number)[]} iterations
  * @property {(number)[]} peak_pressure
+ *
+ * @typedef {object} InitialStress
+ * @property {number} depth
+ * @property {number} sigma_x
+ * @property {number} sigma_z
  *
  * @typedef {'smooth' | 'linear'} Interpolation
  *
@@ -522,6 +528,7 @@
  * @property {string} version
  *
  * @typedef {object} Rigid
+ * @property {null} [initial_stress]
  * @property {null} [plasticity]
  * @property {null} [poisson_ratio]
  * @property {true} rigid
@@ -565,6 +572,9 @@
  * @typedef {object} Subsurface
  * @property {(number)[]} depth
  * @property {(number)[]} equivalent_plastic_strain
+ * @property {(number)[]} [initial_sigma_x]
+ * @property {(number)[]} [initial_sigma_y]
+ * @property {(number)[]} [initial_sigma_z]
  * @property {(number)[]} sigma_x
  * @property {(number)[]} sigma_y
  * @property {(number)[]} sigma_z

@@ -37,7 +37,7 @@ impl InitialStress {
         strength: Option<&StrengthProfile>,
     ) -> Vec<FieldError> {
         let mut faults = faults_of_depths(rows.iter().map(|row| row.depth.get()), |k| format!("/{k}/depth"));
-        let Some(law) = law.filter(|_| faults.is_empty()) else { return faults };
+        let Some(law) = law.filter(|_| faults.is_empty() && !rows.is_empty()) else { return faults };
         if law.yield_stress() <= 0.0 {
             let detail = "needs a hardening curve with a yield point: any stress would yield";
             faults.push(FieldError {

@@ -45,6 +45,21 @@ pub(crate) fn loads(load: &Load) -> Loads {
     }
 }
 
+/// The largest force and the largest approach, those above zero.
+pub(crate) fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
+    let largest = |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
+    let force = largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
+    let approach = largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
+    let mut found = Vec::new();
+    if force > 0.0 {
+        found.push(ContactLoad::Force(force));
+    }
+    if approach > 0.0 {
+        found.push(ContactLoad::Approach(approach));
+    }
+    found
+}
+
 /// How much finer than asked a mesh is made, so that it serves for the next load too. A larger contact finds room
 /// enough as it is, in the zone that is made wider than the contact anyway.
 pub(crate) fn resolution_reserve(load: ContactLoad, next: Option<ContactLoad>) -> f64 {

@@ -26,6 +26,7 @@ use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, Rad
 use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::couplings::iteration::{InitialState, Scales, norm};
+use crate::solver::loads::largest_loads;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::mesh_solve::{
     self, MAX_ENLARGEMENTS, MAX_NARROWINGS, MeshSolve, MeshSolveRequest, WIDENING,
@@ -101,21 +102,6 @@ pub(super) fn run(
         }
         result => result.map(drop),
     }
-}
-
-/// The largest force and the largest approach, those above zero.
-fn largest_loads(loads: &[ContactLoad]) -> Vec<ContactLoad> {
-    let largest = |of: fn(&ContactLoad) -> Option<f64>| loads.iter().filter_map(of).fold(0.0, f64::max);
-    let force = largest(|load| if let ContactLoad::Force(force) = load { Some(*force) } else { None });
-    let approach = largest(|load| if let ContactLoad::Approach(a) = load { Some(*a) } else { None });
-    let mut found = Vec::new();
-    if force > 0.0 {
-        found.push(ContactLoad::Force(force));
-    }
-    if approach > 0.0 {
-        found.push(ContactLoad::Approach(approach));
-    }
-    found
 }
 
 /// What a history on one mesh has found.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::rough;
 use super::trace::resolving_spacing;
 use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
@@ -164,6 +165,22 @@ impl ContactSizeEstimate {
             return Err(SolveError::TraceTooFine { half_width: self.half_width, spacing, finest });
         }
         Ok(Self { refinement: wanted / spacing, ..self })
+    }
+
+    /// The extent that a mesh is expected to find of surfaces that need smaller elements than are asked for: a trace touches
+    /// beyond where its mean surface would.
+    pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
+        let ContactLoad::Force(force) = load else { return self };
+        if self.refinement <= 1.0 {
+            return self;
+        }
+        let spacing = self.spacing(elements);
+        match rough::half_width(problem, force, self.centre, self.half_width, spacing) {
+            Some(half_width) => {
+                Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements)
+            }
+            None => self,
+        }
     }
 
     /// The same for a contact that a mesh has found, without becoming much finer than was expected and estimated.

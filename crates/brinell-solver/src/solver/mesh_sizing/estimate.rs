@@ -1,10 +1,10 @@
 //! What a job will cost, without meshing it.
 
 use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
-use crate::job::{Job, Target, TargetFigure};
+use crate::job::{Job, Target, TargetFigure, Theory};
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
-use crate::solver::loads::{Loads, Sought, loads, resolution_reserve};
+use crate::solver::loads::{Loads, Sought, largest_loads, loads, resolution_reserve};
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, MAX_HALF_WIDTH, refinement};
 use crate::solver::problem::Problem;
 
@@ -31,13 +31,24 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     let problem = Problem::of(job);
     let elements = job.mesh.elements_per_half_width as usize;
     let mut worst = Estimate { equations: 0, bytes: 0 };
-    let loads = match loads(&job.load) {
+    let mut loads = match loads(&job.load) {
         Loads::Given(loads) => loads,
         Loads::Sought(sought) => return nominal(&problem, sought, elements),
     };
+    let is_history = job.solver.theory == Theory::Flow;
+    if is_history {
+        // One mesh for all of a history.
+        loads = largest_loads(&loads);
+        if loads.is_empty() {
+            return Err(SolveError::NoLoad);
+        }
+    }
     for (k, &load) in loads.iter().enumerate() {
-        let extent = ContactSizeEstimate::expected(&problem, load)?.resolved(&problem, elements)?;
-        let spacing = extent.spacing(elements) / resolution_reserve(load, loads.get(k + 1).copied());
+        let extent = ContactSizeEstimate::expected(&problem, load)?
+            .resolved(&problem, elements)?
+            .of_trace(&problem, load, elements);
+        let spacing = extent.spacing(elements)
+            / resolution_reserve(load, loads.get(k + 1).filter(|_| !is_history).copied());
         let zone = extent.zone(&problem, spacing);
         for outline in problem.deformable_outlines().filter(|outline| outline.is_steep()) {
             // Where there is no mesh for another reason, a narrower zone is tried.
