@@ -72,7 +72,8 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
         Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => value.get(),
         _ => 0.01 * available,
     };
-    if half_width > MAX_HALF_WIDTH * available {
+    let limit = problem.conforming.map_or(MAX_HALF_WIDTH * available, |pair| pair.largest_arc());
+    if half_width > limit {
         return Err(SolveError::TooWide { half_width, available });
     }
     let extent = ContactSizeEstimate {
