@@ -6,6 +6,7 @@
  * @typedef {import('./wire.js').JobState} JobState
  * @typedef {import('./wire.js').Job} JobDocument
  * @typedef {import('./wire.js').Iteration} Iteration
+ * @typedef {Exclude<keyof Iteration, 'increment'>} IterationFigure those that are numbers
  * @typedef {import('./wire.js').Subsurface} Profile
  * @typedef {import('./wire.js').PlasticZone} Zone
  *

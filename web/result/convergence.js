@@ -21,8 +21,9 @@ export class ConvergencePanel {
     this.panel.show(history.length > 0);
     if (history.length === 0) return;
     const x = history.map((_, k) => k + 1);
-    const column = (/** @type {keyof Iteration} */ key) => history.map((record) => record[key]);
-    const positive = (/** @type {keyof Iteration} */ key) => column(key).map((value) => (value > 0 ? value : null));
+    const column = (/** @type {import('../types.js').IterationFigure} */ key) => history.map((record) => record[key]);
+    const positive = (/** @type {import('../types.js').IterationFigure} */ key) =>
+      column(key).map((value) => (value > 0 ? value : null));
     const last = history[history.length - 1];
     const points = history.length < 60;
     this.residual.show({

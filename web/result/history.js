@@ -8,7 +8,7 @@ import { scrolled } from './figures.js';
 
 /** @typedef {import('../types.js').Iteration} Iteration */
 
-/** @type {[string, keyof Iteration, (value: number) => string, import('../lib/units.js').Quantity?][]} */
+/** @type {[string, import('../types.js').IterationFigure, (value: number) => string, import('../lib/units.js').Quantity?][]} */
 const COLUMNS = [
   ['no.', 'iteration', String],
   ['out of balance', 'equilibrium_residual', (value) => figure(value, 3)],
@@ -57,7 +57,8 @@ export class HistoryPanel {
   }
 
   #save() {
-    const keys = /** @type {(keyof Iteration)[]} */ (Object.keys(this.#history[0] ?? {}));
+    const figures = Object.entries(this.#history[0] ?? {}).filter(([, value]) => typeof value === 'number');
+    const keys = /** @type {import('../types.js').IterationFigure[]} */ (figures.map(([key]) => key));
     const lines = [keys.join(','), ...this.#history.map((record) => keys.map((key) => record[key]).join(','))];
     save(new Blob([`${lines.join('\n')}\n`], { type: 'text/csv' }), 'history.csv');
   }
