@@ -13,14 +13,20 @@ use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use crate::config::{MetricsConfig, ServeConfig, StorageConfig, WorkerConfig};
-use crate::http::{AllowedHosts, HttpSettings, HttpState, Metrics, metrics_router, router, serve};
+use crate::config::{MetricsConfig, ServeConfig, StorageConfig, TlsConfig, WebhookConfig, WorkerConfig};
+use crate::http::{
+    AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity, metrics_router, router,
+    serve,
+};
 use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
+use crate::lifecycle::Hangups;
+use crate::outgoing::{Client, RootsError};
 use crate::store::{
     DATABASE, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory,
     open_sqlite_keys,
 };
-use crate::telemetry::collect;
+use crate::telemetry::{AUDIT, collect};
+use crate::webhook::{Announcer, CallbackRules};
 use crate::worker::{STOP_TIMEOUT, Worker};
 
 /// Time for clients to take their last answers, once all jobs are done.
@@ -63,6 +69,12 @@ pub enum AppError {
     /// No database where one is expected.
     #[error("there is no database in {}", .0.display())]
     NoStore(PathBuf),
+    /// The certificate or its key cannot be used.
+    #[error("{0} (set by --tls-cert, BRINELL_TLS_CERT and --tls-key, BRINELL_TLS_KEY)")]
+    Tls(#[from] TlsError),
+    /// The certificates of receivers cannot be used.
+    #[error("{0} (set by --webhook-ca, BRINELL_WEBHOOK_CA)")]
+    Webhooks(#[from] RootsError),
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
     System(#[from] io::Error),
@@ -70,7 +82,7 @@ pub enum AppError {
 
 /// The service, bound to its address and ready to run.
 pub struct Service {
-    listener: TcpListener,
+    listening: Listening,
     address: SocketAddr,
     state: HttpState,
     worker: Option<Worker>,
@@ -89,12 +101,18 @@ impl Service {
         }
         let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
+        let identity = tls_identity(&config.tls)?;
+        let tls = identity.as_ref().map(TlsIdentity::acceptor).transpose()?;
         tracing::info!(version = env!("CARGO_PKG_VERSION"), %address, ?config, "starting");
         let notifier = JobNotifier::new();
         let store = open_store(&config.storage, &notifier).await?;
         let mut background = JoinSet::new();
         background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
         let metrics = start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
+        if let Some(identity) = identity {
+            background.spawn(reload_on_hangup(identity)?);
+        }
+        let callbacks = announce(&config.webhooks, &store, &mut background)?;
         let worker = if config.no_workers {
             None
         } else {
@@ -110,6 +128,7 @@ impl Service {
             Arc::clone(&store) as _,
             notifier,
             solver,
+            Arc::clone(&store) as _,
             store,
             config.submission_limits(),
         ));
@@ -120,12 +139,20 @@ impl Service {
         let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
         let mut state = HttpState::new(jobs, settings, metrics);
         state.hosts = hosts;
-        Ok(Self { listener, address, state, worker, background, grace: config.work.grace })
+        state.callbacks = callbacks;
+        let listening = Listening { listener, tls };
+        Ok(Self { listening, address, state, worker, background, grace: config.work.grace })
     }
 
     /// Where the service listens.
     pub const fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// Its address on the web.
+    pub fn url(&self) -> String {
+        let scheme = if self.listening.tls.is_some() { "https" } else { "http" };
+        format!("{scheme}://{}", self.address)
     }
 
     /// Serves until `stop`, then takes no more jobs, finishes those it has within the grace time while still
@@ -137,7 +164,7 @@ impl Service {
         let close = self.state.closing.clone();
         let (router, timeouts) = (router(self.state.clone()), self.state.settings.timeouts);
         let most = self.state.settings.connections;
-        let mut server = tokio::spawn(serve(self.listener, router, timeouts, most, close.clone()));
+        let mut server = tokio::spawn(serve(self.listening, router, timeouts, most, close.clone()));
         stop.cancelled().await;
         self.state.jobs.close();
         if let Some(worker) = self.worker {
@@ -185,6 +212,45 @@ async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, App
     TcpListener::bind(address).await.map_err(refused)
 }
 
+fn tls_identity(config: &TlsConfig) -> Result<Option<Arc<TlsIdentity>>, TlsError> {
+    let (Some(certificate), Some(key)) = (&config.tls_cert, &config.tls_key) else { return Ok(None) };
+    TlsIdentity::load(certificate, key).map(Some)
+}
+
+/// Reads certificate and key again at every SIGHUP.
+fn reload_on_hangup(identity: Arc<TlsIdentity>) -> io::Result<impl Future<Output = ()>> {
+    let mut hangups = Hangups::new()?;
+    Ok(async move {
+        while hangups.next().await {
+            match identity.reload() {
+                Ok(()) => tracing::info!(target: AUDIT, "certificate and key were read again"),
+                Err(error) => tracing::error!(%error, "certificate and key stay as they are"),
+            }
+        }
+    })
+}
+
+/// Begins to announce the ends of jobs, if anybody may be called. Returns who may.
+fn announce(
+    config: &WebhookConfig,
+    store: &Arc<dyn Store>,
+    background: &mut JoinSet<()>,
+) -> Result<Arc<CallbackRules>, AppError> {
+    let rules = Arc::new(config.rules());
+    if rules.is_enabled() {
+        let announcer = Announcer {
+            jobs: Arc::clone(store) as _,
+            deliveries: Arc::clone(store) as _,
+            rules: Arc::clone(&rules),
+            client: Client::new(config.webhook_allow_private, config.webhook_ca.as_deref())?,
+            secrets: config.webhook_secrets.clone(),
+            pause: config.webhook_retry,
+        };
+        background.spawn(Arc::new(announcer).run());
+    }
+    Ok(rules)
+}
+
 /// Begins to measure, and shows the figures on a port of their own if they have one.
 async fn start_metrics(
     config: &MetricsConfig,
@@ -198,7 +264,8 @@ async fn start_metrics(
         let listener = listen("--metrics-listen, BRINELL_METRICS_LISTEN", address).await?;
         tracing::info!(address = %listener.local_addr()?, "metrics");
         let (router, timeouts) = (metrics_router(metrics.clone()), HttpSettings::default().timeouts);
-        background.spawn(serve(listener, router, timeouts, METRICS_CONNECTIONS, CancellationToken::new()));
+        let listening = Listening { listener, tls: None };
+        background.spawn(serve(listening, router, timeouts, METRICS_CONNECTIONS, CancellationToken::new()));
     }
     Ok(metrics)
 }
@@ -261,7 +328,7 @@ async fn sweep(store: Arc<dyn JobStore>, retention: Retention) {
         match store.sweep(&retention).await {
             Ok(SWEEP..) => continue,
             Ok(0) => {}
-            Ok(jobs) => tracing::info!(jobs, "removed old jobs"),
+            Ok(jobs) => tracing::info!(target: AUDIT, jobs, "removed old jobs"),
             Err(error) => {
                 tracing::warn!(error = &error as &dyn std::error::Error, "cannot remove old jobs");
             }

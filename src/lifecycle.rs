@@ -82,3 +82,42 @@ impl Signals {
         let _ = tokio::signal::ctrl_c().await;
     }
 }
+
+/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are none.
+#[cfg(unix)]
+pub struct Hangups(tokio::signal::unix::Signal);
+
+#[cfg(unix)]
+impl Hangups {
+    /// Listens to them.
+    ///
+    /// # Errors
+    /// If the signal cannot be listened to. Needs a Tokio runtime.
+    pub fn new() -> io::Result<Self> {
+        use tokio::signal::unix::{SignalKind, signal};
+        signal(SignalKind::hangup()).map(Self)
+    }
+
+    /// Waits for the next; `false` if there will be none.
+    pub async fn next(&mut self) -> bool {
+        self.0.recv().await.is_some()
+    }
+}
+
+/// SIGHUPs, by which a service is told to read its files again. Elsewhere than on Unix there are none.
+#[cfg(not(unix))]
+pub struct Hangups;
+
+#[cfg(not(unix))]
+#[expect(clippy::missing_errors_doc, clippy::unnecessary_wraps, reason = "listening can fail elsewhere")]
+impl Hangups {
+    /// Listens to none.
+    pub fn new() -> io::Result<Self> {
+        Ok(Self)
+    }
+
+    /// There is none.
+    pub async fn next(&mut self) -> bool {
+        false
+    }
+}

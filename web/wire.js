@@ -45,6 +45,7 @@
  * @property {(BatchedJob)[]} jobs
  *
  * @typedef {object} BatchedJob
+ * @property {string} [callback_url]
  * @property {string} [idempotency_key]
  * @property {ContactJob} job
  * @property {number} [priority]
@@ -60,6 +61,17 @@
  * @property {number} depth
  * @property {'block'} type
  * @property {number} width
+ *
+ * @typedef {object} Callback
+ * @property {number} attempts
+ * @property {string} [delivered_at]
+ * @property {string} id
+ * @property {string} [last_error]
+ * @property {number} [last_status]
+ * @property {string} [next_attempt_at]
+ * @property {CallbackState} state
+ *
+ * @typedef {'waiting' | 'pending' | 'delivered' | 'failed'} CallbackState
  *
  * @typedef {object} Capacity
  * @property {Limits} limits
@@ -308,6 +320,7 @@
  *
  * @typedef {object} Job
  * @property {number} attempts
+ * @property {Callback} [callback]
  * @property {boolean} cancel_requested
  * @property {string} created_at
  * @property {boolean} done
@@ -334,9 +347,11 @@
  * @typedef {string} JobState
  *
  * @typedef {object} Limits
+ * @property {number} batch_jobs
  * @property {number} body_bytes
  * @property {number} job_memory_bytes
  * @property {number} job_seconds
+ * @property {number} result_bytes
  * @property {number} solve_seconds
  * @property {number} wait_seconds
  *
@@ -482,6 +497,7 @@
  * @property {string} [instance]
  * @property {number} [limit_bytes]
  * @property {number} [line]
+ * @property {string} [quota]
  * @property {number} status
  * @property {string} title
  * @property {string} type

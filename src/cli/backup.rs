@@ -14,6 +14,7 @@ use super::input::write_answer;
 use crate::app::open_existing;
 use crate::config::StorageConfig;
 use crate::store::restore_sqlite;
+use crate::telemetry::AUDIT;
 
 /// Arguments of `brinell check`.
 #[derive(Debug, Args)]
@@ -68,6 +69,7 @@ pub(super) fn backup(args: &BackupArgs) -> Result<ExitCode, Fault> {
     }
     block_on(async { Ok(open_existing(&args.storage).await?.backup(&partial).await?) })?;
     publish(&partial, &args.file).map_err(failed)?;
+    tracing::info!(target: AUDIT, file = %args.file.display(), "backup written");
     Ok(ExitCode::SUCCESS)
 }
 
@@ -86,5 +88,6 @@ pub(super) fn restore(args: &RestoreArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         restore_sqlite(&args.storage.data_dir, &args.file).await.map_err(|error| Fault::App(error.into()))
     })?;
+    tracing::info!(target: AUDIT, file = %args.file.display(), directory = %args.storage.data_dir.display(), "backup restored");
     Ok(ExitCode::SUCCESS)
 }

@@ -68,14 +68,14 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
         let config = ServeConfig { listen: args.listen.clone(), storage, ..ServeConfig::default() };
         let service =
             Service::bind(&config, Arc::new(CoreSolver::with_cache(config.work.factor_cache()))).await?;
-        let client = Client { address: service.address() };
+        let client = Client::new(service.address());
         let server = tokio::spawn(service.run(stop.clone()));
         let (job, report) = tokio::select! {
-            shown = show_a_job(client) => shown?,
+            shown = show_a_job(&client) => shown?,
             () = stop.cancelled() => return Ok(ExitCode::SUCCESS),
         };
         let serve_on = !args.once && io::stdin().is_terminal();
-        say(&farewell(client, job, serve_on))?;
+        say(&farewell(&client, job, serve_on))?;
         if !serve_on {
             stop.cancel();
         }
@@ -86,7 +86,7 @@ pub(super) fn demo(args: &DemoArgs) -> Result<ExitCode, Fault> {
 }
 
 /// Hands the example in, follows it and prints its result.
-async fn show_a_job(client: Client) -> Result<(JobId, Report), Fault> {
+async fn show_a_job(client: &Client) -> Result<(JobId, Report), Fault> {
     let style = Style::of_stdout();
     let job = Job::from_json(EXAMPLE).map_err(|error| Fault::of_job("the example", error))?;
     say(&format!("POST http://{}/v1/jobs (api/examples/two_cylinders.json)\n", client.address))?;
@@ -110,7 +110,7 @@ async fn show_a_job(client: Client) -> Result<(JobId, Report), Fault> {
     Ok((submitted.id, report))
 }
 
-fn farewell(client: Client, job: JobId, serves_on: bool) -> String {
+fn farewell(client: &Client, job: JobId, serves_on: bool) -> String {
     let url = format!("http://{}", client.address);
     if serves_on {
         format!(

@@ -1,6 +1,7 @@
 //! `brinell healthcheck`: for whatever keeps a service running and has no HTTP client of its own.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -19,6 +20,10 @@ pub(super) struct HealthcheckArgs {
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
     listen: String,
 
+    /// Certificate of a service with TLS (PEM), as `serve` has it: no other is trusted, whatever its name
+    #[arg(long, env = "BRINELL_TLS_CERT", value_name = "FILE")]
+    tls_cert: Option<PathBuf>,
+
     /// Ask whether the process answers (/livez), not whether it takes jobs (/readyz)
     #[arg(long)]
     live: bool,
@@ -33,7 +38,11 @@ pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
     block_on(async {
         let found = lookup_host(&args.listen).await.map_err(|error| unwell(error.to_string()))?.next();
         let address = found.map(reachable).ok_or_else(|| unwell("no such address".to_owned()))?;
-        let asked = timeout(ACQUIRE_TIMEOUT, Client { address }.get::<serde_json::Value>(path)).await;
+        let client = match &args.tls_cert {
+            Some(file) => Client::pinned(address, file).map_err(|error| unwell(error.to_string()))?,
+            None => Client::new(address),
+        };
+        let asked = timeout(ACQUIRE_TIMEOUT, client.get::<serde_json::Value>(path)).await;
         match asked {
             Ok(Ok(_)) => Ok(ExitCode::SUCCESS),
             Ok(Err(error)) => Err(unwell(error.to_string())),

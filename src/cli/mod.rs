@@ -53,7 +53,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Run the HTTP service
-    Serve(Configured<ServeConfig>),
+    Serve(Box<Configured<ServeConfig>>),
     /// Solve the jobs that services sharing a database take in
     Worker(Configured<WorkerConfig>),
     /// Solve one job here and now, without a server
@@ -104,9 +104,12 @@ pub fn main() -> ExitCode {
         Err(error) => return usage::report(&error, &command),
     };
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    if let Command::Serve(Configured { print_config: true, .. })
-    | Command::Worker(Configured { print_config: true, .. }) = &cli.command
-    {
+    let prints_config = match &cli.command {
+        Command::Serve(serve) => serve.print_config,
+        Command::Worker(worker) => worker.print_config,
+        _ => false,
+    };
+    if prints_config {
         return settings::print(&command, &matches).unwrap_or_else(|fault| report_fault(&fault));
     }
     let default_filter = if matches!(cli.command, Command::Serve(_) | Command::Worker(_)) {

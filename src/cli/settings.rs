@@ -40,7 +40,9 @@ fn line(argument: &Arg, matches: &ArgMatches) -> Option<String> {
 
 /// An address without what may be a password: user and password, and whatever stands behind a question mark.
 fn redacted(text: &str) -> String {
-    let Some((scheme, rest)) = text.split_once("://") else { return text.to_owned() };
+    let Some((scheme, rest)) = text.split_once("://") else {
+        return if text.is_empty() { String::new() } else { "***".to_owned() };
+    };
     let rest = rest.split('?').next().unwrap_or_default();
     let place = match rest.rsplit_once('@') {
         Some((_, place)) => format!("***@{place}"),
@@ -57,6 +59,7 @@ mod tests {
     fn secrets_are_left_out() {
         assert_eq!(redacted("postgres://user:sec@ret@host:1/name?password=x"), "postgres://***@host:1/name");
         assert_eq!(redacted("postgres://host/name"), "postgres://host/name");
-        assert_eq!(redacted("memory:"), "memory:");
+        assert_eq!(redacted("whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw"), "***");
+        assert_eq!(redacted(""), "");
     }
 }

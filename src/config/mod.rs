@@ -1,5 +1,6 @@
 //! Settings of the service: each is a flag and a `BRINELL_*` variable; the flag wins.
 
+mod edge;
 mod machine;
 mod parse;
 mod storage;
@@ -14,6 +15,7 @@ use clap::Args;
 
 use crate::http::{Capacity, ConnectionTimeouts, HttpSettings};
 use crate::jobs::SubmissionLimits;
+pub use edge::{TlsConfig, WebhookConfig};
 use parse::{connections, origin, rate, seconds};
 pub use storage::{DatabaseUrl, StorageConfig};
 pub use work::WorkConfig;
@@ -86,6 +88,14 @@ pub struct ServeConfig {
     pub cors_origin: Vec<HeaderValue>,
 
     #[command(flatten)]
+    /// Certificate and key.
+    pub tls: TlsConfig,
+
+    #[command(flatten)]
+    /// Who is told of the ends of jobs.
+    pub webhooks: WebhookConfig,
+
+    #[command(flatten)]
     /// Where metrics are shown.
     pub metrics: MetricsConfig,
 
@@ -117,6 +127,8 @@ impl Default for ServeConfig {
             require_api_key: false,
             allow_anonymous: false,
             cors_origin: Vec::new(),
+            tls: TlsConfig::default(),
+            webhooks: WebhookConfig::default(),
             metrics: MetricsConfig::default(),
             storage: StorageConfig::default(),
             work: WorkConfig::default(),

@@ -22,10 +22,6 @@ const REQUEST_ID: usize = 128;
 /// Answers are data: nothing in them is to be run, embedded or framed.
 const DATA_POLICY: &str = "default-src 'none'; frame-ancestors 'none'";
 
-/// The browsable document brings its own scripts and styles.
-const DOCS_POLICY: &str = "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; \
-                           img-src 'self' data:; frame-ancestors 'none'";
-
 /// Names under which a service that listens on loopback is addressed.
 const LOOPBACK: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
@@ -95,16 +91,14 @@ fn head_bytes(request: &Request) -> usize {
 
 /// Adds the headers that every answer has, unless it has its own.
 pub(super) async fn guard_response(request: Request, next: Next) -> Response {
-    let is_docs = request.uri().path().starts_with("/docs");
     let mut response = next.run(request).await;
     let headers = response.headers_mut();
-    let policy = if is_docs { DOCS_POLICY } else { DATA_POLICY };
     let mut set = |name: HeaderName, value: &'static str| {
         headers.entry(name).or_insert(HeaderValue::from_static(value));
     };
     set(X_CONTENT_TYPE_OPTIONS, "nosniff");
     set(CACHE_CONTROL, "no-store");
-    set(CONTENT_SECURITY_POLICY, policy);
+    set(CONTENT_SECURITY_POLICY, DATA_POLICY);
     if headers.get(CONTENT_TYPE).is_some_and(|kind| kind.as_bytes() == b"image/svg+xml") {
         // A figure may be looked at by itself, and has its own styles.
         headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(FIGURE_POLICY));

@@ -1,4 +1,4 @@
-//! Takes connections: HTTP/1.1, with bounds on heads and on the patience with slow clients.
+//! Takes connections: HTTP/1.1, over TLS if so set, with bounds on heads and on the patience with slow clients.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,12 +6,14 @@ use std::time::Duration;
 use axum::Router;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
-use hyper_util::server::graceful::GracefulShutdown;
+use hyper_util::server::graceful::{GracefulShutdown, Watcher};
 use hyper_util::service::TowerToHyperService;
+use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
-use tokio::time::sleep;
+use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
+use tokio_rustls::TlsAcceptor;
 use tokio_util::sync::CancellationToken;
 
 /// Most bytes of a head: a longer one is answered by 431, here where it does not fit into the buffer, which may take
@@ -33,9 +35,17 @@ pub struct ConnectionTimeouts {
     pub write: Duration,
 }
 
+/// Where connections come from.
+pub struct Listening {
+    /// The port.
+    pub listener: TcpListener,
+    /// What makes them secure, if anything does.
+    pub tls: Option<TlsAcceptor>,
+}
+
 /// Serves at most `most` connections at a time until `close`, then lets every connection finish the request it is in.
 pub async fn serve(
-    listener: TcpListener,
+    Listening { listener, tls }: Listening,
     router: Router,
     timeouts: ConnectionTimeouts,
     most: usize,
@@ -54,7 +64,11 @@ pub async fn serve(
             () = close.cancelled() => break,
         };
         match accepted {
-            Ok((stream, _)) => attend(stream, router.clone(), timeouts, &connections, place.ok()),
+            Ok((stream, _)) => {
+                let attended =
+                    attend(stream, tls.clone(), router.clone(), timeouts, connections.watcher(), place.ok());
+                tokio::spawn(attended);
+            }
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be taken");
                 sleep(PAUSE).await;
@@ -65,28 +79,44 @@ pub async fn serve(
     connections.shutdown().await;
 }
 
-fn attend(
+async fn attend(
     stream: TcpStream,
+    tls: Option<TlsAcceptor>,
     router: Router,
     timeouts: ConnectionTimeouts,
-    connections: &GracefulShutdown,
+    connections: Watcher,
     place: Option<OwnedSemaphorePermit>,
 ) {
     // Answers are single writes; waiting to fill a packet would only delay them.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(timeouts.write));
+    let stream = Box::pin(stream);
+    match tls {
+        None => converse(stream, router, timeouts, connections).await,
+        Some(tls) => match timeout(timeouts.head, tls.accept(stream)).await {
+            Ok(Ok(stream)) => converse(stream, router, timeouts, connections).await,
+            Ok(Err(error)) => tracing::debug!(%error, "a connection could not be made secure"),
+            Err(_) => tracing::debug!("a connection took too long to be made secure"),
+        },
+    }
+    drop(place);
+}
+
+/// Answers the requests of a connection.
+async fn converse(
+    stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
+    router: Router,
+    timeouts: ConnectionTimeouts,
+    connections: Watcher,
+) {
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(timeouts.head)
         .max_buf_size(HEAD_BYTES)
         .max_headers(HEADERS)
-        .serve_connection(TokioIo::new(Box::pin(stream)), TowerToHyperService::new(router));
-    let connection = connections.watch(connection);
-    tokio::spawn(async move {
-        if let Err(error) = connection.await {
-            tracing::debug!(%error, "a connection ended early");
-        }
-        drop(place);
-    });
+        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(router));
+    if let Err(error) = connections.watch(connection).await {
+        tracing::debug!(%error, "a connection ended early");
+    }
 }

@@ -7,6 +7,7 @@
 mod access;
 mod batch;
 mod body;
+mod docs;
 mod edge;
 mod event_stream;
 mod examples;
@@ -27,6 +28,7 @@ mod result_body;
 mod routes;
 mod selection;
 mod streams;
+mod tls;
 pub mod wire;
 
 use std::any::Any;
@@ -49,9 +51,9 @@ use tower_http::cors::{AllowHeaders, AllowOrigin, CorsLayer, ExposeHeaders};
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
-use utoipa_swagger_ui::{Config, SwaggerUi};
 
 use crate::jobs::{JobService, Retention};
+use crate::webhook::CallbackRules;
 use access::authenticate;
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use negotiation::settle_coding;
@@ -67,12 +69,13 @@ use routes::{
 use streams::EventStreamLimit;
 
 pub use edge::AllowedHosts;
-pub use listen::{ConnectionTimeouts, serve};
+pub use listen::{ConnectionTimeouts, Listening, serve};
 pub use metrics::{Metrics, metrics_router};
 pub use problem::Problem;
 pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
+pub use tls::{TlsError, TlsIdentity};
 
 /// How many bodies of the largest size may be arriving at the same time; of smaller ones more.
 const BODIES: usize = 64;
@@ -145,6 +148,8 @@ pub struct HttpState {
     pub jobs: Arc<JobService>,
     /// Bounds.
     pub settings: HttpSettings,
+    /// Addresses that may be called when jobs end.
+    pub callbacks: Arc<CallbackRules>,
     /// Names that the service answers to.
     pub hosts: Arc<AllowedHosts>,
     /// Cancelled when connections are about to be closed; streams without an end of their own end then.
@@ -166,6 +171,7 @@ impl HttpState {
             jobs,
             settings,
             bodies,
+            callbacks: Arc::default(),
             hosts: Arc::default(),
             closing: CancellationToken::new(),
             rates,
@@ -186,7 +192,8 @@ pub fn router(state: HttpState) -> Router {
     let cors = cors(&state.settings.cors_origins);
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();
     let routes = documented
-        .merge(docs_page())
+        .route("/docs", get(docs::to_page))
+        .route("/docs/", get(docs::page))
         .route("/", get(page::index))
         .route("/web/{*path}", get(page::file))
         .fallback(no_route)
@@ -262,11 +269,6 @@ fn open_routes() -> OpenApiRouter<HttpState> {
         .routes(routes!(get_openapi::get_openapi))
         .routes(routes!(health::livez))
         .routes(routes!(health::readyz))
-}
-
-/// `GET /docs`: the document, browsable.
-fn docs_page() -> Router<HttpState> {
-    SwaggerUi::new("/docs").config(Config::from("/openapi.json")).into()
 }
 
 async fn no_route(uri: Uri) -> Problem {

@@ -30,7 +30,7 @@ use super::result_body::is_known;
 #[folder = "web/"]
 struct Web;
 
-const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; \
+pub(super) const POLICY: &str = "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; \
                       frame-ancestors 'none'";
 
 /// What has been compressed, by digest: in a debug build a file changes while the program runs.

@@ -63,6 +63,10 @@ pub(super) struct ProblemDocument {
     /// The limit (`body-too-large`, `job-too-large`) \[bytes\].
     #[serde(skip_serializing_if = "Option::is_none")]
     limit_bytes: Option<u64>,
+    /// Which quota of the API key is used up (`quota-exceeded`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(example = "queued_jobs")]
+    quota: Option<&'static str>,
     #[serde(skip)]
     #[schema(ignore)]
     kind: ProblemType,
@@ -131,6 +135,7 @@ impl Problem {
             column: None,
             estimate: None,
             limit_bytes: None,
+            quota: None,
             kind,
             retry_after: RETRY_AFTER_SECONDS,
         }))
@@ -279,7 +284,11 @@ impl From<StoreError> for Problem {
                 ProblemType::StoreUnavailable
             }
         };
-        Self::new(kind, error.to_string())
+        let mut problem = Self::new(kind, error.to_string());
+        if let StoreError::QuotaExceeded { quota } = &error {
+            problem.0.quota = Some(quota.name());
+        }
+        problem
     }
 }
 

@@ -115,7 +115,7 @@ problem_types! {
          header.";
     /// One key has as much as it may.
     QuotaExceeded, "quota-exceeded", TOO_MANY_REQUESTS, "The quota of the API key is used up",
-        "This API key has as many jobs waiting as it may. `detail` names the quota. Try again after the seconds in the \
+        "This API key has as much of something as it may. `quota` names it: `queued_jobs`, `stored_bytes` or `priority`. Try again after the seconds in the \
          `Retry-After` header.";
     /// Too many event streams.
     TooManyStreams, "too-many-streams", SERVICE_UNAVAILABLE, "Too many event streams are open",

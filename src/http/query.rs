@@ -197,29 +197,38 @@ impl FromRequestParts<HttpState> for Wait {
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
 #[expect(dead_code, reason = "declares what `Reader` reads")]
-pub(super) struct PriorityQuery {
+pub(super) struct SubmitParameters {
     /// Larger goes first; 0 is ordinary.
     #[param(minimum = -100, maximum = 100)]
     priority: Option<i16>,
+    /// Where to POST an announcement when the job is done, signed; at hosts that the service may call
+    /// (docs/webhooks.md). `callback` of the job tells how far that has come.
+    #[param(max_length = 2000, example = "https://hooks.example/brinell")]
+    callback_url: Option<String>,
 }
 
-/// How a job is handed in: `?priority=`, larger goes first, and how long to wait for it.
-#[derive(Debug, Clone, Copy)]
+/// How a job is handed in: `?priority=`, larger goes first, how long to wait for it, and where to announce its end.
+#[derive(Debug, Clone)]
 pub(super) struct SubmitQuery {
     pub(super) priority: i16,
     pub(super) wait: Option<Granted>,
+    pub(super) callback_url: Option<String>,
 }
 
 impl FromRequestParts<HttpState> for SubmitQuery {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["priority", "wait"]).await;
+        let mut query = Reader::new(parts, state, &["priority", "wait", "callback_url"]).await;
         let range = -MAX_PRIORITY..=MAX_PRIORITY;
         let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
         let priority = query.value("priority", &expected, |priority| range.contains(priority)).unwrap_or(0);
         let wait = query.wait(parts, state.settings.wait_limit);
-        query.finish(Self { priority, wait })
+        let callback_url = query.text("callback_url");
+        if let Some(Err(detail)) = callback_url.as_deref().map(|url| state.callbacks.check(url)) {
+            query.fault("callback_url", FaultCode::OutOfRange, detail);
+        }
+        query.finish(Self { priority, wait, callback_url })
     }
 }
 

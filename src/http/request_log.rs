@@ -1,16 +1,19 @@
 //! Every request leaves one line in the log and one sample in the metrics: which route, how it ended, how long it
 //! took, under which ids. Never what was in it.
 
+use std::convert::Infallible;
 use std::time::Instant;
 
-use axum::extract::{MatchedPath, Request};
-use axum::http::{Method, StatusCode};
+use axum::extract::{FromRequestParts, MatchedPath, Request};
+use axum::http::request::Parts;
+use axum::http::{HeaderMap, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 use metrics::histogram;
 use tracing::{Instrument, Span};
 
-use crate::jobs::JobId;
+use crate::jobs::{JobId, TraceParent};
+use crate::telemetry;
 
 /// Time \[s\] from a request's head to its answer's, by method, route and status.
 pub const REQUEST_DURATION: &str = "http_server_request_duration_seconds";
@@ -27,7 +30,9 @@ pub(super) struct JobIdExtension(pub(super) JobId);
 
 /// The layer.
 pub(super) async fn log_request(request: Request, next: Next) -> Response {
+    let mut request = request;
     let mut log = RequestLog::begin(&request);
+    request.extensions_mut().insert(log.trace);
     let span = log.span.clone();
     let response = next.run(request).instrument(span).await;
     log.status = Some(response.status());
@@ -46,6 +51,26 @@ struct RequestLog {
     path: String,
     job: Option<String>,
     status: Option<StatusCode>,
+    trace: Trace,
+}
+
+/// The trace that a request belongs to, with the span that stands for it here.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Trace(pub(super) Option<TraceParent>);
+
+impl<S: Sync> FromRequestParts<S> for Trace {
+    type Rejection = Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Infallible> {
+        Ok(parts.extensions.get().copied().unwrap_or_default())
+    }
+}
+
+/// The one `traceparent` of a request; what is none is ignored, as the standard asks.
+fn trace_of(headers: &HeaderMap) -> Option<TraceParent> {
+    let mut lines = headers.get_all("traceparent").iter();
+    let line = lines.next().filter(|_| lines.next().is_none())?;
+    line.to_str().ok()?.parse().ok()
 }
 
 impl RequestLog {
@@ -55,9 +80,14 @@ impl RequestLog {
         let path = request.uri().path();
         let is_job = route.as_deref().is_some_and(|route| route.starts_with("/v1/jobs/{id}"));
         let job = path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
+        let caller = trace_of(request.headers());
+        let trace_id = caller.map(|trace| trace.trace());
+        let span = tracing::info_span!("request", id, trace_id);
+        let trace = Trace(telemetry::adopt(&span, caller));
         Self {
+            trace,
             started: Instant::now(),
-            span: tracing::info_span!("request", id),
+            span,
             method: name(request.method()),
             route,
             path: path.chars().take(PATH).collect(),

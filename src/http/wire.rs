@@ -18,7 +18,9 @@ use super::HttpState;
 use super::openapi;
 use super::problem::{Problem, ProblemDocument};
 use super::request_log::JobIdExtension;
-use crate::jobs::{IterationRecord, JobEstimate, JobId, JobRecord, JobState, Retention, StoreError};
+use crate::jobs::{
+    Callback, IterationRecord, JobEstimate, JobId, JobRecord, JobState, Retention, StoreError,
+};
 
 /// Seconds after which to ask again for a job that is not done.
 const POLL_SECONDS: u16 = 1;
@@ -193,6 +195,9 @@ pub struct JobDocument {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<ProblemDocument>)]
     pub error: Option<Problem>,
+    /// The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub callback: Option<Callback>,
     /// Where to go from here.
     pub links: Links,
 }
@@ -214,7 +219,8 @@ impl JobDocument {
         } else {
             None
         };
-        Ok(Self::new(record, job.as_ref(), &state.settings.retention, prefix))
+        let callback = if record.has_callback { state.jobs.callback(record.id).await? } else { None };
+        Ok(Self { callback, ..Self::new(record, job.as_ref(), &state.settings.retention, prefix) })
     }
 
     fn new(record: JobRecord, job: Option<&Job>, retention: &Retention, prefix: &Prefix) -> Self {
@@ -231,6 +237,7 @@ impl JobDocument {
             expires_at: retention.expires_at(&record),
             attempts: record.attempts,
             priority: record.priority,
+            callback: None,
             links: Links::of(&record, job, prefix),
             tags: record.tags,
             progress: Progress { iterations: record.iterations, latest: record.latest },
@@ -312,6 +319,11 @@ pub struct Limits {
     pub body_bytes: usize,
     /// Largest estimated memory \[bytes\] of a job.
     pub job_memory_bytes: u64,
+    /// Largest estimated result \[bytes\] of a job.
+    pub result_bytes: u64,
+    /// Most jobs in one request to `/v1/batch`.
+    #[schema(example = 100)]
+    pub batch_jobs: usize,
     /// Longest time \[s\] `POST /v1/solve` waits for its result.
     #[schema(example = 30)]
     pub solve_seconds: f64,

@@ -13,6 +13,7 @@
 //! [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies subscribers in this process
 //! that a job has changed; [`JobService`] is what the HTTP layer talks to.
 
+mod callback;
 mod clock;
 mod closed_form;
 mod deflate;
@@ -29,7 +30,9 @@ mod service;
 mod solver;
 mod state;
 mod store;
+mod trace;
 
+pub use callback::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore};
 pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
 pub use deflate::{DeflateError, Deflated, GzipStream};
@@ -53,3 +56,4 @@ pub use brinell_solver::job::{FieldError, JobError};
 pub use brinell_solver::report::JobEstimate;
 pub use brinell_solver::report::export::{Export, ExportError};
 pub use brinell_solver::solver::IterationRecord;
+pub use trace::{NotATrace, TraceParent};

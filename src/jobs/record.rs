@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bytes::Bytes;
 use jiff::Timestamp;
 
-use super::{IterationRecord, JobFailure, JobId, JobState, KeyId};
+use super::{IterationRecord, JobFailure, JobId, JobState, KeyId, TraceParent};
 
 /// A job on its way into the store. It has been checked: its text parses and its cost is allowed.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +31,10 @@ pub struct NewJob {
     /// Somebody waits for the answer on an open connection. The job survives the end of the process like any other,
     /// but is not synced to the disk before it is acknowledged ([`JobStore::sync`](super::JobStore::sync)).
     pub interactive: bool,
+    /// Where its end is announced.
+    pub callback_url: Option<String>,
+    /// The trace that its submission belongs to.
+    pub trace: Option<TraceParent>,
 }
 
 impl NewJob {
@@ -47,6 +51,8 @@ impl NewJob {
             submitter: None,
             idempotency: None,
             interactive: false,
+            callback_url: None,
+            trace: None,
         }
     }
 }
@@ -95,4 +101,6 @@ pub struct JobRecord {
     pub has_report: bool,
     /// Why it failed.
     pub failure: Option<JobFailure>,
+    /// Whether its end is announced.
+    pub has_callback: bool,
 }

@@ -14,9 +14,9 @@ use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ApiKey, Clock as _, ClosedForm, Counts, Deflated, Enqueued, Idempotency, IterationRecord, JobFilter,
-    JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
-    StoreError, Subscription, SystemClock, read_token,
+    ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, Idempotency,
+    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore,
+    NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -54,6 +54,10 @@ pub struct Submission {
     pub idempotency_key: Option<String>,
     /// The client waits for the answer.
     pub interactive: bool,
+    /// Where its end is to be announced.
+    pub callback_url: Option<String>,
+    /// The trace that it belongs to.
+    pub trace: Option<TraceParent>,
 }
 
 /// Why a job is not taken in.
@@ -106,6 +110,7 @@ pub struct JobService {
     notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
     keys: Arc<dyn KeyStore>,
+    deliveries: Arc<dyn DeliveryStore>,
     limits: SubmissionLimits,
     closed: AtomicBool,
     waits_end: CancellationToken,
@@ -129,6 +134,7 @@ impl JobService {
         notifier: Arc<JobNotifier>,
         solver: Arc<dyn JobSolver>,
         keys: Arc<dyn KeyStore>,
+        deliveries: Arc<dyn DeliveryStore>,
         limits: SubmissionLimits,
     ) -> Self {
         Self {
@@ -136,6 +142,7 @@ impl JobService {
             notifier,
             solver,
             keys,
+            deliveries,
             limits,
             closed: AtomicBool::new(false),
             waits_end: CancellationToken::new(),
@@ -245,6 +252,8 @@ impl JobService {
             submitter: submission.submitter,
             idempotency,
             interactive: submission.interactive,
+            callback_url: submission.callback_url,
+            trace: submission.trace,
         })
     }
 
@@ -327,6 +336,14 @@ impl JobService {
     /// [`StoreError`].
     pub async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
         self.store.fields(id, step).await
+    }
+
+    /// The announcement of a job's end, if it has one.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn callback(&self, id: JobId) -> Result<Option<Callback>, StoreError> {
+        self.deliveries.callback(id).await
     }
 
     /// Waits for the right to decode a large result; it ends when what is returned is dropped.

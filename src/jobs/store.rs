@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use super::{
     Deflated, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead, StepResult,
-    WorkerId,
+    TraceParent, WorkerId,
 };
 
 /// Keeps jobs, hands them out and remembers how they ended.
@@ -288,6 +288,8 @@ pub struct Claim {
     pub memory: u64,
     /// The job as it was submitted (JSON).
     pub request: Bytes,
+    /// The trace that its submission belongs to.
+    pub trace: Option<TraceParent>,
 }
 
 /// What a heartbeat learns.
@@ -402,6 +404,9 @@ pub enum Quota {
 }
 
 impl Quota {
+    /// Names of all quotas.
+    pub const NAMES: [&str; 3] = ["queued_jobs", "stored_bytes", "priority"];
+
     /// The name used in the wire format.
     pub const fn name(self) -> &'static str {
         match self {

@@ -11,12 +11,12 @@ mod postgres;
 mod sql;
 mod sqlite;
 
-/// Jobs and the API keys they come under.
-pub trait Store: crate::jobs::JobStore + crate::jobs::KeyStore {}
+use crate::jobs::{DeliveryStore, JobStore, KeyLimits, KeyStore};
 
-impl<T: crate::jobs::JobStore + crate::jobs::KeyStore> Store for T {}
+/// Jobs, the API keys they come under, and the announcements of their ends.
+pub trait Store: JobStore + KeyStore + DeliveryStore {}
 
-use crate::jobs::KeyLimits;
+impl<T: JobStore + KeyStore + DeliveryStore> Store for T {}
 
 /// Bounds of a store.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

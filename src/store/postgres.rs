@@ -31,6 +31,7 @@ const STEPS: &[Step] = &[
         sql: include_str!("../../migrations/postgres/0004_fair_share.sql"),
     },
     Step { version: 5, name: "quotas", sql: include_str!("../../migrations/postgres/0005_quotas.sql") },
+    Step { version: 6, name: "callbacks", sql: include_str!("../../migrations/postgres/0006_callbacks.sql") },
 ];
 
 /// Connections of one process.

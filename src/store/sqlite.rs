@@ -38,6 +38,7 @@ const STEPS: &[Step] = &[
     Step { version: 3, name: "results", sql: include_str!("../../migrations/sqlite/0003_results.sql") },
     Step { version: 4, name: "fair share", sql: include_str!("../../migrations/sqlite/0004_fair_share.sql") },
     Step { version: 5, name: "quotas", sql: include_str!("../../migrations/sqlite/0005_quotas.sql") },
+    Step { version: 6, name: "callbacks", sql: include_str!("../../migrations/sqlite/0006_callbacks.sql") },
 ];
 
 /// Name of the database in its directory.

@@ -7,6 +7,7 @@ use metrics_exporter_prometheus::{BuildError, Matcher, PrometheusBuilder, Promet
 
 use crate::http::{EVENT_STREAMS, REQUEST_DURATION};
 use crate::jobs::metrics as job_metrics;
+use crate::webhook::DELIVERIES;
 
 /// Upper bounds \[s\] of the buckets of durations: from a millisecond to ten minutes.
 const SECONDS: [f64; 16] =
@@ -70,5 +71,6 @@ fn describe() {
         Unit::Seconds,
         "Time from a request's head to its answer's, by route; waits that the client asked for included."
     );
+    describe_counter!(DELIVERIES, "Attempts to announce the end of a job, by outcome.");
     describe_gauge!(EVENT_STREAMS, "Event streams that are open.");
 }

@@ -1,6 +1,7 @@
 //! What the program tells of itself: its log, to standard error, for a person or as JSON lines; and its metrics.
 
 mod metrics;
+mod trace;
 
 use std::io::{self, IsTerminal};
 
@@ -8,6 +9,7 @@ use clap::{Args, ValueEnum};
 use tracing_subscriber::EnvFilter;
 
 pub use metrics::collect;
+pub use trace::adopt;
 
 /// Target of what is logged about changes: who did what.
 pub const AUDIT: &str = "brinell::audit";

@@ -184,7 +184,7 @@ mod tests {
 
     fn claim(memory: u64) -> Claim {
         let lease = Lease { job: JobId::generate(), owner: WorkerId::generate(), attempt: 1 };
-        Claim { lease, exclusive: false, beside: false, work: 1, memory, request: Bytes::new() }
+        Claim { lease, exclusive: false, beside: false, work: 1, memory, request: Bytes::new(), trace: None }
     }
 
     #[tokio::test]

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use tokio::sync::mpsc::{self, Receiver, UnboundedReceiver, unbounded_channel};
 use tokio::time::{Instant, sleep, sleep_until};
+use tracing::Instrument;
 
 use super::WorkerState;
 use super::attempt::attempt;
@@ -15,6 +16,7 @@ use crate::jobs::{
     Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, SHORT_WORK, StepResult,
     StoreError, metrics,
 };
+use crate::telemetry;
 
 /// Most messages taken at once.
 const BATCH: usize = 64;
@@ -69,6 +71,13 @@ fn wait_of(record: &JobRecord) -> Option<Duration> {
 impl WorkerState {
     /// Sees one job through.
     pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot) {
+        let trace_id = claim.trace.map(|trace| trace.trace());
+        let span = tracing::info_span!("attempt", trace_id);
+        telemetry::adopt(&span, claim.trace);
+        self.see_through(claim, slot).instrument(span).await;
+    }
+
+    async fn see_through(self: Arc<Self>, claim: Claim, slot: Slot) {
         let lease = claim.lease;
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();

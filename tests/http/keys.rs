@@ -105,8 +105,10 @@ fn a_key_has_quotas_and_an_end() {
     let token = guarded.key(&["create", "press", "--max-queued", "0", "--max-priority", "3"]);
     let problem = guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
     assert_eq!(problem["detail"], "this API key may have 0 jobs waiting, and has them");
+    assert_eq!(problem["quota"], "queued_jobs");
     let problem = guarded.post(&token, "/v1/jobs?priority=4").problem(429, "quota-exceeded");
     assert_eq!(problem["detail"], "jobs of this API key may have priority 3 at most");
+    assert_eq!(problem["quota"], "priority");
     let listed = guarded.key(&["list"]);
     assert!(listed.ends_with("press, queued <= 0, priority <= 3"), "{listed}");
     let id = listed.split(' ').next().unwrap();

@@ -1,6 +1,7 @@
 //! The service as its clients see it: the real binary, asked by the real `curl`.
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on says where")]
 
+mod audit;
 mod bad_input;
 mod batch;
 mod curl;
@@ -24,4 +25,7 @@ mod shutdown;
 mod solvers;
 mod storage;
 mod submission;
+mod tls;
+mod traces;
 mod troubled;
+mod webhooks;

@@ -4,6 +4,7 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod damage;
+mod deliveries;
 mod durable;
 mod fair_share;
 mod in_memory;
@@ -64,6 +65,12 @@ macro_rules! contract {
             names a_name_is_free_again_with_its_job;
             names a_refused_job_does_not_take_its_name;
             names the_same_name_at_the_same_instant_is_one_job;
+            deliveries an_announcement_is_due_with_the_end_of_its_job;
+            deliveries the_end_of_a_lost_job_is_announced;
+            deliveries an_attempt_is_made_again_until_its_end_is_told;
+            deliveries what_is_given_up_is_not_due_again;
+            deliveries many_at_once_never_get_the_same_announcement;
+            deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
         }
     };

@@ -15,6 +15,7 @@ use crate::http::problem::Problem;
 use crate::http::problem_type::ProblemType;
 use crate::http::query::MAX_PRIORITY;
 use crate::jobs::JobId;
+use crate::webhook::CallbackRules;
 
 /// Most faults that are told of one request.
 const MAX_FAULTS: usize = 100;
@@ -41,6 +42,9 @@ pub(in crate::http) struct BatchedJob {
     /// As the header `Idempotency-Key`, for this job alone; goes before the header.
     #[schema(pattern = "^[!-~]{1,255}$", example = "press-7")]
     idempotency_key: Option<String>,
+    /// As `?callback_url=`: where to announce the end of the job.
+    #[schema(max_length = 2000, example = "https://hooks.example/brinell")]
+    callback_url: Option<String>,
 }
 
 /// Jobs that exist.
@@ -59,6 +63,7 @@ pub(in crate::http) struct ReadJob {
     pub(in crate::http) job: Bytes,
     pub(in crate::http) priority: i16,
     pub(in crate::http) idempotency_key: Option<String>,
+    pub(in crate::http) callback_url: Option<String>,
 }
 
 /// Collects what is wrong with a request.
@@ -156,7 +161,7 @@ fn text(body: &[u8]) -> Result<&str, Problem> {
 ///
 /// # Errors
 /// A problem with every member at fault.
-pub(in crate::http) fn read_jobs(body: &[u8]) -> Result<Vec<ReadJob>, Problem> {
+pub(in crate::http) fn read_jobs(body: &[u8], callbacks: &CallbackRules) -> Result<Vec<ReadJob>, Problem> {
     let mut faults = Faults::default();
     let items = faults.list(text(body)?, "jobs");
     let mut jobs = Vec::with_capacity(items.len());
@@ -165,7 +170,9 @@ pub(in crate::http) fn read_jobs(body: &[u8]) -> Result<Vec<ReadJob>, Problem> {
         let mut job = None;
         let mut read = ReadJob::default();
         let count = faults.0.len();
-        for (name, value) in faults.members(&pointer, item.get(), &["job", "priority", "idempotency_key"]) {
+        for (name, value) in
+            faults.members(&pointer, item.get(), &["job", "priority", "idempotency_key", "callback_url"])
+        {
             let place = format!("{pointer}/{name}");
             match name.as_str() {
                 "priority" => {
@@ -177,6 +184,13 @@ pub(in crate::http) fn read_jobs(body: &[u8]) -> Result<Vec<ReadJob>, Problem> {
                     let expected = "1 to 255 visible ASCII characters without spaces";
                     let is_key = |key: &String| is_idempotency_key(key);
                     read.idempotency_key = faults.value(place, value, expected, is_key);
+                }
+                "callback_url" => {
+                    read.callback_url = faults.value(place.clone(), value, "a text", |_: &String| true);
+                    let checked = read.callback_url.as_deref().map(|url| callbacks.check(url));
+                    if let Some(Err(detail)) = checked {
+                        faults.add(place, FaultCode::OutOfRange, detail);
+                    }
                 }
                 _ => job = Some(Bytes::copy_from_slice(value.get().as_bytes())),
             }
@@ -221,6 +235,7 @@ mod tests {
     fn jobs_keep_their_own_text() {
         let jobs = read_jobs(
             br#"{"jobs": [{"job": {"a" : 1.0e0}, "priority": -3}, {"idempotency_key": "x", "job": 7}]}"#,
+            &CallbackRules::default(),
         );
         let jobs = jobs.unwrap();
         assert_eq!((jobs[0].job.as_ref(), jobs[0].priority), (&br#"{"a" : 1.0e0}"#[..], -3));
@@ -232,7 +247,7 @@ mod tests {
         let body =
             br#"{"jobs": [{"job": {}, "priority": 101}, 3, {"prio": 1}, {"job": null}, {"job": 1, "job": 2,
             "idempotency_key": "two words", "priority": "high"}], "more": 1}"#;
-        let found = faults(read_jobs(body).unwrap_err());
+        let found = faults(read_jobs(body, &CallbackRules::default()).unwrap_err());
         let expected = [
             ("#/more", "unknown_key"),
             ("#/jobs/0/priority", "out_of_range"),

@@ -15,7 +15,7 @@ use utoipa::openapi::schema::Schema;
 use utoipa::openapi::{Ref, RefOr};
 
 use super::problem_type::ProblemType;
-use crate::jobs::JobState;
+use crate::jobs::{JobState, Quota};
 use brinell_solver::job::FaultCode;
 use brinell_solver::job::fields::words;
 use brinell_solver::job::schema::schemas as schema_of_jobs;
@@ -72,6 +72,7 @@ pub fn document() -> Value {
     let kinds: Vec<_> = ProblemType::ALL.iter().map(|kind| kind.uri()).collect();
     let kinds: Vec<_> = kinds.iter().map(String::as_str).collect();
     schemas["Problem"]["properties"]["type"] = open_set(PROBLEM_TYPES, &kinds);
+    schemas["Problem"]["properties"]["quota"] = open_set(QUOTAS, &Quota::NAMES);
     schemas["Fault"]["properties"]["code"] = open_set(FAULT_CODES, &words::<FaultCode>());
     schemas["ValidityNote"]["properties"]["code"] = open_set(VALIDITY_CODES, report::VALIDITY_CODES);
     for (name, schema) in schema_of_jobs(BASE) {
@@ -181,4 +182,5 @@ const SOLVE_STATUS: &str = "How a solve ended. Converged means that displacement
 const VALIDITY_CODES: &str = "Stable identifier.";
 const PROBLEM_TYPES: &str =
     "The kind of error: a relative address that this service answers with an explanation.";
+const QUOTAS: &str = "Which quota of the API key is used up (`quota-exceeded`).";
 const FAULT_CODES: &str = "The kind of fault, for programs.";

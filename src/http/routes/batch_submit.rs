@@ -7,6 +7,7 @@ use crate::http::access::Caller;
 use crate::http::batch::{BatchAnswer, BatchItem, BatchOfJobs, read_jobs};
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
+use crate::http::request_log::Trace;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
 use crate::jobs::Submission;
@@ -31,13 +32,14 @@ use crate::jobs::Submission;
 pub(in crate::http) async fn batch_submit(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
+    Trace(trace): Trace,
     prefix: Prefix,
     caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Json<BatchAnswer>, Problem> {
     let mut items = Vec::new();
     let mut submissions = Vec::new();
-    for (place, read) in read_jobs(&text)?.into_iter().enumerate() {
+    for (place, read) in read_jobs(&text, &state.callbacks)?.into_iter().enumerate() {
         let refused = state.rates.take(caller.key()).err();
         let is_refused = refused.is_some();
         items.push(refused.map(|problem| BatchItem::refused(None, problem)));
@@ -52,6 +54,8 @@ pub(in crate::http) async fn batch_submit(
             submitter: caller.key(),
             idempotency_key: read.idempotency_key.or_else(derived),
             interactive: false,
+            callback_url: read.callback_url,
+            trace,
         });
     }
     let mut taken = state.jobs.submit_all(submissions).await?.into_iter();

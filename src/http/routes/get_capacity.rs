@@ -3,6 +3,7 @@
 use axum::Json;
 use axum::extract::State;
 
+use crate::http::batch::MAX_JOBS;
 use crate::http::wire::{CapacityDocument, Limits, Queue};
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobState;
@@ -30,6 +31,8 @@ pub(in crate::http) async fn get_capacity(
         limits: Limits {
             body_bytes: settings.max_body_bytes,
             job_memory_bytes: state.jobs.limits().job_bytes,
+            result_bytes: state.jobs.limits().result_bytes,
+            batch_jobs: MAX_JOBS,
             solve_seconds: settings.solve_limit.as_secs_f64(),
             wait_seconds: settings.wait_limit.as_secs_f64(),
             job_seconds: capacity.job_seconds,

@@ -11,7 +11,8 @@ use super::answer::{apply_preference, finished, mark_replayed, submitted};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
-use crate::http::query::{PriorityQuery, SubmitQuery, WaitQuery};
+use crate::http::query::{SubmitParameters, SubmitQuery, WaitQuery};
+use crate::http::request_log::Trace;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
 use crate::jobs::Submission;
@@ -23,7 +24,7 @@ use crate::jobs::Submission;
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs",
     params(
-        PriorityQuery,
+        SubmitParameters,
         WaitQuery,
         ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
             What is not understood is ignored.", example = "wait=10"),
@@ -51,18 +52,27 @@ use crate::jobs::Submission;
         "shutting-down", "no-result", "solve-failed"
     ]))),
 )]
+#[expect(clippy::too_many_arguments, reason = "each is taken out of the request by its type")]
 pub(in crate::http) async fn post_job(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
-    SubmitQuery { priority, wait }: SubmitQuery,
+    SubmitQuery { priority, wait, callback_url }: SubmitQuery,
+    Trace(trace): Trace,
     prefix: Prefix,
     caller: Caller,
     headers: HeaderMap,
     JobBody(request): JobBody,
 ) -> Result<Response, Problem> {
     state.rates.take(caller.key())?;
-    let submission =
-        Submission { request, priority, submitter: caller.key(), idempotency_key, interactive: false };
+    let submission = Submission {
+        request,
+        priority,
+        submitter: caller.key(),
+        idempotency_key,
+        interactive: false,
+        callback_url,
+        trace,
+    };
     let enqueued = state.jobs.submit(submission).await?;
     let answer = if let Some(wait) = wait {
         let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;

@@ -21,6 +21,7 @@ use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
 use crate::http::query::{Wait, WaitQuery};
+use crate::http::request_log::Trace;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
 use crate::jobs::{JobId, JobService, KeyId, Submission};
@@ -62,10 +63,12 @@ const URGENT: i16 = 1;
         "invalid-header", "invalid-job", "job-too-large", "idempotency-key-reused", "queue-full", "quota-exceeded", "too-many-jobs", "insufficient-storage", "shutting-down", "no-result", "solve-failed"
     ]))),
 )]
+#[expect(clippy::too_many_arguments, reason = "each is taken out of the request by its type")]
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
     Wait(wait): Wait,
+    Trace(trace): Trace,
     prefix: Prefix,
     caller: Caller,
     headers: HeaderMap,
@@ -80,6 +83,8 @@ pub(in crate::http) async fn post_solve(
         submitter: caller.key(),
         interactive: true,
         idempotency_key,
+        callback_url: None,
+        trace,
     };
     let enqueued = state.jobs.submit(submission).await?;
     let id = enqueued.job.id;

@@ -8,6 +8,7 @@ use sqlx::Database;
 use sqlx::pool::PoolConnection;
 
 use super::claiming::Claiming;
+use super::deliveries::Deliveries;
 use super::intake::Intake;
 use super::keys::Keys;
 use super::leasing::Leasing;
@@ -15,9 +16,12 @@ use super::reading::Reading;
 use crate::jobs::{JobId, JobNotifier, StoreError};
 
 /// All statements that a connection executes.
-pub(in crate::store) trait Statements: Reading + Intake + Claiming + Leasing + Keys {}
+pub(in crate::store) trait Statements:
+    Reading + Intake + Claiming + Leasing + Keys + Deliveries
+{
+}
 
-impl<T: Reading + Intake + Claiming + Leasing + Keys> Statements for T {}
+impl<T: Reading + Intake + Claiming + Leasing + Keys + Deliveries> Statements for T {}
 
 /// A database with jobs in it.
 #[async_trait]

@@ -54,7 +54,8 @@ const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_u
          losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,
          steps = 0, stored_bytes = 0
      WHERE id = $1 RETURNING attempts";
-const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
+const REQUEST: &str =
+    "SELECT r.body, j.traceparent FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
@@ -223,8 +224,8 @@ macro_rules! claiming {
                         sqlx::query::<$database>(forget).bind(id).execute(&mut *self).await?;
                     }
                 }
-                let text = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id);
-                let text = text.fetch_optional(&mut *self).await?;
+                let text = sqlx::query_as::<$database, (Option<Vec<u8>>, Option<String>)>(REQUEST).bind(id);
+                let (text, trace) = text.fetch_one(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
                 Ok(Claim {
                     lease,
@@ -233,6 +234,7 @@ macro_rules! claiming {
                     work: count(work)?,
                     memory: count(memory)?,
                     request: readable_text(JobId::from(id), text),
+                    trace: trace.and_then(|text| text.parse().ok()),
                 })
             }
         }

@@ -33,7 +33,8 @@ pub(super) fn damaged(what: impl ToString) -> StoreError {
 macro_rules! job_columns {
     () => {
         "j.id, j.state, j.tags, j.priority, j.submitter, j.created_at, j.started_at, j.finished_at, j.attempts, \
-         j.cancel_requested, j.iterations, j.latest, j.has_report, j.failure"
+         j.cancel_requested, j.iterations, j.latest, j.has_report, j.failure, \
+         EXISTS (SELECT 1 FROM deliveries d WHERE d.job = j.id)"
     };
 }
 pub(super) use job_columns;
@@ -54,12 +55,13 @@ pub(super) type JobRow = (
     Option<String>,
     bool,
     Option<String>,
+    bool,
     Option<i64>,
 );
 
 pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
     let (id, state, tags, priority, submitter, created, started, finished, attempts, cancel, ..) = row;
-    let (.., iterations, latest, has_report, failure, place) = row;
+    let (.., iterations, latest, has_report, failure, has_callback, place) = row;
     Ok(JobRecord {
         id: JobId::from(id),
         state: state_named(&state)?,
@@ -76,6 +78,7 @@ pub(super) fn job_record(row: JobRow) -> Result<JobRecord, StoreError> {
         latest: latest.as_deref().map(from_json::<IterationRecord>).transpose()?,
         has_report,
         failure: failure.as_deref().map(from_json::<StoredFailure>).transpose()?.map(JobFailure::from),
+        has_callback,
     })
 }
 

@@ -6,6 +6,7 @@ use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::codec::{count, pack, to_json};
+use super::deliveries::Deliveries;
 use super::keys::Keys;
 use super::reading::Reading;
 use crate::jobs::{
@@ -18,9 +19,9 @@ const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, 
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
 const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, short, reserved_bytes, flow)
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, short, reserved_bytes, flow, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9,
-         (SELECT id FROM flows WHERE submitter = $10 AND interactive = $11))";
+         (SELECT id FROM flows WHERE submitter = $10 AND interactive = $11), $12)";
 const FLOW: &str = "INSERT INTO flows (submitter, interactive) VALUES ($1, $2) ON CONFLICT DO NOTHING";
 const QUEUED_BY: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'
      AND flow IN (SELECT id FROM flows WHERE submitter = $1)";
@@ -67,7 +68,7 @@ impl Savepoint {
 }
 
 /// Changes from outside.
-pub(in crate::store) trait Intake: Reading + Keys {
+pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     fn enqueue(
         &mut self,
         job: NewJob,
@@ -149,11 +150,15 @@ macro_rules! intake {
                     .bind(i64::try_from(job.result_bytes).unwrap_or(i64::MAX))
                     .bind(owner)
                     .bind(job.interactive)
+                    .bind(job.trace.map(|trace| trace.to_string()))
                     .execute(&mut *self)
                     .await?;
                 let request = sqlx::query::<$database>(REQUEST).bind(job.id.uuid()).bind(pack(&job.request)?);
                 request.execute(&mut *self).await?;
                 self.label(job.id, job.tags).await?;
+                if let Some(url) = job.callback_url {
+                    self.add_callback(job.id, url).await?;
+                }
                 Ok(Enqueued { job: self.find(job.id).await?, replayed: false })
             }
 

@@ -6,6 +6,7 @@
 mod backend;
 mod claiming;
 mod codec;
+mod deliveries;
 mod intake;
 mod key_store;
 mod keys;
@@ -30,6 +31,7 @@ use crate::jobs::{
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
 use claiming::Claiming;
+use deliveries::Deliveries;
 use intake::{Intake, Savepoint};
 use leasing::Leasing;
 use reading::Reading;
@@ -82,13 +84,19 @@ impl<B: Backend> SqlStore<B> {
         Ok(())
     }
 
-    /// Commits a transaction and announces what it changed.
+    /// Commits a transaction and announces what it changed. Jobs that have ended are announced to their receivers from here on:
+    /// every end passes here.
     async fn commit(
         &self,
         mut transaction: B::Write,
         durability: Durability,
         changes: &[Change],
     ) -> Result<(), StoreError> {
+        for change in changes {
+            if let Change::Finished(id) = change {
+                transaction.schedule_delivery(*id).await?;
+            }
+        }
         self.backend.notify(&mut transaction, changes).await?;
         transaction.commit().await?;
         if durability == Synced {

@@ -77,3 +77,23 @@ service.test(
   },
   { own: ['--require-api-key'], amiss: true },
 );
+
+for (const [size, options] of /** @type {const} */ ([
+  ['wide', WIDE],
+  ['phone', PHONE],
+]))
+  for (const colorScheme of /** @type {const} */ (['light', 'dark']))
+    service.test(
+      `the page about the interface, ${size}, ${colorScheme}`,
+      async (page) => {
+        await page.goto(new URL('docs', page.url()).href);
+        await page.waitForFunction((colours) => document.documentElement.dataset.colours === colours, colorScheme);
+        await page.locator('details summary').first().click();
+        assert.deepEqual(await violations(page, 'interface'), []);
+        // An example, by the keyboard.
+        await page.locator('#post_job summary').first().focus();
+        await page.keyboard.press('Enter');
+        assert.ok(await page.locator('#post_job pre').first().isVisible());
+      },
+      { ...options, colorScheme },
+    );

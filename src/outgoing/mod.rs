@@ -1,0 +1,256 @@
+//! Requests that the service makes itself: one POST, one connection, to an address that has been checked.
+//!
+//! A name is resolved once, every address that it has is checked, and the connection is made to one of these: a name that
+//! points elsewhere a moment later (DNS rebinding) leads nowhere else. Redirects are not followed, no proxy is asked, and of the
+//! answer only the status is read.
+
+mod address;
+
+use std::io;
+use std::net::{IpAddr, SocketAddr};
+use std::path::Path;
+use std::pin::pin;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::http::{HeaderMap, Uri};
+use bytes::Bytes;
+use http_body_util::Full;
+use hyper::client::conn::http1;
+use hyper::header::HOST;
+use hyper::{Method, Request, StatusCode};
+use hyper_util::rt::TokioIo;
+use rustls::pki_types::pem::PemObject;
+use rustls::pki_types::{CertificateDer, ServerName};
+use rustls::{ClientConfig, RootCertStore};
+use thiserror::Error;
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::net::{TcpStream, lookup_host};
+use tokio::time::timeout;
+use tokio_rustls::TlsConnector;
+
+pub use address::is_public;
+
+/// Longest address.
+const MAX_URL: usize = 2000;
+
+/// Longest time a connection to one of several addresses may take.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+
+/// Most bytes of the head of an answer.
+const HEAD_BYTES: usize = 16 << 10;
+
+/// Where a request goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Destination {
+    /// By TLS.
+    pub is_secure: bool,
+    /// Name or address, in lower case; an IPv6 address without brackets.
+    pub host: String,
+    /// Port.
+    pub port: u16,
+    /// Path and query.
+    pub path: String,
+    /// Host and port as in the `Host` header.
+    authority: String,
+}
+
+/// Why a text is no address to send requests to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("must be https://host/path, or http://, of at most {MAX_URL} characters and without a user name")]
+pub struct NotADestination;
+
+impl FromStr for Destination {
+    type Err = NotADestination;
+
+    fn from_str(text: &str) -> Result<Self, NotADestination> {
+        let uri: Uri = text.parse().map_err(|_| NotADestination)?;
+        let is_secure = match uri.scheme_str() {
+            Some("https") => true,
+            Some("http") => false,
+            _ => return Err(NotADestination),
+        };
+        let authority = uri.authority().ok_or(NotADestination)?;
+        let host = authority.host().to_ascii_lowercase();
+        let host = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(&host);
+        let is_plain = !authority.as_str().contains('@') && !text.contains('#');
+        let has_wrong_port = authority.port_u16().is_none() && authority.as_str() != authority.host();
+        if host.is_empty() || text.len() > MAX_URL || !is_plain || has_wrong_port {
+            return Err(NotADestination);
+        }
+        Ok(Self {
+            is_secure,
+            port: authority.port_u16().unwrap_or(if is_secure { 443 } else { 80 }),
+            path: uri.path_and_query().map_or_else(|| "/".to_owned(), ToString::to_string),
+            authority: authority.as_str().to_ascii_lowercase(),
+            host: host.to_owned(),
+        })
+    }
+}
+
+/// Why a request had no answer.
+#[derive(Debug, Error)]
+pub enum OutgoingError {
+    /// The name has no address.
+    #[error("the name of the host cannot be resolved")]
+    Resolve(#[source] io::Error),
+    /// It has an address that is not to be asked.
+    #[error("the host has an address that is not public")]
+    NotPublic,
+    /// Nobody answers there.
+    #[error("no connection: {0}")]
+    Connect(#[source] io::Error),
+    /// The host is not who it should be.
+    #[error("no secure connection: {0}")]
+    Tls(#[source] io::Error),
+    /// What came back is no HTTP.
+    #[error("no answer: {0}")]
+    Http(#[from] hyper::Error),
+    /// The request cannot be written.
+    #[error("no request: {0}")]
+    Request(#[from] axum::http::Error),
+}
+
+/// Why there is no client.
+#[derive(Debug, Error)]
+#[error("certificates of {path}: {reason}")]
+pub struct RootsError {
+    path: String,
+    reason: String,
+}
+
+/// Makes requests.
+#[derive(Clone)]
+pub struct Client {
+    tls: TlsConnector,
+    allow_private: bool,
+}
+
+impl Client {
+    /// A client that trusts the usual authorities and those in a file (PEM), and asks addresses that are not public if so
+    /// allowed.
+    ///
+    /// # Errors
+    /// [`RootsError`] where the file cannot be used.
+    pub fn new(allow_private: bool, authorities: Option<&Path>) -> Result<Self, RootsError> {
+        let mut roots = RootCertStore::empty();
+        roots.extend(webpki_roots::TLS_SERVER_ROOTS.iter().cloned());
+        if let Some(path) = authorities {
+            let failed = |reason: String| RootsError { path: path.display().to_string(), reason };
+            let certificates =
+                CertificateDer::pem_file_iter(path).map_err(|error| failed(error.to_string()))?;
+            for certificate in certificates {
+                let certificate = certificate.map_err(|error| failed(error.to_string()))?;
+                roots.add(certificate).map_err(|error| failed(error.to_string()))?;
+            }
+        }
+        let config = ClientConfig::builder_with_provider(Arc::new(rustls::crypto::ring::default_provider()));
+        let config = config.with_safe_default_protocol_versions();
+        let config =
+            config.map_err(|error| RootsError { path: "TLS".to_owned(), reason: error.to_string() })?;
+        let config = config.with_root_certificates(roots).with_no_client_auth();
+        Ok(Self { tls: TlsConnector::from(Arc::new(config)), allow_private })
+    }
+
+    /// POSTs a body and says how it was answered.
+    ///
+    /// # Errors
+    /// [`OutgoingError`].
+    pub async fn post(
+        &self,
+        to: &Destination,
+        headers: HeaderMap,
+        body: Bytes,
+    ) -> Result<StatusCode, OutgoingError> {
+        let mut request = Request::builder().method(Method::POST).uri(&to.path).header(HOST, &to.authority);
+        if let Some(own) = request.headers_mut() {
+            own.extend(headers);
+        }
+        let request = request.body(Full::new(body))?;
+        let stream = self.connect(to).await?;
+        if !to.is_secure {
+            return exchange(stream, request).await;
+        }
+        let name = ServerName::try_from(to.host.clone())
+            .map_err(|error| OutgoingError::Tls(io::Error::other(error)))?;
+        exchange(self.tls.connect(name, stream).await.map_err(OutgoingError::Tls)?, request).await
+    }
+
+    /// A connection to one of the addresses of a host, all of which have been checked.
+    async fn connect(&self, to: &Destination) -> Result<TcpStream, OutgoingError> {
+        let found = lookup_host((to.host.as_str(), to.port)).await.map_err(OutgoingError::Resolve)?;
+        let addresses: Vec<SocketAddr> = found.collect();
+        if !addresses.iter().all(|address| self.may_ask(address.ip())) {
+            return Err(OutgoingError::NotPublic);
+        }
+        let mut failed = io::Error::from(io::ErrorKind::NotFound);
+        for address in addresses {
+            match timeout(CONNECT_TIMEOUT, TcpStream::connect(address)).await {
+                Ok(Ok(stream)) => return Ok(stream),
+                Ok(Err(error)) => failed = error,
+                Err(_) => failed = io::ErrorKind::TimedOut.into(),
+            }
+        }
+        Err(OutgoingError::Connect(failed))
+    }
+
+    /// Whether an address is to be asked.
+    pub fn may_ask(&self, address: IpAddr) -> bool {
+        self.allow_private || is_public(address)
+    }
+}
+
+/// One request and the status of its answer.
+async fn exchange(
+    stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
+    request: Request<Full<Bytes>>,
+) -> Result<StatusCode, OutgoingError> {
+    let mut builder = http1::Builder::new();
+    builder.max_buf_size(HEAD_BYTES);
+    let (mut sender, connection) = builder.handshake(TokioIo::new(stream)).await?;
+    // Both are dropped with the answer, which nobody reads further.
+    let mut answer = pin!(sender.send_request(request));
+    tokio::select! {
+        response = &mut answer => return Ok(response?.status()),
+        _ = connection => {}
+    }
+    // The receiver has closed the connection, perhaps behind its answer.
+    Ok(answer.await?.status())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn destinations_are_addresses_of_the_web_and_nothing_else() {
+        let read = |text: &str| text.parse::<Destination>();
+        let plain = read("https://Hooks.example/press?x=1").unwrap();
+        assert_eq!(
+            (plain.host.as_str(), plain.port, plain.path.as_str()),
+            ("hooks.example", 443, "/press?x=1")
+        );
+        let local = read("http://[::1]:8080").unwrap();
+        assert_eq!((local.is_secure, local.host.as_str(), local.port), (false, "::1", 8080));
+        assert_eq!((local.path.as_str(), local.authority.as_str()), ("/", "[::1]:8080"));
+        for text in [
+            "",
+            "hooks.example",
+            "/press",
+            "ftp://hooks.example/",
+            "file:///etc/passwd",
+            "https://",
+            "https:///press",
+            "https://user@hooks.example/",
+            "https://hooks.example:/",
+            "https://hooks.example:99999/",
+            "https://hooks.example/#part",
+            "https://hooks.example/ x",
+            "https://hooks.example\r\nX: y/",
+            &format!("https://hooks.example/{}", "x".repeat(MAX_URL)),
+        ] {
+            assert_eq!(read(text), Err(NotADestination), "{text}");
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Tells receivers that jobs have ended (webhooks).
+//!
+//! What is to be told is in the store, beside its job, from its submission on; it becomes due in the same step that ends the job.
+//! An attempt is claimed for a time: one whose process dies is made again, so that every announcement is delivered at least
+//! once, with the same id. Attempts that fail are repeated with growing pauses for about a day.
+
+mod notice;
+mod rules;
+mod signature;
+
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
+use metrics::counter;
+use tokio::task::JoinSet;
+use tokio::time::{sleep, timeout};
+use tracing::Instrument;
+use uuid::Uuid;
+
+use crate::jobs::{Clock, Delivery, DeliveryEnd, DeliveryStore, JobStore, StoreError, SystemClock};
+use crate::outgoing::Client;
+use notice::Notice;
+pub use rules::CallbackRules;
+pub use signature::WebhookSecret;
+use signature::signatures;
+
+/// Attempts by outcome.
+pub const DELIVERIES: &str = "brinell_webhook_deliveries_total";
+
+/// Attempts at the same time, and to one host.
+const AT_ONCE: usize = 32;
+const AT_ONCE_TO_ONE_HOST: usize = 4;
+
+/// Longest time of an attempt, and how long it is waited for until it is made again.
+const ATTEMPT: Duration = Duration::from_secs(15);
+const LEASE: Duration = Duration::from_mins(1);
+
+/// Time between two looks for what is due.
+const POLL: Duration = Duration::from_secs(1);
+
+/// Pauses behind the attempts, in units of the first one; there is one more attempt than pauses.
+const PAUSES: [u32; 8] = [1, 6, 24, 120, 720, 2160, 5760, 8640];
+
+/// Longest text about an attempt that failed.
+const ERROR: usize = 200;
+
+/// What is needed to announce ends of jobs.
+pub struct Announcer {
+    /// Jobs.
+    pub jobs: Arc<dyn JobStore>,
+    /// What is to be announced.
+    pub deliveries: Arc<dyn DeliveryStore>,
+    /// Who is called.
+    pub rules: Arc<CallbackRules>,
+    /// How.
+    pub client: Client,
+    /// What announcements are signed with.
+    pub secrets: Vec<WebhookSecret>,
+    /// Pause behind the first attempt.
+    pub pause: Duration,
+}
+
+impl Announcer {
+    /// Delivers what is due, for ever.
+    pub async fn run(self: Arc<Self>) {
+        let mut attempts: JoinSet<String> = JoinSet::new();
+        let mut by_host: HashMap<String, usize> = HashMap::new();
+        loop {
+            while let Some(ended) = attempts.try_join_next() {
+                forget(&mut by_host, ended.ok());
+            }
+            let free = AT_ONCE.saturating_sub(attempts.len());
+            let due =
+                if free == 0 { Ok(Vec::new()) } else { self.deliveries.claim_deliveries(free, LEASE).await };
+            let due = due.unwrap_or_else(|error| {
+                tracing::warn!(error = &error as &dyn std::error::Error, "cannot look for announcements");
+                Vec::new()
+            });
+            let is_idle = due.is_empty();
+            for delivery in due {
+                let host = self.rules.check(&delivery.url).map(|to| to.host).unwrap_or_default();
+                let count = by_host.entry(host.clone()).or_insert(0);
+                if *count >= AT_ONCE_TO_ONE_HOST {
+                    self.end(&delivery, DeliveryEnd::Postponed { retry: POLL }).await;
+                    continue;
+                }
+                *count += 1;
+                let announcer = Arc::clone(&self);
+                attempts.spawn(async move {
+                    announcer.deliver(&delivery).await;
+                    host
+                });
+            }
+            if is_idle {
+                tokio::select! {
+                    () = sleep(POLL) => {}
+                    Some(ended) = attempts.join_next() => forget(&mut by_host, ended.ok()),
+                }
+            }
+        }
+    }
+
+    async fn deliver(&self, delivery: &Delivery) {
+        let trace = delivery.trace.map(|trace| trace.trace());
+        let span =
+            tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = trace);
+        let end = self.attempt(delivery).instrument(span.clone()).await;
+        let outcome = match &end {
+            DeliveryEnd::Delivered { .. } => "delivered",
+            DeliveryEnd::Failed { retry: Some(_), .. } => "retried",
+            DeliveryEnd::Failed { retry: None, .. } => "given_up",
+            DeliveryEnd::Postponed { .. } => "postponed",
+        };
+        counter!(DELIVERIES, "outcome" => outcome).increment(1);
+        tracing::info!(parent: &span, attempt = delivery.attempt, outcome, ?end, "announced");
+        self.end(delivery, end).instrument(span).await;
+    }
+
+    async fn end(&self, delivery: &Delivery, end: DeliveryEnd) {
+        if let Err(error) = self.deliveries.end_delivery(delivery, end).await {
+            let error = &error as &dyn std::error::Error;
+            tracing::warn!(job = %delivery.job, error, "the end of an attempt was not written; it will be made again");
+        }
+    }
+
+    async fn attempt(&self, delivery: &Delivery) -> DeliveryEnd {
+        let failed = |status: Option<u16>, error: String| {
+            let error = error.chars().take(ERROR).collect();
+            DeliveryEnd::Failed { status, error, retry: pause_behind(delivery.attempt, self.pause) }
+        };
+        let to = match self.rules.check(&delivery.url) {
+            Ok(to) => to,
+            Err(detail) => return failed(None, format!("the address {detail}")),
+        };
+        let record = match self.jobs.get(delivery.job).await {
+            Ok(record) => record,
+            // With its job the announcement is gone too.
+            Err(StoreError::NotFound) => return failed(None, "the job was removed".to_owned()),
+            Err(_) => return DeliveryEnd::Postponed { retry: POLL },
+        };
+        let Ok(body) = serde_json::to_vec(&Notice::of(record)) else {
+            return failed(None, "the announcement cannot be written".to_owned());
+        };
+        let headers = self.headers(delivery, &body);
+        match timeout(ATTEMPT, self.client.post(&to, headers, body.into())).await {
+            Ok(Ok(status)) if status.is_success() => DeliveryEnd::Delivered { status: status.as_u16() },
+            Ok(Ok(StatusCode::GONE)) => {
+                let error = "the receiver wants no more".to_owned();
+                DeliveryEnd::Failed { status: Some(StatusCode::GONE.as_u16()), error, retry: None }
+            }
+            Ok(Ok(status)) => failed(Some(status.as_u16()), format!("the receiver answered {status}")),
+            Ok(Err(error)) => failed(None, error.to_string()),
+            Err(_) => failed(None, format!("no answer within {} s", ATTEMPT.as_secs())),
+        }
+    }
+
+    fn headers(&self, delivery: &Delivery, body: &[u8]) -> HeaderMap {
+        let id = delivery.id.to_string();
+        let timestamp = SystemClock.now().as_second();
+        let signature = signatures(&self.secrets, &id, timestamp, body);
+        let lines = [
+            ("content-type", "application/json".to_owned()),
+            ("user-agent", concat!("brinell/", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("webhook-id", id),
+            ("webhook-timestamp", timestamp.to_string()),
+            ("webhook-signature", signature),
+        ];
+        let trace = delivery.trace.map(|trace| ("traceparent", trace.child().to_string()));
+        let line = |(name, value): (&'static str, String)| {
+            Some((HeaderName::from_static(name), HeaderValue::try_from(value).ok()?))
+        };
+        lines.into_iter().chain(trace).filter_map(line).collect()
+    }
+}
+
+/// An attempt to a host has ended.
+fn forget(by_host: &mut HashMap<String, usize>, host: Option<String>) {
+    let Some(host) = host else { return };
+    if let Some(count) = by_host.get_mut(&host) {
+        *count = count.saturating_sub(1);
+        if *count == 0 {
+            by_host.remove(&host);
+        }
+    }
+}
+
+/// The pause behind an attempt, counted from 1, up to a fifth longer so that not all come back at once; `None` behind the last.
+fn pause_behind(attempt: u32, first: Duration) -> Option<Duration> {
+    let index = usize::try_from(attempt.max(1) - 1).ok()?;
+    let pause = first * *PAUSES.get(index)?;
+    let random = u32::from(Uuid::new_v4().as_bytes()[0]);
+    Some(pause + pause * random / (5 * 256))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pauses_grow_and_end() {
+        let first = Duration::from_secs(5);
+        let pauses: Vec<Duration> = (1..).map_while(|attempt| pause_behind(attempt, first)).collect();
+        assert_eq!(pauses.len(), PAUSES.len());
+        for (pause, units) in pauses.iter().zip(PAUSES) {
+            assert!((first * units..=first * units * 6 / 5).contains(pause), "{pause:?}");
+        }
+        let day: Duration = pauses.iter().sum();
+        assert!((Duration::from_hours(24)..Duration::from_hours(30)).contains(&day), "{day:?}");
+    }
+}
