@@ -131,6 +131,8 @@ pub fn main() -> ExitCode {
         Command::Restore(args) => backup::restore(&args),
         Command::Demo(args) => demo::demo(&args),
     };
+    #[cfg(feature = "otlp")]
+    telemetry::flush();
     done.unwrap_or_else(|fault| report_fault(&fault))
 }
 

@@ -10,6 +10,7 @@ use axum::http::{HeaderMap, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::Response;
 use metrics::histogram;
+use tracing::field::Empty;
 use tracing::{Instrument, Span};
 
 use crate::jobs::{JobId, TraceParent};
@@ -80,10 +81,8 @@ impl RequestLog {
         let path = request.uri().path();
         let is_job = route.as_deref().is_some_and(|route| route.starts_with("/v1/jobs/{id}"));
         let job = path.split('/').nth(3).filter(|_| is_job).and_then(|id| id.parse::<JobId>().ok());
-        let caller = trace_of(request.headers());
-        let trace_id = caller.map(|trace| trace.trace());
-        let span = tracing::info_span!("request", id, trace_id);
-        let trace = Trace(telemetry::adopt(&span, caller));
+        let span = tracing::info_span!("request", id, trace_id = Empty);
+        let trace = Trace(telemetry::adopt(&span, trace_of(request.headers())));
         Self {
             trace,
             started: Instant::now(),

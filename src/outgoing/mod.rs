@@ -89,6 +89,20 @@ impl FromStr for Destination {
     }
 }
 
+impl Destination {
+    /// Another path at the same host, below this one.
+    #[must_use]
+    pub fn below(&self, path: &str) -> Self {
+        Self { path: format!("{}{path}", self.path.trim_end_matches('/')), ..self.clone() }
+    }
+
+    /// The address as a text.
+    pub fn url(&self) -> String {
+        let scheme = if self.is_secure { "https" } else { "http" };
+        format!("{scheme}://{}{}", self.authority, self.path)
+    }
+}
+
 /// Why a request had no answer.
 #[derive(Debug, Error)]
 pub enum OutgoingError {
@@ -233,6 +247,7 @@ mod tests {
         );
         let local = read("http://[::1]:8080").unwrap();
         assert_eq!((local.is_secure, local.host.as_str(), local.port), (false, "::1", 8080));
+        assert_eq!(local.below("/v1/traces").url(), "http://[::1]:8080/v1/traces");
         assert_eq!((local.path.as_str(), local.authority.as_str()), ("/", "[::1]:8080"));
         for text in [
             "",

@@ -1,14 +1,20 @@
 //! What the program tells of itself: its log, to standard error, for a person or as JSON lines; and its metrics.
 
 mod metrics;
+#[cfg(feature = "otlp")]
+mod otlp;
 mod trace;
 
 use std::io::{self, IsTerminal};
 
 use clap::{Args, ValueEnum};
-use tracing_subscriber::EnvFilter;
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
+use tracing_subscriber::{EnvFilter, Layer, fmt, registry};
 
 pub use metrics::collect;
+#[cfg(feature = "otlp")]
+pub use otlp::flush;
 pub use trace::adopt;
 
 /// Target of what is logged about changes: who did what.
@@ -24,6 +30,11 @@ pub struct LogConfig {
     /// How to log
     #[arg(long, env = "BRINELL_LOG_FORMAT", value_name = "FORMAT", default_value = "text", global = true)]
     pub log_format: LogFormat,
+
+    /// Collector that spans are sent to by OTLP over HTTP, e.g. `http://collector:4318` [default: none]
+    #[cfg(feature = "otlp")]
+    #[arg(long, env = "BRINELL_OTLP_ENDPOINT", value_name = "URL", global = true)]
+    pub otlp_endpoint: Option<crate::outgoing::Destination>,
 }
 
 /// Form of the log.
@@ -43,12 +54,18 @@ fn log_filter(text: &str) -> Result<String, String> {
 /// call changes nothing.
 pub fn start(config: &LogConfig, default: &str) {
     let filter = EnvFilter::new(config.log.as_deref().unwrap_or(default));
-    let log = tracing_subscriber::fmt().with_env_filter(filter).with_writer(io::stderr);
-    let started = match config.log_format {
-        LogFormat::Text => log.with_ansi(io::stderr().is_terminal()).try_init(),
-        LogFormat::Json => log.json().try_init(),
+    let log = fmt::layer().with_writer(io::stderr);
+    let log = match config.log_format {
+        LogFormat::Text => log.with_ansi(io::stderr().is_terminal()).boxed(),
+        LogFormat::Json => log.json().boxed(),
     };
-    if started.is_ok() {
+    let subscriber = registry().with(log.with_filter(filter));
+    #[cfg(feature = "otlp")]
+    let subscriber = subscriber.with(config.otlp_endpoint.as_ref().map(otlp::layer).and_then(|layer| {
+        // The log is not there yet.
+        layer.inspect_err(|error| eprintln!("spans are not sent: {error}")).ok()
+    }));
+    if subscriber.try_init().is_ok() {
         std::panic::set_hook(Box::new(|panic| {
             let place = panic.location().map(ToString::to_string).unwrap_or_default();
             let message = panic.payload_as_str().unwrap_or("(no message)");

@@ -17,10 +17,14 @@ use metrics::counter;
 use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tracing::Instrument;
+use tracing::field::Empty;
 use uuid::Uuid;
 
-use crate::jobs::{Clock, Delivery, DeliveryEnd, DeliveryStore, JobStore, StoreError, SystemClock};
+use crate::jobs::{
+    Clock, Delivery, DeliveryEnd, DeliveryStore, JobStore, StoreError, SystemClock, TraceParent,
+};
 use crate::outgoing::Client;
+use crate::telemetry;
 use notice::Notice;
 pub use rules::CallbackRules;
 pub use signature::WebhookSecret;
@@ -103,10 +107,10 @@ impl Announcer {
     }
 
     async fn deliver(&self, delivery: &Delivery) {
-        let trace = delivery.trace.map(|trace| trace.trace());
         let span =
-            tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = trace);
-        let end = self.attempt(delivery).instrument(span.clone()).await;
+            tracing::info_span!("webhook", job = %delivery.job, delivery = %delivery.id, trace_id = Empty);
+        let trace = telemetry::adopt(&span, delivery.trace);
+        let end = self.attempt(delivery, trace).instrument(span.clone()).await;
         let outcome = match &end {
             DeliveryEnd::Delivered { .. } => "delivered",
             DeliveryEnd::Failed { retry: Some(_), .. } => "retried",
@@ -125,7 +129,7 @@ impl Announcer {
         }
     }
 
-    async fn attempt(&self, delivery: &Delivery) -> DeliveryEnd {
+    async fn attempt(&self, delivery: &Delivery, trace: Option<TraceParent>) -> DeliveryEnd {
         let failed = |status: Option<u16>, error: String| {
             let error = error.chars().take(ERROR).collect();
             DeliveryEnd::Failed { status, error, retry: pause_behind(delivery.attempt, self.pause) }
@@ -143,7 +147,7 @@ impl Announcer {
         let Ok(body) = serde_json::to_vec(&Notice::of(record)) else {
             return failed(None, "the announcement cannot be written".to_owned());
         };
-        let headers = self.headers(delivery, &body);
+        let headers = self.headers(delivery, trace, &body);
         match timeout(ATTEMPT, self.client.post(&to, headers, body.into())).await {
             Ok(Ok(status)) if status.is_success() => DeliveryEnd::Delivered { status: status.as_u16() },
             Ok(Ok(StatusCode::GONE)) => {
@@ -156,7 +160,7 @@ impl Announcer {
         }
     }
 
-    fn headers(&self, delivery: &Delivery, body: &[u8]) -> HeaderMap {
+    fn headers(&self, delivery: &Delivery, trace: Option<TraceParent>, body: &[u8]) -> HeaderMap {
         let id = delivery.id.to_string();
         let timestamp = SystemClock.now().as_second();
         let signature = signatures(&self.secrets, &id, timestamp, body);
@@ -167,7 +171,10 @@ impl Announcer {
             ("webhook-timestamp", timestamp.to_string()),
             ("webhook-signature", signature),
         ];
-        let trace = delivery.trace.map(|trace| ("traceparent", trace.child().to_string()));
+        // A span that nobody records here has a name all the same.
+        let is_own = trace.map(|trace| trace.span_id) != delivery.trace.map(|trace| trace.span_id);
+        let trace = trace.map(|trace| if is_own { trace } else { trace.child() });
+        let trace = trace.map(|trace| ("traceparent", trace.to_string()));
         let line = |(name, value): (&'static str, String)| {
             Some((HeaderName::from_static(name), HeaderValue::try_from(value).ok()?))
         };

@@ -6,6 +6,7 @@ use std::time::Duration;
 use tokio::sync::mpsc::{self, Receiver, UnboundedReceiver, unbounded_channel};
 use tokio::time::{Instant, sleep, sleep_until};
 use tracing::Instrument;
+use tracing::field::Empty;
 
 use super::WorkerState;
 use super::attempt::attempt;
@@ -71,8 +72,7 @@ fn wait_of(record: &JobRecord) -> Option<Duration> {
 impl WorkerState {
     /// Sees one job through.
     pub(super) async fn supervise(self: Arc<Self>, claim: Claim, slot: Slot) {
-        let trace_id = claim.trace.map(|trace| trace.trace());
-        let span = tracing::info_span!("attempt", trace_id);
+        let span = tracing::info_span!("attempt", trace_id = Empty);
         telemetry::adopt(&span, claim.trace);
         self.see_through(claim, slot).instrument(span).await;
     }

@@ -177,7 +177,7 @@ fn answers_about_troubled_jobs_are_as_documented() {
 #[test]
 fn the_page_about_the_interface_needs_no_other_server() {
     let server = Server::start();
-    let page = curl(&["--location", &format!("{}/docs", server.target.url)]);
+    let page = server.target.get("/docs/");
     let text = String::from_utf8(page.body.clone()).unwrap();
     assert_eq!((page.status, page.header("content-type")), (200, Some("text/html; charset=utf-8")));
     let policy = page.header("content-security-policy").unwrap();
