@@ -91,9 +91,9 @@ for (const [size, options] of /** @type {const} */ ([
         await page.locator('details summary').first().click();
         assert.deepEqual(await violations(page, 'interface'), []);
         // An example, by the keyboard.
-        await page.locator('#post_job summary').first().focus();
+        await page.locator('#post_validate summary').first().focus();
         await page.keyboard.press('Enter');
-        assert.ok(await page.locator('#post_job pre').first().isVisible());
+        assert.ok(await page.locator('#post_validate pre').first().isVisible());
       },
       { ...options, colorScheme },
     );
