@@ -1,4 +1,4 @@
-//! Where jobs are kept: implementations of [`JobStore`](crate::jobs::JobStore).
+//! Where jobs are kept: implementations of [`JobStore`].
 //!
 //! | store | for |
 //! |---|---|
