@@ -35,8 +35,8 @@ fn explain(error: &Error, command: &Command) -> Option<String> {
         (None, _) => "not a value it can have".to_owned(),
     };
     // What may be a secret is not repeated.
-    let value = if variable.1 { String::new() } else { format!(" {value:?}") };
-    Some(format!("{flag} ({}) cannot be{value}: {reason}", variable.0))
+    let value = if variable.1 { "what it is".to_owned() } else { format!("{value:?}") };
+    Some(format!("{flag} ({}) cannot be {value}: {reason}", variable.0))
 }
 
 /// The variable of a flag, wherever it is defined, and whether its value is a secret.

@@ -78,7 +78,7 @@ impl Named for CaseCurve {
     }
 }
 
-/// How the yield stress follows from the hardness: a regression over steels of 130 to 740 HV.
+/// How the yield stress follows from the hardness: a regression over steels of 136 to 622 HV.
 ///
 /// # Reference
 /// E. J. Pavlina, C. J. Van Tyne, *Correlation of yield strength and tensile strength with hardness for steels*, J. Mater.

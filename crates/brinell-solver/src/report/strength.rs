@@ -23,7 +23,7 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     };
     if let Some(rule) = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material)) {
         let message = format!(
-            "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 130 to 740 HV \
+            "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 136 to 622 HV \
              that scatters by some 100 MPa."
         );
         remarks.push(("yield_by_hardness", message));
