@@ -45,10 +45,10 @@
  * @property {(BatchedJob)[]} jobs
  *
  * @typedef {object} BatchedJob
- * @property {string} [callback_url]
- * @property {string} [idempotency_key]
+ * @property {string | null} [callback_url]
+ * @property {string | null} [idempotency_key]
  * @property {ContactJob} job
- * @property {number} [priority]
+ * @property {number | null} [priority]
  *
  * @typedef {object} Bilinear
  * @property {(BackstressTerm)[] | null} [backstress]

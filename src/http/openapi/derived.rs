@@ -30,11 +30,14 @@ const TUPLES: [(&str, &str, usize); 4] = [
     ("PlasticZone", "outline", 2),
 ];
 
+/// What is asked and not answered: there `null` is the same as leaving a member out.
+const REQUESTS: [&str; 1] = ["BatchedJob"];
+
 /// Completes every schema.
 pub(super) fn complete(schemas: &mut Map<String, Value>) {
     name_parts(schemas);
-    for schema in schemas.values_mut() {
-        complete_object(schema);
+    for (name, schema) in schemas {
+        complete_object(schema, !REQUESTS.contains(&name.as_str()));
     }
 }
 
@@ -79,7 +82,7 @@ fn prescribed(kind: &str) -> String {
     format!("Prescribed{}{rest}", first.to_uppercase())
 }
 
-fn complete_object(schema: &mut Value) {
+fn complete_object(schema: &mut Value, is_answer: bool) {
     describe(schema);
     if let Some(target) =
         schema["$ref"].as_str().and_then(|target| target.strip_prefix(BASE)?.strip_prefix(PER_BODY))
@@ -91,16 +94,16 @@ fn complete_object(schema: &mut Value) {
     }
     let required = schema["required"].as_array().cloned().unwrap_or_default();
     for (key, property) in schema["properties"].as_object_mut().into_iter().flatten() {
-        if !required.contains(&json!(key)) {
+        if is_answer && !required.contains(&json!(key)) {
             never_null(property);
         }
-        complete_object(property);
+        complete_object(property, is_answer);
     }
     for part in ["oneOf", "allOf", "prefixItems"] {
-        schema[part].as_array_mut().into_iter().flatten().for_each(complete_object);
+        schema[part].as_array_mut().into_iter().flatten().for_each(|part| complete_object(part, is_answer));
     }
     if schema["items"].is_object() {
-        complete_object(&mut schema["items"]);
+        complete_object(&mut schema["items"], is_answer);
     }
     // Looking for a member makes it: what was not there goes again.
     if let Some(members) = schema.as_object_mut() {
