@@ -70,6 +70,13 @@ service.test('everything can be taken along', async (page) => {
     assert.equal(await file.failure(), null, `${name}`);
     assert.ok(file.suggestedFilename().startsWith(id.slice(-8)), file.suggestedFilename());
   }
+});
+
+// Chromium takes ten files in a burst from one page, so that pictures have a page of their own.
+service.test('every panel is a picture', async (page) => {
+  const id = await solved(page, { output: { fields: true } });
+  await follow(page, `job=${id}`);
+  await page.locator('[data-status=succeeded]').waitFor();
   for (const panel of ['pressure', 'field', 'depth', 'convergence']) {
     const [file] = await Promise.all([
       page.waitForEvent('download'),
