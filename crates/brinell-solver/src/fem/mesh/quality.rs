@@ -16,17 +16,23 @@ impl Quality {
     /// Measures a mesh.
     pub fn of(mesh: &Mesh) -> Self {
         let mut worst = Self { min_jacobian_ratio: 1.0, max_aspect_ratio: 1.0 };
+        let mut worst_squared = 1.0;
         for element in 0..mesh.elements.len() {
             let corners = mesh.corners(element);
             let determinants = corner_determinants(&corners);
             let (low, high) = range(&determinants);
             worst.min_jacobian_ratio = worst.min_jacobian_ratio.min(low / high);
-            let sides: [f64; 4] = std::array::from_fn(|k| {
+            let sides: [[f64; 2]; 4] = std::array::from_fn(|k| {
                 let (p, q) = (corners[k], corners[(k + 1) % 4]);
-                (q[0] - p[0]).hypot(q[1] - p[1])
+                [q[0] - p[0], q[1] - p[1]]
             });
-            let (short, long) = range(&sides);
-            worst.max_aspect_ratio = worst.max_aspect_ratio.max(long / short);
+            // Roots of the few that matter.
+            let (short, long) = range(&sides.map(|[x, y]| x * x + y * y));
+            if long / short > worst_squared {
+                worst_squared = long / short;
+                let (short, long) = range(&sides.map(|[x, y]| x.hypot(y)));
+                worst.max_aspect_ratio = worst.max_aspect_ratio.max(long / short);
+            }
         }
         worst
     }

@@ -1,7 +1,7 @@
 //! A body meshed and numbered, with its elastic stiffness: all that load and hardening do not change.
 
 use std::ops::ControlFlow;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
@@ -40,7 +40,7 @@ pub(crate) struct ElasticBody {
     bulk_modulus: f64,
     /// The elastic stiffness, entry by entry of its pattern.
     stiffness: Vec<f64>,
-    quality: OnceLock<Quality>,
+    quality: Quality,
 }
 
 impl ElasticBody {
@@ -54,6 +54,9 @@ impl ElasticBody {
     ) -> Result<Self, SolveError> {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
         let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, zone, *refinement))?;
+        checkpoint(observer)?;
+        // Here and not where it is reported: a job that is stopped must not wait for it.
+        let quality = phases.time(Phase::Mesh, observer, || Quality::of(&mesh));
         checkpoint(observer)?;
         let restraint = Restraint::new(&mesh, *support);
         let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
@@ -80,7 +83,7 @@ impl ElasticBody {
             restraint,
             bulk_modulus: constants.bulk_modulus(),
             stiffness: Vec::new(),
-            quality: OnceLock::new(),
+            quality,
             key,
         };
         checkpoint(observer)?;
@@ -199,7 +202,7 @@ impl ElasticBody {
 
     /// Quality of the mesh.
     pub fn quality(&self) -> Quality {
-        *self.quality.get_or_init(|| Quality::of(&self.mesh))
+        self.quality
     }
 
     /// A vector over the equations, zero, with the extra entry that stands for held components.

@@ -95,7 +95,7 @@ fn moved(
     observer: &mut dyn Observer,
 ) -> Result<Change, Interrupt> {
     let system = &solve.system;
-    let mut displacement = motion.force_rates(solve);
+    let mut displacement = motion.force_rates(solve, observer)?;
     ask(observer)?;
     let mut opening = motion.gap_rates(problem, system);
     for ((body, x), &count) in system.bodies.iter().zip(&mut displacement).zip(&system.bodies_represented) {
@@ -103,6 +103,7 @@ fn moved(
             *value = -*value;
         }
         body.factor.solve(x);
+        ask(observer)?;
         for (g, w) in opening.iter_mut().zip(body.elastic.contact_displacement(x)) {
             *g += count as f64 * w;
         }

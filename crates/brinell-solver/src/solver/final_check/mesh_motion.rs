@@ -11,7 +11,9 @@ use crate::fem::assembly::Unloaded;
 use crate::fem::mesh::{Mesh, Outline};
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::observer::ask;
 use crate::solver::problem::Problem;
+use crate::solver::{Interrupt, Observer};
 
 /// Distance from the middle of the contact up to which the mesh moves as its surface does, over the half-width.
 const RIGID: f64 = 2.0;
@@ -95,13 +97,19 @@ impl MeshMotion {
     }
 
     /// f' on all equations of each model.
-    pub fn force_rates(&self, solve: &MeshSolve) -> BlockVector {
+    pub fn force_rates(
+        &self,
+        solve: &MeshSolve,
+        observer: &mut dyn Observer,
+    ) -> Result<BlockVector, Interrupt> {
         let step = STEP * solve.system.zone.spacing();
         let bodies = solve.system.bodies.iter().zip(&solve.fields);
         bodies
             .map(|(body, field)| {
+                ask(observer)?;
                 let elastic = &body.elastic;
                 let mesh = self.moved(&elastic.mesh, &elastic.key.outline, step);
+                ask(observer)?;
                 let unloaded = Unloaded { mesh: &mesh, ..body.unloaded() };
                 let moved = body.stress_field_of(&unloaded, &field.nodal);
                 let mut rates = elastic.zeros();
@@ -114,7 +122,7 @@ impl MeshMotion {
                 if let Some(held) = rates.last_mut() {
                     *held = 0.0;
                 }
-                rates
+                Ok(rates)
             })
             .collect()
     }
