@@ -67,6 +67,9 @@ impl RunError {
             SolveError::Unreachable(found) => {
                 target::unreachable(found, UnitConverter::new(job.units, job.analysis))
             }
+            SolveError::TooWide { .. } | SolveError::Conforming if lies_in_groove(job) => {
+                format!("{error}; {CONFORMING_ADVICE}")
+            }
             error => error.to_string(),
         };
         if pointers.is_empty() {
@@ -76,6 +79,18 @@ impl RunError {
             pointers.into_iter().map(|pointer| FieldError::not_solvable(pointer, detail.clone())).collect(),
         )
     }
+}
+
+/// What to do about a round body that fills its groove.
+pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is solved as a `cylinder` in a `hole`, \
+                                            up to 80° to each side";
+
+/// Whether a cylinder or ball lies in a groove.
+pub(super) fn lies_in_groove(job: &Job) -> bool {
+    matches!(
+        (&job.upper.shape, &job.lower.shape),
+        (Shape::Cylinder(_), Shape::Groove(_)) | (Shape::Groove(_), Shape::Cylinder(_))
+    )
 }
 
 /// What a job will cost.

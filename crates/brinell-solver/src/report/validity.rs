@@ -2,10 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::strength;
 use crate::contact::ContactLoad;
+use crate::fem::mesh::Outline;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Units};
-use crate::solver::{SolveStatus, StepSolution};
+use crate::solver::{PairState, SolveStatus, StepSolution};
 
 /// One remark on the validity of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,6 +48,8 @@ const SOFT: f64 = 1.0;
 
 /// Half-width over the smallest radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
+/// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank of 10 % is up to half as steep again.
+const STEEP: f64 = 0.15;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
 /// Plastic strain beyond which that is said more strongly.
@@ -68,7 +72,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         say(code, message);
     }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    if let Some(message) = wide_contact(step, half_width, radius) {
+    if let Some(message) = wide_contact(job, step, half_width, radius) {
         say("wide_contact", message);
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
@@ -146,7 +150,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
 }
 
 /// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what their clearance leaves of them.
-fn wide_contact(step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
+fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) -> Option<String> {
     if let Some(pair) = &step.conforming {
         let between_normals = half_width / pair.effective_radius();
         return (between_normals > WIDE_CONTACT).then(|| {
@@ -157,13 +161,28 @@ fn wide_contact(step: &StepSolution, half_width: f64, radius: f64) -> Option<Str
             )
         });
     }
-    (half_width > WIDE_CONTACT * radius).then(|| {
-        format!(
-            "The half-width is {:.0} % of the smallest radius; contact theory with small displacements and \
-             vertical gaps is meant for up to 10 %.",
-            100.0 * half_width / radius
-        )
-    })
+    let meant = "contact theory with small displacements and vertical gaps is meant for up to 10 %";
+    if half_width > WIDE_CONTACT * radius {
+        let share = 100.0 * half_width / radius;
+        let advice = if lies_in_groove(job) { format!("; {CONFORMING_ADVICE}") } else { String::new() };
+        return Some(format!("The half-width is {share:.0} % of the smallest radius; {meant}{advice}."));
+    }
+    let slope = steepest(job, step);
+    (slope > STEEP)
+        .then(|| format!("Within the contact a surface has a slope of {:.0} %; {meant}.", 100.0 * slope))
+}
+
+/// The largest slope between two neighbouring pairs in contact, of surfaces without a radius: those of wedges, cones and profiles.
+fn steepest(job: &Job, step: &StepSolution) -> f64 {
+    let outlines = [&job.upper, &job.lower].map(|body| Outline::of(&body.shape));
+    let between = |pair: &[PairState]| match pair {
+        [a, b] if a.force > 0.0 && b.force > 0.0 => {
+            let slope = |outline: &Outline| ((outline.height(b.x) - outline.height(a.x)) / (b.x - a.x)).abs();
+            outlines.iter().filter(|outline| outline.curvature().is_none()).map(slope).fold(0.0, f64::max)
+        }
+        _ => 0.0,
+    };
+    step.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
 /// What is said of a step that did not converge.

@@ -42,7 +42,9 @@ pub enum SolveError {
         half_angle: f64,
     },
     /// The surfaces do not open away from the contact.
-    #[error("the surfaces do not open away from where they first touch; conforming contacts are not solved")]
+    #[error(
+        "the surfaces do not open away from where they first touch, so that no load makes a contact that ends"
+    )]
     Conforming,
     /// A surface that is given by points has details much smaller than the contact.
     #[error(

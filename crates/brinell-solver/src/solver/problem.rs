@@ -265,8 +265,9 @@ impl Problem {
         let bodies = self.bodies.iter().enumerate().filter(|(_, body)| {
             body.interpolation_is_open && body.outline.rounding(left, right) > ROUNDING_SHARE * opening
         });
-        let corners = bodies
-            .flat_map(|(side, body)| body.outline.corners().into_iter().map(move |corner| (side, corner)));
+        let corners = bodies.flat_map(|(side, body)| {
+            body.outline.possible_corners().into_iter().map(move |corner| (side, corner))
+        });
         let inside = corners.filter(|(_, corner)| (left..=right).contains(&corner.x));
         inside.max_by(|a, b| a.1.opening().abs().total_cmp(&b.1.opening().abs()))
     }

@@ -29,6 +29,7 @@ mod problems;
 mod profiles;
 mod punch_ceiling;
 mod random_jobs;
+mod shape_cases;
 mod soundness;
 mod stops;
 mod strength_over_depth;

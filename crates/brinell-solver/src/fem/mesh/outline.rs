@@ -84,10 +84,17 @@ enum Surface {
 
 /// Slope jump between two points from which on a smooth curve through them is taken to imitate a corner.
 const CORNER: f64 = 0.05;
+/// How much more a face turns at a point than at those beside for that to be a corner and not the course of a curve.
+const ALONE: f64 = 4.0;
 /// Slope of a surface given by points up to which meshes are made without fail.
 pub(super) const MESHED_SLOPE: f64 = 0.5;
 /// Slope of a vertical drop.
 const VERTICAL: f64 = 1e9;
+
+/// The inner points of a line as corners.
+fn bends(line: &Polyline) -> impl Iterator<Item = Corner> {
+    line.bends().map(|[x, left, right]| Corner { x, slopes: [left, right] })
+}
 
 impl Outline {
     /// Outline of a shape of the job.
@@ -282,18 +289,26 @@ impl Outline {
             Surface::Punch { half_width, edge_radius, .. } if *edge_radius == 0.0 => {
                 vec![corner(-half_width, VERTICAL, 0.0), corner(*half_width, 0.0, -VERTICAL)]
             }
-            Surface::Smooth(curve) => curve
-                .line()
-                .bends()
-                .map(|[x, left, right]| corner(x, left, right))
-                .filter(|corner| corner.opening().abs() > CORNER)
-                .collect(),
-            Surface::Linear(line) => {
-                let bends = line.bends().filter(|[_, left, right]| (left - right).abs() > 0.0);
-                bends.map(|[x, left, right]| corner(x, left, right)).collect()
+            Surface::Smooth(curve) => {
+                let corners = bends(curve.line());
+                corners.filter(|corner| corner.opening().abs() > CORNER).collect()
             }
+            Surface::Linear(line) => bends(line).filter(|corner| corner.opening().abs() > 0.0).collect(),
             _ => Vec::new(),
         }
+    }
+
+    /// Corners that a smooth curve through points may have rounded off: those that [`Outline::corners`] are, and points at which
+    /// the face turns much more than at the points beside, however little that is.
+    pub fn possible_corners(&self) -> Vec<Corner> {
+        let Surface::Smooth(curve) = &self.surface else { return self.corners() };
+        let bends: Vec<Corner> = bends(curve.line()).collect();
+        let opening = |k: usize| bends.get(k).map_or(0.0, |corner| corner.opening().max(0.0));
+        let is_possible = |(k, corner): &(usize, &Corner)| {
+            let beside = opening(k.wrapping_sub(1)).max(opening(k + 1));
+            corner.opening().abs() > CORNER || corner.opening() > ALONE * beside
+        };
+        bends.iter().enumerate().filter(is_possible).map(|(_, corner)| *corner).collect()
     }
 
     /// Largest distance over `[left, right]` between a smooth curve through points and the straight lines between them

@@ -158,7 +158,8 @@ impl<'a> LoadStepper<'a> {
         observer: &mut dyn Observer,
     ) -> Result<(ContactSizeEstimate, Option<MeshSolve>), SolveError> {
         let elements = self.job.mesh.elements_per_half_width as usize;
-        let expect = || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, elements);
+        let expect =
+            || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, load, elements);
         let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
         let mut last = None;
         for _ in 0..SIZING_PASSES {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::rough;
+use super::rough::{self, LEAST_PART};
 use super::trace::resolving_spacing;
 use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
@@ -28,12 +28,16 @@ const BEYOND_LAST: f64 = 0.4;
 const SIZE_STEP: f64 = 0.1;
 /// Step from one place of an off-centre zone to the next, in elements.
 const CENTRE_STEP: f64 = 0.1;
-/// Part of the pressure that a part of the contact carries at least to be resolved for its own sake.
-const LEAST_PART: f64 = 0.05;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
 const MAX_ELEMENTS: f64 = 350.0;
+/// How much wider than by closed forms a contact of rough surfaces is to be sized by what half-spaces say.
+const WIDER_THAN_CLOSED_FORM: f64 = 1.25;
+/// Points within a contact from which on its surfaces may touch in parts; an edge, a tip and an arc have fewer.
+const TRACE_POINTS: usize = 5;
+/// Pairs over a half-width with which parts are looked for.
+const PAIRS_OF_PARTS: f64 = 90.0;
 /// A part of the contact is resolved by its own width down to this part of the whole width.
 const MAX_PART_RATIO: f64 = 6.0;
 
@@ -158,28 +162,61 @@ impl ContactSizeEstimate {
     ///
     /// # Errors
     /// [`SolveError::TraceTooFine`] where that is smaller than what is solved.
-    pub fn resolved(self, problem: &Problem, elements: usize) -> Result<Self, SolveError> {
-        let (wanted, spacing) = self.spacings(problem, elements);
-        let finest = self.half_width / MAX_ELEMENTS;
+    pub fn resolved(self, problem: &Problem, load: ContactLoad, elements: usize) -> Result<Self, SolveError> {
+        let extent = self.of_several_parts(problem, load);
+        let (wanted, spacing) = extent.spacings(problem, elements);
+        let finest = extent.half_width / MAX_ELEMENTS;
         if spacing < wanted && spacing < finest {
-            return Err(SolveError::TraceTooFine { half_width: self.half_width, spacing, finest });
+            return Err(SolveError::TraceTooFine { half_width: extent.half_width, spacing, finest });
         }
-        Ok(Self { refinement: wanted / spacing, ..self })
+        Ok(Self { refinement: wanted / spacing, ..extent })
     }
 
-    /// The extent that a mesh is expected to find of surfaces that need smaller elements than are asked for: a trace touches
-    /// beyond where its mean surface would.
-    pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
+    /// The extent of a contact that closed forms of contacts in one part do not see: of a surface whose highest summits lie so
+    /// far above the others that they seem to bear the force alone.
+    fn of_several_parts(self, problem: &Problem, load: ContactLoad) -> Self {
         let ContactLoad::Force(force) = load else { return self };
-        if self.refinement <= 1.0 {
+        if problem.has_arcs() {
             return self;
         }
-        let spacing = self.spacing(elements);
-        match rough::half_width(problem, force, self.centre, self.half_width, spacing) {
-            Some(half_width) => {
-                Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements)
+        let symmetric = problem.has_symmetric_outlines();
+        let middle = if symmetric { 0.0 } else { problem.first_contact_x };
+        let (left, right) = problem.span();
+        let available = (right - middle).min(middle - left);
+        let Some(found) = rough::extent(problem, force, middle, available) else {
+            return self;
+        };
+        let (centre, half_width) = if symmetric {
+            (0.0, found.right.max(-found.left))
+        } else {
+            (0.5 * (found.left + found.right), found.half_width())
+        };
+        if half_width < WIDER_THAN_CLOSED_FORM * self.half_width {
+            return self;
+        }
+        let smallest_part = found.smallest_part.min(half_width);
+        Self { centre, half_width, smallest_part, hertz_half_width: half_width, ..self }
+    }
+
+    /// The extent that a mesh is expected to find of surfaces given by points: a trace touches beyond where its mean surface
+    /// would, and in parts that meshes resolve.
+    pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
+        let ContactLoad::Force(force) = load else { return self };
+        let contact = |spacing: f64| rough::contact(problem, force, self.centre, self.half_width, spacing);
+        if self.refinement > 1.0 {
+            let Some(found) = contact(self.spacing(elements)) else { return self };
+            let half_width = found.half_width();
+            return Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements);
+        }
+        let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
+        if problem.has_arcs() || problem.knots_within(left, right).len() < TRACE_POINTS {
+            return self;
+        }
+        match contact(self.half_width / PAIRS_OF_PARTS) {
+            Some(found) if found.smallest_part < 0.5 * found.half_width() => {
+                Self { half_width: found.half_width(), smallest_part: found.smallest_part, ..self }
             }
-            None => self,
+            _ => self,
         }
     }
 

@@ -45,7 +45,7 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     }
     for (k, &load) in loads.iter().enumerate() {
         let extent = ContactSizeEstimate::expected(&problem, load)?
-            .resolved(&problem, elements)?
+            .resolved(&problem, load, elements)?
             .of_trace(&problem, load, elements);
         let spacing = extent.spacing(elements)
             / resolution_reserve(load, loads.get(k + 1).filter(|_| !is_history).copied());
