@@ -1,11 +1,12 @@
 //! Jobs to begin with.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 7] = [
+pub(super) const EXAMPLES: [(&str, &str); 8] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
     ("case_hardened_roller", include_str!("../../api/examples/case_hardened_roller.json")),
+    ("peened_roller", include_str!("../../api/examples/peened_roller.json")),
     ("pin_in_hole", include_str!("../../api/examples/pin_in_hole.json")),
     ("static_rating_roller", include_str!("../../api/examples/static_rating_roller.json")),
     ("static_rating_ball", include_str!("../../api/examples/static_rating_ball.json")),

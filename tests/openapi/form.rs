@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use brinell_solver::job::fields::{Example, Field, FieldKind, FieldTable, Figure};
-use brinell_solver::job::{Hardening, OverDepth, Quantity, Shape};
+use brinell_solver::job::{Hardening, InitialStress, OverDepth, Quantity, Shape};
 use serde_json::{Value, json};
 
 const HEAD: &str = "\
@@ -22,6 +22,8 @@ pub fn tables() -> String {
     table(&mut text, "LAWS", Hardening::TABLES);
     text += "\n/* prettier-ignore */\n";
     over_depth(&mut text);
+    text += "\n/* prettier-ignore */\n";
+    initial_stress(&mut text);
     text
 }
 
@@ -41,6 +43,27 @@ fn over_depth(text: &mut String) {
         writeln!(text, "    ],\n  }},").unwrap();
     }
     text.push_str("};\n");
+}
+
+/// The rows of initial stress, whose members are the columns of one field.
+fn initial_stress(text: &mut String) {
+    let (table, fields) = (InitialStress::table(), InitialStress::table().fields);
+    let figure = |field: &Field| match &field.kind {
+        FieldKind::Figure(figure) => quantity(figure),
+        _ => panic!("{} is no figure", field.key),
+    };
+    let entry = json!({
+        "key": InitialStress::KEY,
+        "label": table.label,
+        "symbol": fields.iter().map(|field| field.symbol).collect::<Vec<_>>().join(", "),
+        "description": table.description,
+        "kind": "terms",
+        "columns": fields.iter().map(figure).collect::<Vec<_>>(),
+        "members": fields.iter().map(|field| field.key).collect::<Vec<_>>(),
+        "optional": true,
+    });
+    writeln!(text, "/** @type {{import('./fields.js').Field}} */\nexport const INITIAL_STRESS = {entry};")
+        .unwrap();
 }
 
 fn table(text: &mut String, name: &str, kinds: &[FieldTable]) {
@@ -73,7 +96,7 @@ fn field(field: &Field) -> Value {
         FieldKind::Figure(figure) => entry["quantity"] = json!(quantity(figure)),
         FieldKind::Points { columns: [(_, first), (_, second)], .. } => {
             entry["kind"] = json!("points");
-            entry["pair"] = json!([quantity(first), quantity(second)]);
+            entry["columns"] = json!([quantity(first), quantity(second)]);
         }
         FieldKind::Flag => entry["kind"] = json!("flag"),
         FieldKind::Whole(_) => entry["quantity"] = json!("number"),

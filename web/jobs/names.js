@@ -54,6 +54,7 @@ export function writeValue(value) {
   if (typeof value === 'number') return plain(value);
   if (Array.isArray(value) && value[0]?.modulus !== undefined)
     return value.map(({ modulus, rate }) => `${plain(modulus)}, ${plain(rate)}`).join('; ');
+  if (Array.isArray(value) && value[0]?.depth !== undefined) return `${value.length} points`;
   if (Array.isArray(value) && typeof value[0] === 'object' && !Array.isArray(value[0])) return writeHistory(value);
   if (Array.isArray(value))
     return value.every((one) => typeof one === 'number')

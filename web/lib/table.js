@@ -6,13 +6,13 @@ import { inJobUnits } from './units.js';
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
 /** @typedef {{number: number, cells: string[]}} Row a line of the text, counted from 1 */
-/** @typedef {{points: [number, number][], notes: string[]} | {problem: string}} Table */
+/** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
 
 /**
- * Points from two columns separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
+ * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
  * headers; a unit that they name is converted.
  * @param {string} text
- * @param {[Quantity, Quantity]} quantities of the columns
+ * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
  * @returns {Table} `problem` names the first line at fault
  */
@@ -28,23 +28,22 @@ export function readTable(text, quantities, units) {
   if (meanings.has('decimal') && meanings.has('thousands'))
     return { problem: 'Commas are decimal in some lines and group thousands in others' };
   const meaning = meanings.has('decimal') ? 'decimal' : meanings.has('thousands') ? 'thousands' : undefined;
-  const points = /** @type {[number, number][]} */ ([]);
+  const points = /** @type {number[][]} */ ([]);
   const problems = [];
   for (const { number, cells } of body) {
     const readings = cells.map((cell) => readNumber(cell, meaning));
     const fault = readings.find((reading) => 'problem' in reading);
     if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
-    else if (cells.length !== 2)
-      problems.push(`line ${number} has ${cells.length} column${cells.length === 1 ? '' : 's'}, not two`);
-    else
-      points.push(
-        /** @type {[number, number]} */ (readings.map((reading) => ('value' in reading ? reading.value : NaN))),
+    else if (cells.length !== quantities.length)
+      problems.push(
+        `line ${number} has ${cells.length} column${cells.length === 1 ? '' : 's'}, not ${columnsInWords(quantities.length)}`,
       );
+    else points.push(readings.map((reading) => ('value' in reading ? reading.value : NaN)));
   }
   if (problems.length) return { problem: problems[0] + more(problems.length - 1) };
   const notes = headers.length ? [`${headers.length} header line${headers.length === 1 ? '' : 's'} skipped`] : [];
   if (meaning === 'decimal') notes.push('decimal commas read');
-  for (const axis of /** @type {const} */ ([0, 1])) {
+  for (const axis of quantities.keys()) {
     const name = headers
       .map(({ cells }) => unitIn(cells[axis] ?? ''))
       .find((found) => found !== undefined && inJobUnits(1, found, quantities[axis], units));
@@ -55,6 +54,9 @@ export function readTable(text, quantities, units) {
   }
   return { points, notes };
 }
+
+/** @param {number} columns */
+export const columnsInWords = (columns) => ['no', 'one', 'two', 'three'][columns] ?? String(columns);
 
 /** @param {number} count of further lines at fault */
 const more = (count) => (count === 0 ? '' : ` (and ${count} more line${count === 1 ? '' : 's'})`);

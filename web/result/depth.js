@@ -111,6 +111,15 @@ export class DepthPanel {
         x: profile.depth,
         y: graded,
       });
+    if (profile?.initial_sigma_x && shown.length === 1)
+      curves.push({
+        label: `${nameOf('sigma_x', first.report.analysis)} before the load`,
+        colour: COMPONENTS.sigma_x.colour,
+        dash: [8, 3, 2, 3],
+        dashed: true,
+        x: profile.depth,
+        y: profile.initial_sigma_x,
+      });
     const [stress, length] = [unit('stress', units), unit('length', units)];
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
       curves.push(...this.#elastic(first, step, profile.depth));

@@ -8,6 +8,7 @@ import {
   BACKSTRESS,
   DEFAULTS,
   ELASTIC,
+  INITIAL_STRESS,
   LAWS,
   LOADS,
   OVER_DEPTH,
@@ -16,6 +17,7 @@ import {
   SUPPORTS,
   TARGETS,
   THEORIES,
+  hasInitialStress,
   lawOf,
   loadOf,
   overDepthOf,
@@ -162,8 +164,8 @@ function inputs(job) {
         field.label,
         field.symbol ?? '',
         bodies.map((body) => pointer.get(place(body), `/${field.key}`)),
-        field.pair
-          ? field.pair.map((one) => unit(one, units) || '1').join(', ')
+        field.columns
+          ? field.columns.map((one) => unit(one, units) || '1').join(', ')
           : field.quantity && field.quantity !== 'load'
             ? unit(field.quantity, units)
             : '',
@@ -205,7 +207,8 @@ function inputs(job) {
         '',
       ),
       fieldsOf(
-        (body) => (body?.material?.rigid ? [] : ELASTIC),
+        (body) =>
+          body?.material?.rigid ? [] : [...ELASTIC, ...(hasInitialStress(body?.material) ? [INITIAL_STRESS] : [])],
         (body) => body?.material,
       ),
       row(

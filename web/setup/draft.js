@@ -5,6 +5,7 @@ import * as pointer from '../lib/pointer.js';
 import {
   BACKSTRESS,
   ELASTIC,
+  INITIAL_STRESS,
   LAWS,
   LOADS,
   OVER_DEPTH,
@@ -133,7 +134,7 @@ function* dimensional(job) {
     const shape = pointer.get(job, `${body}/shape`);
     const material = pointer.get(job, `${body}/material`);
     yield* within(job, `${body}/shape`, SHAPES[shape?.type]?.fields ?? []);
-    yield* within(job, `${body}/material`, ELASTIC);
+    yield* within(job, `${body}/material`, [...ELASTIC, INITIAL_STRESS]);
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, [BACKSTRESS]);
@@ -155,10 +156,10 @@ function* within(job, parent, fields) {
   for (const field of fields) {
     const place = `${parent}/${field.key}`;
     const value = pointer.get(job, place);
-    if (field.pair && Array.isArray(value)) {
+    if (field.columns && Array.isArray(value)) {
       for (const k of value.keys())
         yield* /** @type {[string, Quantity][]} */ (
-          field.pair.map((quantity, j) => [`${place}/${k}/${field.members?.[j] ?? j}`, quantity])
+          field.columns.map((quantity, j) => [`${place}/${k}/${field.members?.[j] ?? j}`, quantity])
         );
     } else if (field.kind === 'history' && Array.isArray(value)) {
       for (const [k, load] of value.entries())

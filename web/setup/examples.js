@@ -8,6 +8,11 @@ const TITLES = /** @type {Record<string, string>} */ ({
   two_cylinders: 'Two steel rollers beyond yield',
   cylinder_on_block: 'Steel roller on an aluminium block (NAFEMS)',
   ramberg_osgood: 'Two rollers of Ramberg–Osgood steel',
+  case_hardened_roller: 'Case-hardened roller on a hardened block',
+  peened_roller: 'Shot-peened roller on a ground block',
+  pin_in_hole: 'Pin in a hole',
+  static_rating_roller: 'Static rating of a roller (ISO 76)',
+  static_rating_ball: 'Static rating of a ball (ISO 76)',
 });
 
 const HARD = { young_modulus: 207000, poisson_ratio: 0.3 };

@@ -2,7 +2,7 @@
 
 import { isObject } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
-import { convert } from '../lib/units.js';
+import { convert, unitsOf } from '../lib/units.js';
 import * as tables from './tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -16,8 +16,8 @@ import * as tables from './tables.js';
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
- * @property {[Quantity, Quantity]} [pair] quantities of points or terms
- * @property {[string, string]} [members] names of the two figures of a term
+ * @property {Quantity[]} [columns] quantities of points or terms
+ * @property {string[]} [members] names of the figures of a term
  * @property {[number, number]} [bounds] between which a slider moves
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
@@ -49,11 +49,10 @@ function withHints({ fields, ...kind }) {
     return index === 1 && kind.description?.includes(' = ') ? kind.description : undefined;
   };
   // Strains may be pasted in per cent.
-  const pair = (/** @type {Field['pair']} */ given) =>
-    given && /** @type {[Quantity, Quantity]} */ (given.map((one) => (one === 'number' ? 'strain' : one)));
+  const columns = (/** @type {Field['columns']} */ given) => given?.map((one) => (one === 'number' ? 'strain' : one));
   return {
     ...kind,
-    fields: fields.map((field, index) => ({ ...field, pair: pair(field.pair), hint: hint(field, index) })),
+    fields: fields.map((field, index) => ({ ...field, columns: columns(field.columns), hint: hint(field, index) })),
   };
 }
 
@@ -89,10 +88,16 @@ export const BACKSTRESS = {
   label: 'Backstress',
   symbol: 'C, γ',
   kind: 'terms',
-  pair: ['stress', 'number'],
+  columns: ['stress', 'number'],
   members: ['modulus', 'rate'],
   optional: true,
   hint: 'One term a line, modulus C and rate γ; γ 0 is linear kinematic hardening. None: the yield surface grows without moving.',
+};
+
+/** Stress before any load, whatever the material does under it. @type {Field} */
+export const INITIAL_STRESS = {
+  ...tables.INITIAL_STRESS,
+  hint: 'Depth, stress along the surface in the section and out of it, a line each; tension positive.',
 };
 
 /** @type {Record<string, {label: string, field?: Field}>} */
@@ -191,6 +196,7 @@ export const allFields = () => [
   ...Object.values({ ...SHAPES, ...LAWS, ...OVER_DEPTH }).flatMap(({ fields }) => fields),
   ...ELASTIC,
   BACKSTRESS,
+  INITIAL_STRESS,
   ...SETTINGS,
   ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
   ...Object.values(TARGETS),
@@ -263,9 +269,9 @@ export function plasticityLike(law, material) {
     quantity !== 'stress'
       ? value
       : round(key.endsWith('modulus') ? (value / 210000) * modulus : (value / 500) * strength);
-  const typical = (/** @type {Field} */ { key, quantity, pair, example }) =>
+  const typical = (/** @type {Field} */ { key, quantity, columns, example }) =>
     Array.isArray(example)
-      ? example.map((point) => point.map((value, axis) => scaled(value, pair?.[axis], key)))
+      ? example.map((point) => point.map((value, axis) => scaled(value, columns?.[axis], key)))
       : scaled(example, quantity, key);
   const fields = LAWS[law].fields.filter(({ optional }) => !optional);
   return { law, ...Object.fromEntries(fields.map((field) => [field.key, typical(field)])) };
@@ -293,13 +299,49 @@ export function typicalOverDepth(kind, units) {
     quantity === 'length' ? convert(value, 'length', 'mm_N_MPa', units) : value;
   const fields = (OVER_DEPTH[kind]?.fields ?? []).filter(({ optional, key }) => !optional || key === 'over_depth');
   const plasticity = /** @type {Record<string, any>} */ ({});
-  for (const { key, pair, quantity, example } of fields) {
+  for (const { key, columns, quantity, example } of fields) {
     const value = Array.isArray(example)
-      ? example.map((point) => point.map((one, axis) => wire(one, pair?.[axis])))
+      ? example.map((point) => point.map((one, axis) => wire(one, columns?.[axis])))
       : wire(Number(example), quantity);
     pointer.set(plasticity, `/${key}`, value);
   }
   return plasticity.over_depth;
+}
+
+/** @param {Record<string, any> | undefined} material @returns {boolean} */
+export const hasInitialStress = (material) =>
+  !material?.rigid && material?.initial_stress !== undefined && material.initial_stress !== null;
+
+/** Of a shot-peened layer: depth [mm] and stress [MPa]. */
+const PEENED = [
+  [0, -450],
+  [0.05, -600],
+  [0.15, -350],
+  [0.25, 40],
+  [0.6, 0],
+];
+/** Part of the yield stress that it reaches at most. */
+const PEENED_SHARE = 0.6;
+
+/**
+ * A typical stress before any load, in the units of a job.
+ * @param {import('../types.js').Job} job
+ * @param {Record<string, any> | undefined} material
+ * @returns {Record<string, number>[]}
+ */
+export function typicalInitialStress(job, material) {
+  const units = unitsOf(job);
+  const strength = yieldStress(material);
+  const most = strength && strength > 0 ? convert(strength, 'stress', units, 'mm_N_MPa') * PEENED_SHARE : Infinity;
+  const share = Math.min(1, most / Math.max(...PEENED.map(([, stress]) => -stress)));
+  return PEENED.map(([depth, stress]) => {
+    const along = Number(convert(share * stress, 'stress', 'mm_N_MPa', units).toPrecision(3));
+    return {
+      depth: convert(depth, 'length', 'mm_N_MPa', units),
+      sigma_x: along,
+      sigma_z: job.analysis === 'plane_stress' ? 0 : along,
+    };
+  });
 }
 
 /** @param {Record<string, any> | undefined} load @returns {string} key of {@link LOADS} */

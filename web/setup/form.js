@@ -9,6 +9,7 @@ import {
   BACKSTRESS,
   DEFAULTS,
   ELASTIC,
+  INITIAL_STRESS,
   LAWS,
   OVER_DEPTH,
   LOADS,
@@ -19,18 +20,20 @@ import {
   TARGETS,
   THEORIES,
   UNIT_SYSTEMS,
+  hasInitialStress,
   lawOf,
   loadOf,
   overDepthOf,
   plasticityLike,
   shapeLike,
   targetOf,
+  typicalInitialStress,
   typicalOverDepth,
 } from './fields.js';
 import { allMaterials, askHardness, askToKeep, forget, ownMaterials } from './library.js';
 import { PRESETS, inMegapascals, materialOf, presetOf } from './materials.js';
 import { inWords } from './words.js';
-import { curvePreview, profilePreview } from './preview.js';
+import { curvePreview, initialStressPreview, profilePreview } from './preview.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
@@ -109,6 +112,8 @@ export class Form {
       overDepthOf(job.lower?.material),
       hasBackstress(job, 'upper'),
       hasBackstress(job, 'lower'),
+      hasInitialStress(job.upper?.material),
+      hasInitialStress(job.lower?.material),
       loadOf(job.load),
       targetOf(job.load),
       job.upper?.shape?.type,
@@ -122,7 +127,7 @@ export class Form {
       entry.show(this.#value(place), /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
       if (quantity) entry.setUnit(unit(quantity, units));
-      if (field.pair) entry.setUnit(field.pair.map((one) => unit(one, units) || '1').join(', '));
+      if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       this.#showPreset(body);
@@ -141,6 +146,7 @@ export class Form {
     const { job } = this.draft;
     const place = (/** @type {string} */ name) => this.root.querySelector(`[data-preview="${body}-${name}"]`);
     place('shape')?.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
+    place('stress')?.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
     place('curve')?.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
@@ -148,6 +154,8 @@ export class Form {
   #value(place) {
     if (place.endsWith('/depth_kind'))
       return overDepthOf(pointer.get(this.draft.job, place.replace('/plasticity/depth_kind', '')));
+    if (place.endsWith('/stress_kind'))
+      return hasInitialStress(pointer.get(this.draft.job, place.replace('/stress_kind', ''))) ? 'given' : 'none';
     if (place.endsWith('/law')) return lawOf(pointer.get(this.draft.job, place.replace('/law', '')));
     if (place === '/load/kind') return loadOf(this.draft.job.load);
     if (place === '/load/target_kind') return targetOf(this.draft.job.load);
@@ -261,6 +269,8 @@ export class Form {
         LAWS[law]?.fields.length ? this.#overDepth(body) : [],
         hasBackstress(job, body) && this.#field(`${at}/material/plasticity`, BACKSTRESS),
         h('div', { 'data-preview': `${body}-curve` }),
+        law === 'rigid' ? [] : this.#initialStress(body),
+        h('div', { 'data-preview': `${body}-stress` }),
       ),
     );
   }
@@ -278,6 +288,18 @@ export class Form {
         (kind) => this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(job)), SOURCE),
       ),
       ...(OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
+    ];
+  }
+
+  /** @param {'upper' | 'lower'} body */
+  #initialStress(body) {
+    const at = `/${body}/material`;
+    const make = () => typicalInitialStress(this.draft.job, this.draft.job[body]?.material);
+    return [
+      this.#choice(`${at}/stress_kind`, 'Initial stress', { none: 'None', given: 'Over depth' }, (kind) =>
+        this.draft.set(`${at}/initial_stress`, kind === 'given' ? make() : undefined, SOURCE),
+      ),
+      hasInitialStress(this.draft.job[body]?.material) && this.#field(at, INITIAL_STRESS),
     ];
   }
 
@@ -397,7 +419,13 @@ export class Form {
     if (plasticity && backstress) plasticity.backstress = backstress;
     this.draft.set(
       `/${body}/material`,
-      law === 'rigid' ? { rigid: true } : { ...elastic, ...(plasticity && { plasticity }) },
+      law === 'rigid'
+        ? { rigid: true }
+        : {
+            ...elastic,
+            ...(plasticity && { plasticity }),
+            ...(old?.initial_stress && { initial_stress: old.initial_stress }),
+          },
       SOURCE,
     );
   }
@@ -454,6 +482,6 @@ function inner(place, { pointer, detail: reported }) {
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
   return part.length
-    ? `${/(points|profile|over_depth|backstress)$/.test(place) ? 'line' : place === '/load/history' ? 'load' : 'number'} ${part[0]}: ${detail}`
+    ? `${/(points|profile|over_depth|backstress|initial_stress)$/.test(place) ? 'line' : place === '/load/history' ? 'load' : 'number'} ${part[0]}: ${detail}`
     : detail;
 }

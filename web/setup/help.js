@@ -15,6 +15,8 @@ export const TEXTS = {
     'The load is the answer: it is searched for until the contact has this figure. What stays behind (permanent approach, dent) is known to flow theory alone.',
   error_bar:
     'How far the figure may be from that of an infinitely fine mesh, estimated from a second mesh of half the density; the bars held in at least 95 of 100 tested cases. They say nothing of the model or of the figures put in.',
+  initial_stress:
+    'Stress that grinding, peening or hardening has left, by depth below the surface. It relaxes before the first load where the surface is curved; what is left is in the stresses over depth. It is added to the stress of the load, and a stress that yields by itself is refused.',
   backstress:
     'The yield surface moves with plastic strain and yields earlier when the load turns back (Bauschinger). dX = ⅔ C dε_p − γ X dp for each term; up to four.',
   yield_stress: 'Stress in a tensile test at which plastic flow begins.',

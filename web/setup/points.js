@@ -1,12 +1,12 @@
 /** A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of what they make. */
 
 import { h } from '../lib/dom.js';
-import { readTable } from '../lib/table.js';
+import { columnsInWords, readTable } from '../lib/table.js';
 import { unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromEngineering, fromTotal } from './hardening.js';
 
-/** @typedef {[number, number]} Point */
+/** @typedef {number[]} Point a line of the table */
 
 /**
  * @param {import('./fields.js').Field} field
@@ -16,7 +16,7 @@ import { fromEngineering, fromTotal } from './hardening.js';
  * @returns {import('./entry.js').Control}
  */
 export function pointsControl(field, id, change, { units, parent }) {
-  const quantities = field.pair ?? ['number', 'number'];
+  const quantities = field.columns ?? ['number', 'number'];
   const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
   const note = h('p', { class: 'note', role: 'status' });
   const table = (/** @type {string} */ text) => readTable(text, quantities, units());
@@ -64,11 +64,11 @@ export function pointsControl(field, id, change, { units, parent }) {
     if (file) event.preventDefault();
     open(file);
   });
-  /** @param {(points: Point[]) => {points: Point[], note: string}} work */
+  /** @type {Convert} */
   const convert = (work) => {
     const points = read();
     if (!Array.isArray(points)) return;
-    const result = work(points);
+    const result = work(/** @type {Pair[]} */ (points));
     if (!same(result.points, points)) put(result.points, [result.note]);
   };
   const modulus = () => Number(parent()?.young_modulus);
@@ -82,14 +82,14 @@ export function pointsControl(field, id, change, { units, parent }) {
       const result = typeof value === 'string' ? table(value) : undefined;
       if (!result) return '';
       if ('problem' in result) return result.problem;
-      return `two columns of figures are wanted: ${quantities.map((one) => unit(one, units()) || '1').join(' and ')}`;
+      return `${columnsInWords(quantities.length)} columns of figures are wanted: ${quantities.map((one) => unit(one, units()) || '1').join(' and ')}`;
     },
     beside: [h('div', { class: 'bar beside' }, fileButton(open), conversions), note],
   };
 }
 
 /**
- * The same for a list of objects of two figures; without a line there is no list.
+ * The same for a list of objects of figures; without a line there is no list.
  * @param {import('./fields.js').Field} field
  * @param {string} id
  * @param {(value: unknown) => void} change
@@ -97,16 +97,17 @@ export function pointsControl(field, id, change, { units, parent }) {
  * @returns {import('./entry.js').Control}
  */
 export function termsControl(field, id, change, surroundings) {
-  const [first, second] = field.members ?? ['0', '1'];
+  const members = field.members ?? ['0', '1'];
+  const term = (/** @type {number[]} */ figures) => Object.fromEntries(members.map((name, k) => [name, figures[k]]));
   const terms = (/** @type {any} */ points) =>
-    !Array.isArray(points) ? points : points.length ? points.map(([a, b]) => ({ [first]: a, [second]: b })) : undefined;
+    !Array.isArray(points) ? points : points.length ? points.map(term) : undefined;
   const control = pointsControl(field, id, (points) => change(terms(points)), surroundings);
-  /** @type {HTMLTextAreaElement} */ (control.input).rows = 2;
+  if (members.length === 2) /** @type {HTMLTextAreaElement} */ (control.input).rows = 2;
   return {
     ...control,
     read: () => terms(control.read()),
     write: (value) =>
-      control.write(Array.isArray(value) ? value.map((term) => [term?.[first], term?.[second]]) : value),
+      control.write(Array.isArray(value) ? value.map((one) => members.map((name) => one?.[name])) : value),
   };
 }
 
@@ -120,7 +121,8 @@ function fileButton(open) {
   return [chooser, h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, 'Open CSV…')];
 }
 
-/** @typedef {(work: (points: Point[]) => {points: Point[], note: string}) => void} Convert */
+/** @typedef {[number, number]} Pair */
+/** @typedef {(work: (points: Pair[]) => {points: Point[], note: string}) => void} Convert of the fields of two columns */
 
 /** @param {string} text @param {string} title @param {() => void} work */
 const button = (text, title, work) => h('button', { type: 'button', class: 'plain', title, onclick: work }, text);

@@ -60,6 +60,41 @@ export function curvePreview(material, units) {
   ];
 }
 
+/** @param {Record<string, any> | undefined} material @param {Units} units */
+export function initialStressPreview(material, units) {
+  const rows = material?.initial_stress;
+  const column = (/** @type {string} */ key) =>
+    Array.isArray(rows) ? rows.map((row) => /** @type {Point} */ ([row?.depth, row?.[key]])) : [];
+  const [along, across] = [column('sigma_x'), column('sigma_z')];
+  if (along.length === 0 || ![...along, ...across].flat().every(Number.isFinite)) return [];
+  // Constant beyond the last point.
+  const last = Number(along.at(-1)?.[0]);
+  const [least, greatest] = range(along.map(([depth]) => depth));
+  const end = 1.15 * (greatest || 1);
+  const whole = (/** @type {Point[]} */ points) =>
+    /** @type {Point[]} */ ([...points, ...(last === greatest ? [[end, points.at(-1)?.[1]]] : [])]);
+  const stresses = [0, ...along.map(([, stress]) => stress), ...across.map(([, stress]) => stress)];
+  return [
+    h(
+      'figure',
+      { class: 'preview' },
+      drawing(
+        whole(along),
+        [Math.min(0, least), end],
+        range(stresses),
+        `Initial stress, ${along.length} points`,
+        'line',
+        whole(across),
+      ),
+      h(
+        'figcaption',
+        {},
+        `stress before the load [${unit('stress', units)}] over depth [${unit('length', units)}]; dashed: out of plane`,
+      ),
+    ),
+  ];
+}
+
 /** @param {number[]} values @returns {[number, number]} */
 const range = (values) => [Math.min(...values), Math.max(...values)];
 

@@ -12,7 +12,7 @@ import { outline, pin } from './outline.js';
 
 const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
 /** Width of a letter, on average. */
-const LETTER = 5.8;
+const LETTER = 6.4;
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {

@@ -43,7 +43,7 @@ export const SHAPES = {
     label: "Profile",
     description: "A block whose upper face passes through points, smooth or straight between them.",
     fields: [
-      {"description":"Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.","example":[[-10.0,-2.5],[-4.0,-0.4],[0.0,0.0],[4.0,-0.4],[10.0,-2.5]],"key":"points","kind":"points","label":"Points","pair":["length","length"],"symbol":"x, height"},
+      {"columns":["length","length"],"description":"Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.","example":[[-10.0,-2.5],[-4.0,-0.4],[0.0,0.0],[4.0,-0.4],[10.0,-2.5]],"key":"points","kind":"points","label":"Points","symbol":"x, height"},
       {"description":"From height 0 to the base; every height is above it.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
       {"choices":{"linear":"linear","smooth":"smooth"},"description":"What the face is like between its points: `smooth` to the first derivative, without overshoot, or `linear`, so that points are corners. If it is left out, the face is smooth, and refused where that would round off a corner in the contact.","key":"interpolation","kind":"choice","label":"Between points","optional":true,"symbol":""},
     ],
@@ -130,7 +130,7 @@ export const LAWS = {
     label: "Table",
     description: "A measured curve.",
     fields: [
-      {"description":"Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.","example":[[0.0,500.0],[0.01,600.0],[0.05,750.0]],"key":"points","kind":"points","label":"Points","pair":["number","stress"],"symbol":"ε_p, q"},
+      {"columns":["number","stress"],"description":"Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.","example":[[0.0,500.0],[0.01,600.0],[0.05,750.0]],"key":"points","kind":"points","label":"Points","symbol":"ε_p, q"},
     ],
   },
   swift: {
@@ -168,13 +168,13 @@ export const OVER_DEPTH = {
   factors: {
     label: "Factors",
     fields: [
-      {"description":"Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,1.8],[0.5,1.6],[1.5,1.0]],"key":"over_depth","kind":"points","label":"Strength over depth","optional":true,"pair":["length","number"],"symbol":"z, factor"},
+      {"columns":["length","number"],"description":"Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,1.8],[0.5,1.6],[1.5,1.0]],"key":"over_depth","kind":"points","label":"Strength over depth","optional":true,"symbol":"z, factor"},
     ],
   },
   hardness: {
     label: "Hardness over depth",
     fields: [
-      {"description":"Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,720.0],[0.5,640.0],[1.0,500.0],[1.5,400.0],[2.0,380.0]],"key":"over_depth/hardness/profile","kind":"points","label":"Hardness over depth","pair":["length","number"],"symbol":"z, HV"},
+      {"columns":["length","number"],"description":"Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.","example":[[0.0,720.0],[0.5,640.0],[1.0,500.0],[1.5,400.0],[2.0,380.0]],"key":"over_depth/hardness/profile","kind":"points","label":"Hardness over depth","symbol":"z, HV"},
     ],
   },
   case: {
@@ -187,3 +187,7 @@ export const OVER_DEPTH = {
     ],
   },
 };
+
+/* prettier-ignore */
+/** @type {import('./fields.js').Field} */
+export const INITIAL_STRESS = {"columns":["length","stress","stress"],"description":"Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.","key":"initial_stress","kind":"terms","label":"Initial stress","members":["depth","sigma_x","sigma_z"],"optional":true,"symbol":"z, σ_x, σ_z"};

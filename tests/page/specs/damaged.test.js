@@ -24,6 +24,8 @@ service.test('jobs of any form are shown as far as they go', async (page) => {
       upper: by({ ...steel.plasticity, over_depth: { hardness: 3 }, backstress: [null, 5] }),
       load: { forces: [null] },
     },
+    { upper: { ...base.upper, material: { ...steel, initial_stress: 5 } } },
+    { upper: { ...base.upper, material: { ...steel, initial_stress: [null, { depth: 'x' }, 7] } } },
     { upper: { ...base.upper, shape: { type: 'cylinder', radius: 1e308 } }, load: { force: -1e308 } },
   ]) {
     const changed = { ...base, ...change };

@@ -304,6 +304,40 @@ service.test('steels of the library say where their figures are from, and conver
   );
 });
 
+service.test('initial stress is a table over depth, drawn and checked line by line', async (page) => {
+  const kind = page.locator('[data-place="/lower/material/stress_kind"] select');
+  const place = page.locator('[data-place="/lower/material/initial_stress"]');
+  const rows = async () => (await draft(page)).lower.material.initial_stress;
+  await kind.selectOption('given');
+  await page.locator('[data-preview=lower-stress] svg').waitFor();
+  const typical = await rows();
+  assert.equal(typical.length, 5);
+  // The material yields at 500 MPa, and the stress by itself does not.
+  assert.ok(typical.every((/** @type {any} */ row) => Math.abs(row.sigma_x) <= 300 && row.sigma_z === row.sigma_x));
+  await place.locator('textarea').fill('0 -200\n0,1 -100 -100');
+  await place.locator('.error').getByText('line 1 has 2 columns, not three').waitFor();
+  await place.locator('textarea').fill('0 -200 -150\n0,1 -100 -100\n0,1 0 0');
+  await place.locator('.error').getByText('line 3: must be greater than the depth before').waitFor();
+  await place.locator('textarea').fill('0 -900 0\n0.3 0 0');
+  await place.locator('.error').getByText('yields by itself').waitFor();
+  await paste(place.locator('textarea'), 'depth [µm];hoop [MPa];axial [MPa]\n0;-200;-150\n300;0;0');
+  await place.getByText('2 points read; 1 header line skipped; column 1 converted from µm').waitFor();
+  assert.deepEqual(await rows(), [
+    { depth: 0, sigma_x: -200, sigma_z: -150 },
+    { depth: 0.3, sigma_x: 0, sigma_z: 0 },
+  ]);
+  await page.getByLabel('Units').selectOption('SI');
+  assert.deepEqual((await rows())[1], { depth: 0.0003, sigma_x: 0, sigma_z: 0 });
+  assert.deepEqual((await rows())[0], { depth: 0, sigma_x: -2e8, sigma_z: -1.5e8 });
+  await page.locator('[data-place="/lower/material/law"] select').selectOption('voce');
+  assert.equal((await rows()).length, 2, 'another law, the same stress');
+  await page.getByLabel('Analysis').selectOption('axisymmetric');
+  await place.locator('.error').getByText('line 1: must equal').waitFor();
+  await kind.selectOption('none');
+  assert.equal(await rows(), undefined);
+  assert.equal(await place.count(), 0);
+});
+
 service.test('terms of the backstress are a table where flow theory is chosen', async (page) => {
   assert.equal(await page.getByLabel('Backstress C, γ').count(), 0);
   await page.getByLabel('Theory').selectOption('flow');

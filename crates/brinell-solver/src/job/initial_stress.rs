@@ -1,6 +1,6 @@
 //! Stress that a body has before it is loaded: from grinding, peening or hardening.
 
-use super::fields::{Field, read_record, record};
+use super::fields::{Field, FieldTable, Record as _, read_record, record};
 use super::over_depth::{faults_of_depths, interpolate};
 use super::reader::Cursor;
 use super::{
@@ -25,6 +25,11 @@ impl InitialStress {
     pub const KEY: &'static str = "initial_stress";
     /// Most depths.
     pub const MAX_POINTS: usize = 1000;
+
+    /// The fields of a row, for schema and form.
+    pub const fn table() -> FieldTable {
+        Self::TABLE
+    }
 
     pub(super) fn read_all(cursor: Cursor<'_>, units: Option<Units>) -> Option<Vec<Self>> {
         cursor.array(1..=Self::MAX_POINTS, |item| read_record(&item.object()?, None, units, None, &[]))
