@@ -1,62 +1,56 @@
 #!/usr/bin/env python3
-"""How long a large job goes on after it was asked to stop.
+"""How long large jobs go on after they were asked to stop, through the service.
 
-usage: scripts/cancel.py [--elements 220] [--times 12] [--binary target/release/brinell]
-Solves a job of two different bodies with every output once, then again and again, and cancels it at moments spread over its course. Prints how
-long each took from the request to the final state, and the longest.
+usage: scripts/cancel.py [--elements 220] [--times 6] [--course 30] [--binary target/release/brinell]
+Jobs of two different bodies with every output, of each analysis, theory and coupling, are cancelled at moments spread over their course, or
+over so many seconds of it. Prints the longest and the median time from the request to the final state, and fails above 0.5 s.
 """
-import argparse, http.client, json, subprocess, sys, tempfile, time
-from pathlib import Path
+import argparse, statistics, sys, time
+
+from harness import EXAMPLES, Service, load
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--elements", type=int, default=220)
-parser.add_argument("--times", type=int, default=12)
+parser.add_argument("--times", type=int, default=6)
+parser.add_argument("--course", type=float, default=30)
+parser.add_argument("--only", nargs="+", default=[])
 parser.add_argument("--binary", default="target/release/brinell")
 args = parser.parse_args()
-job = json.loads(Path("api/examples/two_cylinders.json").read_text())
-job["mesh"] = {"elements_per_half_width": args.elements}
-job["lower"]["material"]["plasticity"]["yield_stress"] = 501.0
-job["output"] = {"fields": True, "subsurface": True}
+BASE = {**EXAMPLES["two_cylinders"], "mesh": {"elements_per_half_width": args.elements}, "output": {"fields": True, "subsurface": True}}
+BASE["lower"] = {**BASE["lower"], "material": {**BASE["lower"]["material"], "plasticity": {**BASE["lower"]["material"]["plasticity"], "yield_stress": 501.0}}}
+HISTORY = {"solver": {"theory": "flow"}, "load": {"history": [300.0, 612.0, 0.0]}}
+JOBS = {"accelerated": {}, "strong": {"solver": {"coupling": "strong"}}, "weak": {"solver": {"coupling": "weak"}},
+        "secant stiffness": {"solver": {"coupling": "secant_stiffness"}}, "plane stress": {"analysis": "plane_stress"},
+        "axisymmetric": {"analysis": "axisymmetric", "load": {"force": 3000.0}}, "flow theory": HISTORY}
 
+worst = 0.0
+print(f"{args.elements} elements, {load()}\n\n| job | course [s] | median [s] | longest [s] |\n|---|--:|--:|--:|")
+with Service(args.binary, "--workers", "1", "--factor-cache", "0", "--max-job-memory", "16384", "--memory-limit", "16384") as service:
+    for title, more in JOBS.items():
+        if args.only and title not in args.only:
+            continue
+        job, waits, state = {**BASE, **more}, [], ""
 
-def ask(connection, method, path, body=None):
-    connection.request(method, path, body, {"Content-Type": "application/json"})
-    answer = connection.getresponse()
-    return json.loads(answer.read())
-
-
-def until(connection, name, state):
-    while True:
-        document = ask(connection, "GET", f"/v1/jobs/{name}?wait=60")
-        if document["status"] == state or document["done"]:
-            return document
-
-
-with tempfile.TemporaryDirectory() as data:
-    command = [args.binary, "serve", "--listen", "127.0.0.1:0", "--data-dir", data, "--workers", "1", "--factor-cache", "0",
-               "--max-job-memory", "16384", "--memory-limit", "16384"]
-    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        connection = http.client.HTTPConnection(server.stdout.readline().split("//")[1].strip(), timeout=600)
-        begin = time.perf_counter()
-        receipt = ask(connection, "POST", "/v1/jobs", json.dumps(job))
-        assert "id" in receipt, receipt
-        whole = until(connection, receipt["id"], "succeeded")
-        course = time.perf_counter() - begin
-        print(f"{args.elements} elements: {whole['status']} after {course:.1f} s")
-        waits = []
-        for number in range(1, args.times + 1):
-            name = ask(connection, "POST", "/v1/jobs", json.dumps(job))["id"]
-            while ask(connection, "GET", f"/v1/jobs/{name}")["status"] == "queued":
-                time.sleep(0.01)
-            moment = course * number / (args.times + 1)
-            time.sleep(moment)
+        def cancelled(name):
             begin = time.perf_counter()
-            ask(connection, "POST", f"/v1/jobs/{name}/cancel")
-            ended = until(connection, name, "cancelled")
-            waits.append(time.perf_counter() - begin)
-            print(f"  asked at {moment:5.1f} s: {ended['status']} after {waits[-1]:.3f} s", flush=True)
-        print(f"longest {max(waits):.3f} s")
-    finally:
-        server.terminate()
-        print("exit code", server.wait(), file=sys.stderr)
+            service.ask("POST", f"/v1/jobs/{name}/cancel")
+            document = service.wait(name)
+            return time.perf_counter() - begin, document["status"]
+
+        begin = time.perf_counter()
+        name = service.submit(job)
+        if not service.wait(name, args.course)["done"]:
+            waits.append(cancelled(name)[0])
+        course = time.perf_counter() - begin
+        for number in range(1, args.times + 1):
+            name = service.submit(job)
+            while service.ask("GET", f"/v1/jobs/{name}")[1]["status"] == "queued":
+                time.sleep(0.01)
+            time.sleep(course * number / (args.times + 1))
+            wait, state = cancelled(name)
+            if state == "cancelled":
+                waits.append(wait)
+        worst = max([worst, *waits])
+        print(f"| {title} | {course:.1f} | {statistics.median(waits):.3f} | {max(waits):.3f} |", flush=True)
+print(f"\nlongest {worst:.3f} s, {load()}")
+sys.exit(worst >= 0.5)

@@ -5,14 +5,14 @@ usage: scripts/estimates.py [--binary target/release/brinell] [--largest 160]
 Each job is solved by a service of its own, with one worker and nothing kept between jobs; its memory is the process's largest less what it had
 before. Prints a table in Markdown and fails where a job takes more than 1.2 times its estimate.
 """
-import argparse, http.client, json, re, sqlite3, subprocess, sys, tempfile, time
-from pathlib import Path
+import argparse, json, sqlite3, sys
+
+from harness import EXAMPLES, Service
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--binary", default="target/release/brinell")
 parser.add_argument("--largest", type=int, default=160)
 args = parser.parse_args()
-EXAMPLES = {path.stem: json.loads(path.read_text()) for path in sorted(Path("api/examples").glob("*.json"))}
 
 
 def job(example, elements, forces=None, fields=False, **more):
@@ -38,38 +38,18 @@ TABLE = [("equal bodies", job("two_cylinders", 20)), ("equal bodies", job("two_c
          ("different bodies, fields", different(job("two_cylinders", args.largest, fields=True)))]
 
 
-def status(pid, name):
-    return int(re.search(rf"{name}:\s+(\d+)", Path(f"/proc/{pid}/status").read_text())[1]) << 10
-
-
-def ask(connection, method, path, body=None):
-    connection.request(method, path, body, {"Content-Type": "application/json"})
-    answer = connection.getresponse()
-    return answer.status, answer.read()
-
-
 print("| job | elements | equations | estimate [MiB] | peak [MiB] | ratio | result, estimate [MiB] | result [MiB] | ratio |")
 print("|---|--:|--:|--:|--:|--:|--:|--:|--:|")
 worst = 0.0
 for name, made in TABLE:
-    with tempfile.TemporaryDirectory() as data:
-        command = [args.binary, "serve", "--listen", "127.0.0.1:0", "--data-dir", data, "--workers", "1", "--factor-cache", "0",
-                   "--max-job-memory", "16384", "--memory-limit", "16384"]
-        server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        try:
-            connection = http.client.HTTPConnection(server.stdout.readline().split("//")[1].strip(), timeout=900)
-            code, answer = ask(connection, "POST", "/v1/validate", json.dumps(made))
-            estimate = json.loads(answer)["estimate"] if code == 200 else sys.exit(f"{name}: {answer}")
-            before = status(server.pid, "VmRSS")
-            receipt = json.loads(ask(connection, "POST", "/v1/jobs", json.dumps(made))[1])
-            while not (document := json.loads(ask(connection, "GET", f"/v1/jobs/{receipt['id']}")[1]))["done"]:
-                time.sleep(0.2)
-            peak = status(server.pid, "VmHWM") - before
-            with sqlite3.connect(f"file:{data}/brinell.db?mode=ro", uri=True) as database:
-                stored = database.execute("SELECT stored_bytes FROM jobs").fetchone()[0]
-        finally:
-            server.terminate()
-            server.wait()
+    with Service(args.binary, "--workers", "1", "--factor-cache", "0", "--max-job-memory", "16384", "--memory-limit", "16384") as service:
+        code, answer = service.ask("POST", "/v1/validate", made)
+        estimate = answer["estimate"] if code == 200 else sys.exit(f"{name}: {answer}")
+        before = service.memory()
+        document = service.wait(service.submit(made))
+        peak = service.memory("VmHWM") - before
+        with sqlite3.connect(f"file:{service.data}/brinell.db?mode=ro", uri=True) as database:
+            stored = database.execute("SELECT stored_bytes FROM jobs").fetchone()[0]
     if document["status"] not in ("succeeded", "not_converged"):
         sys.exit(f"{name}: {document['status']}")
     ratio, size = peak / estimate["bytes"], stored / estimate["result_bytes"]

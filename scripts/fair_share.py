@@ -1,30 +1,29 @@
 #!/usr/bin/env python3
 """What one API key that floods the service does to two others.
 
-usage: scripts/fair_share.py [--seconds 20] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
-With `-- --database-url postgres://…` on PostgreSQL. Two keys take turns with default jobs, one through POST /v1/solve, one through the
+usage: scripts/fair_share.py [--seconds 20] [--store sqlite|postgres] [--binary target/release/brinell] [-- MORE ARGUMENTS OF SERVE]
+Two keys take turns with default jobs, one through POST /v1/solve, one through the
 queue, first alone, then while a third floods both with everything it may: default jobs and sweeps that take minutes, at priority 100. Prints the waits of the two, and
 their ratio, for each way.
 """
-import argparse, http.client, json, statistics, subprocess, sys, tempfile, threading, time
-from pathlib import Path
+import argparse, contextlib, http.client, json, statistics, subprocess, sys, threading, time
+
+from harness import EXAMPLES, Cluster, Service, load
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--seconds", type=float, default=20)
+parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
 parser.add_argument("--binary", default="target/release/brinell")
 parser.add_argument("--connections", type=int, default=16, help="of the flood, each way")
 parser.add_argument("serve", nargs="*")
 args = parser.parse_args()
-JOB = Path("api/examples/two_cylinders.json").read_text()
-document = json.loads(JOB)
-document["mesh"] = {"elements_per_half_width": 60}
-document["load"] = {"forces": [400 + step for step in range(200)]}
-SWEEP = json.dumps(document)
+JOB = EXAMPLES["two_cylinders"]
+SWEEP = {**JOB, "mesh": {"elements_per_half_width": 60}, "load": {"forces": [400 + step for step in range(200)]}}
 
 
 def ask(connection, token, method, path, body=None):
     headers = {"Content-Type": "application/json", "Authorization": f"Bearer {token}"}
-    connection.request(method, path, body, headers)
+    connection.request(method, path, body and json.dumps(body), headers)
     answer = connection.getresponse()
     return answer.status, answer.read()
 
@@ -82,21 +81,16 @@ def round_of(host, tokens, greedy):
     return waits
 
 
-with tempfile.TemporaryDirectory() as data:
-    flags = ["--data-dir", data, *args.serve]
-    stored = [flag for flag in flags]
-    tokens = [subprocess.run([args.binary, "key", "create", name, *stored], check=True, capture_output=True, text=True).stdout.strip()
-              for name in ("solves", "queues", "floods")]
-    server = subprocess.Popen([args.binary, "serve", "--listen", "127.0.0.1:0", "--require-api-key", "--queue-capacity-per-key", "1000", *flags],
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        host = server.stdout.readline().split("//")[1].strip()
-        alone = round_of(host, tokens[:2], None)
-        flooded = round_of(host, tokens[:2], tokens[2])
+with Cluster() if args.store == "postgres" else contextlib.nullcontext() as cluster:
+    flags = ["--require-api-key", "--queue-capacity-per-key", "1000", *args.serve]
+    with Service(args.binary, *flags, database=cluster and cluster.url) as service:
+        tokens = [subprocess.run([args.binary, "key", "create", name, *service.store], check=True, capture_output=True, text=True).stdout.strip()
+                  for name in ("solves", "queues", "floods")]
+        alone = round_of(service.host, tokens[:2], None)
+        flooded = round_of(service.host, tokens[:2], tokens[2])
         for way in (solve, queue):
             a, b = alone[way], flooded[way]
-            print(f"{way.__name__}: alone median {1e3 * statistics.median(a):.0f} ms, p99 {1e3 * p99(a):.0f} ms of {len(a)}; flooded median "
-                  f"{1e3 * statistics.median(b):.0f} ms, p99 {1e3 * p99(b):.0f} ms of {len(b)}; p99 {p99(b) / p99(a):.2f} times", flush=True)
-    finally:
-        server.kill()
-        server.wait()
+            print(f"{args.store}, {way.__name__}: alone median {1e3 * statistics.median(a):.0f} ms, p99 {1e3 * p99(a):.0f} ms of {len(a)}; flooded median "
+                  f"{1e3 * statistics.median(b):.0f} ms, p99 {1e3 * p99(b):.0f} ms of {len(b)}; p99 {p99(b) / p99(a):.2f} times; {load()}", flush=True)
+        # What the flood has queued would take minutes.
+        service.process.kill()

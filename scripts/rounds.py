@@ -5,8 +5,9 @@ usage: scripts/rounds.py [--rounds 9] [--store sqlite|postgres] [--binary target
 `sqlite` is one service, `postgres` two on a cluster of their own, which is restarted too (needs initdb and pg_ctl). A receiver answers one announcement in
 five with 500. At the end every job that was accepted has succeeded, its result is whole, its announcement was delivered, under one id.
 """
-import argparse, collections, glob, http.client, http.server, json, os, random, shutil, signal, socket, subprocess, sys, tempfile, threading, time
-from pathlib import Path
+import argparse, collections, http.client, http.server, json, random, shutil, signal, subprocess, sys, tempfile, threading, time
+
+from harness import EXAMPLES, Cluster, free_port
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--rounds", type=int, default=9)
@@ -14,7 +15,7 @@ parser.add_argument("--seconds", type=float, default=4, help="of a round")
 parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
 parser.add_argument("--binary", default="target/release/brinell")
 args = parser.parse_args()
-JOB = json.loads(Path("api/examples/two_cylinders.json").read_text())
+JOB = EXAMPLES["two_cylinders"]
 SECRET = "whsec_" + "MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw"
 random.seed(1)
 data = tempfile.mkdtemp()
@@ -35,37 +36,6 @@ class Receiver(http.server.BaseHTTPRequestHandler):
 
 receiver = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Receiver)
 threading.Thread(target=receiver.serve_forever, daemon=True).start()
-
-
-def free_port():
-    with socket.socket() as taken:
-        taken.bind(("127.0.0.1", 0))
-        return taken.getsockname()[1]
-
-
-class Cluster:
-    """PostgreSQL on a socket of its own."""
-    def __init__(self):
-        self.programs = Path(shutil.which("initdb") or sorted(glob.glob("/usr/lib/postgresql/*/bin/initdb"))[-1]).parent
-        self.folder, self.port = f"{data}/cluster", free_port()
-        # PostgreSQL refuses to run as root.
-        self.user = ["runuser", "-u", "nobody", "--"] if os.getuid() == 0 else []
-        os.mkdir(self.folder)
-        if self.user:
-            os.chmod(data, 0o755)
-            shutil.chown(self.folder, "nobody")
-        self.run("initdb", "-D", self.folder, "-U", "brinell", "-A", "trust")
-        self.run("pg_ctl", "-D", self.folder, "-w", "-l", f"{self.folder}/log", "-o", f"-p {self.port} -k {self.folder} -c listen_addresses=127.0.0.1", "start")
-        self.url = f"postgres://brinell@127.0.0.1:{self.port}/postgres"
-
-    def run(self, program, *arguments):
-        subprocess.run([*self.user, str(self.programs / program), *arguments], check=True, stdout=subprocess.DEVNULL, cwd="/")
-
-    def restart(self):
-        self.run("pg_ctl", "-D", self.folder, "-w", "-m", "immediate", "-l", f"{self.folder}/log", "restart")
-
-    def stop(self):
-        self.run("pg_ctl", "-D", self.folder, "-m", "immediate", "stop")
 
 
 class Node:
