@@ -19,7 +19,7 @@ use crate::http::{
     serve,
 };
 use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
-use crate::lifecycle::Hangups;
+use crate::lifecycle::{Hangups, raise_file_limit};
 use crate::outgoing::{Client, RootsError};
 use crate::store::{
     DATABASE, PostgresError, SqliteError, Store, open_postgres, open_sqlite, open_sqlite_in_memory,
@@ -34,6 +34,9 @@ const CLOSE_TIMEOUT: Duration = Duration::from_secs(3);
 
 /// Most connections to the port of the metrics.
 const METRICS_CONNECTIONS: usize = 100;
+
+/// Files that may be open beside the connections of clients: those of the store, of metrics and of calls to others.
+const OTHER_FILES: usize = METRICS_CONNECTIONS + 64;
 
 /// Time between two sweeps.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(30);
@@ -134,7 +137,9 @@ impl Service {
         ));
         let checked = Arc::clone(&jobs);
         background.spawn(async move { checked.check_store().await });
-        let settings = HttpSettings { require_api_key: config.keys_required(address), ..config.http() };
+        let connections = connections(config.max_connections);
+        let settings =
+            HttpSettings { require_api_key: config.keys_required(address), connections, ..config.http() };
         let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
         let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
         let mut state = HttpState::new(jobs, settings, metrics);
@@ -205,6 +210,19 @@ pub async fn run_worker(
     stop.cancelled().await;
     drain(worker, time_to_solve(config.work.grace)).await;
     Ok(())
+}
+
+/// How many connections there can be at a time, so that files are left for the store and for calls to others.
+fn connections(most: usize) -> usize {
+    let files = raise_file_limit().and_then(|files| usize::try_from(files).ok());
+    let possible = files.map_or(most, |files| files.saturating_sub(OTHER_FILES).max(1));
+    if possible < most {
+        tracing::warn!(
+            possible,
+            "the limit on open files (`ulimit -n`) allows fewer connections than --max-connections"
+        );
+    }
+    most.min(possible)
 }
 
 async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, AppError> {

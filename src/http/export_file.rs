@@ -1,8 +1,10 @@
 //! Results in the forms that other programs read.
 
+use axum::body::Body;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
-use axum::response::IntoResponse;
+use axum::response::{IntoResponse, Response};
 
+use super::access::Caller;
 use super::result_body::no_result;
 use super::{HttpState, Problem, ProblemType};
 use crate::jobs::{Export, ExportError, ExportFailure, JobId};
@@ -26,14 +28,31 @@ pub(super) async fn export(
     }
 }
 
+/// The result of a job in another form, as it is sent.
+pub(super) async fn export_file(
+    state: &HttpState,
+    caller: Caller,
+    id: JobId,
+    form: Export,
+    step: Option<usize>,
+) -> Result<Response, Problem> {
+    if form != Export::FieldVtu {
+        return Ok(file(id, form, export(state, id, form, step).await?).into_response());
+    }
+    // The one form with a line for each node and element.
+    let place = state.texts.take(caller.key()).await;
+    let text = export(state, id, form, step).await?;
+    Ok(file(id, form, place.send(text.into())).into_response())
+}
+
 /// A file as it is sent, with a name to keep it under.
-pub(super) fn file(id: JobId, form: Export, text: String) -> impl IntoResponse {
+pub(super) fn file(id: JobId, form: Export, text: impl Into<Body>) -> impl IntoResponse {
     // Figures are looked at, the rest is for other programs.
     let is_figure = form.media_type().starts_with("image/");
     let disposition = if is_figure { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
     let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
-    (headers, text)
+    (headers, text.into())
 }
 
 fn unavailable(error: &ExportError) -> Problem {

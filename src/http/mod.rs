@@ -12,6 +12,7 @@ mod edge;
 mod event_stream;
 mod examples;
 mod export_file;
+mod held_text;
 mod job_path;
 mod listen;
 mod metrics;
@@ -56,6 +57,7 @@ use crate::jobs::{JobService, Retention};
 use crate::webhook::CallbackRules;
 use access::authenticate;
 use edge::{check_host, drop_unusable_request_id, guard_response};
+use held_text::TextPlaces;
 use negotiation::settle_coding;
 use rates::Rates;
 use request_log::log_request;
@@ -156,6 +158,7 @@ pub struct HttpState {
     pub closing: CancellationToken,
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
+    texts: TextPlaces,
     /// Bytes that bodies may take while they arrive.
     bodies: Arc<Semaphore>,
     metrics: Option<Metrics>,
@@ -176,6 +179,7 @@ impl HttpState {
             closing: CancellationToken::new(),
             rates,
             streams,
+            texts: TextPlaces::default(),
             metrics,
         }
     }

@@ -1,10 +1,13 @@
 //! Results as they leave: step by step as they are read, so that none is in memory as a whole; compressed as they are
 //! kept; under a tag that says when a client has them already; in ranges where they are bytes.
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use axum::body::Body;
 use axum::http::header::{
-    ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_RANGE, CONTENT_TYPE, ETAG, IF_NONE_MATCH,
-    IF_RANGE, RANGE, VARY,
+    ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_RANGE, CONTENT_TYPE, ETAG,
+    IF_NONE_MATCH, IF_RANGE, RANGE, VARY,
 };
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -21,8 +24,8 @@ use super::query::Selection;
 use super::request_log::JobIdExtension;
 use super::selection::{edit, edit_report, no_step};
 use super::wire::JobDocument;
-use crate::jobs::{Deflated, GzipStream, JobId, JobRecord, ResultHead, StoreError};
-use brinell_solver::report::FieldArrays;
+use crate::jobs::{Deflated, FieldsReader, GzipStream, JobId, JobRecord, JobStore, ResultHead, StoreError};
+use brinell_solver::report::FieldPiece;
 
 /// Pieces that wait for a client that reads slowly.
 pub(super) const WAITING_PIECES: usize = 2;
@@ -179,7 +182,7 @@ async fn whole(state: &HttpState, report: Bytes, selection: Selection) -> Result
 struct ResultWriter {
     state: HttpState,
     id: JobId,
-    steps: std::ops::Range<usize>,
+    steps: Range<usize>,
     selection: Selection,
     has_fields: bool,
     sender: Sender<Result<Bytes, StoreError>>,
@@ -258,26 +261,48 @@ impl ResultWriter {
 
     /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.
     async fn with_fields(&self, number: usize, text: Bytes) -> Result<bool, StoreError> {
-        let _decoder = self.state.jobs.decoder().await;
-        let Some(fields) = self.state.jobs.fields(self.id, number).await? else {
+        let Some(mut fields) = self.state.jobs.fields(self.id, number).await? else {
             return Ok(self.send(text).await);
         };
         let (text, end) =
             (text.slice(..text.len().saturating_sub(1)), text.slice(text.len().saturating_sub(1)..));
-        let sender = self.sender.clone();
-        let written = spawn_blocking(move || {
-            let arrays = FieldArrays::read(fields).map_err(StoreError::unavailable)?;
-            let member = std::iter::once(Bytes::from_static(b",\"fields\":"));
-            let pieces = member.chain(arrays.json().map(Bytes::from));
-            let mut pieces = std::iter::once(text).chain(pieces).chain([end]);
-            Ok(pieces.all(|piece| sender.blocking_send(Ok(piece)).is_ok()))
-        });
-        written.await.map_err(StoreError::unavailable)?
+        let mut go_on = self.send(text).await && self.send(Bytes::from_static(b",\"fields\":")).await;
+        for piece in fields.layout().json() {
+            if !go_on {
+                return Ok(false);
+            }
+            go_on = self.send(written(&self.state, &mut fields, piece).await?).await;
+        }
+        Ok(go_on && self.send(end).await)
     }
 }
 
-/// Bytes under a tag, whole or the one range that is asked for (RFC 9110, section 14).
-pub(super) fn bytes(tag: &str, media_type: &'static str, body: Bytes, headers: &HeaderMap) -> Response {
+/// Fields as they are read for an answer.
+pub(super) type Fields = FieldsReader<Arc<dyn JobStore>>;
+
+/// A piece of another form of fields. Who waits for a slow client holds no decoder.
+pub(super) async fn written(
+    state: &HttpState,
+    fields: &mut Fields,
+    piece: FieldPiece,
+) -> Result<Bytes, StoreError> {
+    let source = fields.bytes(piece.source()).await?;
+    if source.is_empty() {
+        return Ok(piece.write(&source).into());
+    }
+    let _decoder = state.jobs.decoder().await;
+    let written = spawn_blocking(move || Bytes::from(piece.write(&source)));
+    written.await.map_err(StoreError::unavailable)
+}
+
+/// An answer of so many bytes under a tag, whole or the one range that is asked for (RFC 9110, section 14); `body` makes them.
+pub(super) fn bytes(
+    tag: &str,
+    media_type: &'static str,
+    length: usize,
+    headers: &HeaderMap,
+    body: impl FnOnce(Range<usize>) -> Body,
+) -> Response {
     let common: [(HeaderName, &str); 4] = [
         (CONTENT_TYPE, media_type),
         (ETAG, tag),
@@ -290,15 +315,16 @@ pub(super) fn bytes(tag: &str, media_type: &'static str, body: Bytes, headers: &
     let is_current = headers.get(IF_RANGE).is_none_or(|known| known.as_bytes() == tag.as_bytes());
     let mut ranges = headers.get_all(RANGE).iter().filter(|_| is_current);
     let range = ranges.next().filter(|_| ranges.next().is_none()).and_then(|range| range.to_str().ok());
-    match range.and_then(|range| byte_range(range, body.len())) {
-        None => (common, body).into_response(),
+    let sent = |range: Range<usize>| ([(CONTENT_LENGTH, range.len())], body(range));
+    match range.and_then(|range| byte_range(range, length)) {
+        None => (common, sent(0..length)).into_response(),
         Some(Err(())) => {
-            let all = [(CONTENT_RANGE, format!("bytes */{}", body.len()))];
+            let all = [(CONTENT_RANGE, format!("bytes */{length}"))];
             (StatusCode::RANGE_NOT_SATISFIABLE, common, all).into_response()
         }
         Some(Ok((from, to))) => {
-            let part = [(CONTENT_RANGE, format!("bytes {from}-{}/{}", to - 1, body.len()))];
-            (StatusCode::PARTIAL_CONTENT, common, part, body.slice(from..to)).into_response()
+            let part = [(CONTENT_RANGE, format!("bytes {from}-{}/{length}", to - 1))];
+            (StatusCode::PARTIAL_CONTENT, common, part, sent(from..to)).into_response()
         }
     }
 }

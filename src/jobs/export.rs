@@ -1,13 +1,12 @@
 //! Stored results in the forms that other programs read. Only the steps that a form shows are read, and fields only where it
 //! shows them.
 
-use bytes::Bytes;
 use thiserror::Error;
 
 use super::{JobId, JobService, ResultHead, StoreError};
 use brinell_solver::job::Job;
 use brinell_solver::report::export::{Export, ExportError};
-use brinell_solver::report::{FieldArrays, Report, StepReport};
+use brinell_solver::report::{Report, StepReport};
 
 /// Why a result does not have a form.
 #[derive(Debug, Error)]
@@ -74,18 +73,14 @@ impl JobService {
         for number in shown {
             let text = self.step(id, number).await?.text().map_err(unreadable)?;
             let mut step: StepReport = serde_json::from_slice(&text).map_err(unreadable)?;
-            if with_fields && number == wanted {
-                restore(&mut step, self.fields(id, number).await?)?;
+            if with_fields
+                && number == wanted
+                && let Some(fields) = self.fields(id, number).await?
+            {
+                step.fields = Some(fields.whole().await?.decode().map_err(unreadable)?);
             }
             report.steps.push(step);
         }
         Ok((report, Some(wanted - first)))
     }
-}
-
-/// Puts fields back into the report of their step.
-fn restore(step: &mut StepReport, fields: Option<Bytes>) -> Result<(), ExportFailure> {
-    let arrays = fields.map(FieldArrays::read).transpose().map_err(unreadable)?;
-    step.fields = arrays.map(|arrays| arrays.decode()).transpose().map_err(unreadable)?;
-    Ok(())
 }

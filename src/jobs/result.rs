@@ -36,6 +36,18 @@ impl StepResult {
     }
 }
 
+/// Size \[bytes\] of the parts that fields are kept in; the last one is shorter.
+pub const FIELDS_PART: usize = 256 << 10;
+
+/// Part of the fields of a step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FieldsPart {
+    /// Where it begins in the bytes of the step.
+    pub first: usize,
+    /// What stands there.
+    pub bytes: Bytes,
+}
+
 /// Everything in a result but its steps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResultHead {

@@ -14,9 +14,9 @@ use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, Idempotency,
-    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore, KeyId, KeyStore,
-    NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, read_token,
+    ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, FieldsReader,
+    Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore,
+    KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -334,8 +334,12 @@ impl JobService {
     ///
     /// # Errors
     /// [`StoreError`].
-    pub async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
-        self.store.fields(id, step).await
+    pub async fn fields(
+        &self,
+        id: JobId,
+        step: usize,
+    ) -> Result<Option<FieldsReader<Arc<dyn JobStore>>>, StoreError> {
+        FieldsReader::open(Arc::clone(&self.store), id, step).await
     }
 
     /// The announcement of a job's end, if it has one.

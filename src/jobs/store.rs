@@ -10,8 +10,8 @@ use jiff::Timestamp;
 use thiserror::Error;
 
 use super::{
-    Deflated, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead, StepResult,
-    TraceParent, WorkerId,
+    Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead,
+    StepResult, TraceParent, WorkerId,
 };
 
 /// Keeps jobs, hands them out and remembers how they ended.
@@ -65,11 +65,12 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`] without such a step.
     async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError>;
 
-    /// The fields of a step of the result, counted from 0; `None` of a job that did not ask for them.
+    /// The part of the fields of a step, counted from 0, that has this byte of them, or else the last before it; `None` of a job
+    /// that did not ask for them. [`FieldsReader`](super::FieldsReader) puts parts together.
     ///
     /// # Errors
     /// [`StoreError::NotFound`] without such a step.
-    async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError>;
+    async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError>;
 
     /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones. API keys share the solvers by
     /// the work of their jobs (start-time fair queueing), and so do the jobs of one key that somebody waits for, three parts

@@ -19,7 +19,7 @@ use tokio::time::sleep;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
-use crate::jobs::{Clock, JobId, JobNotifier, StoreError, WorkerId};
+use crate::jobs::{Clock, JobId, JobNotifier, StoreError, Turns, WorkerId};
 
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
@@ -32,6 +32,11 @@ const STEPS: &[Step] = &[
     },
     Step { version: 5, name: "quotas", sql: include_str!("../../migrations/postgres/0005_quotas.sql") },
     Step { version: 6, name: "callbacks", sql: include_str!("../../migrations/postgres/0006_callbacks.sql") },
+    Step {
+        version: 7,
+        name: "field parts",
+        sql: include_str!("../../migrations/postgres/0007_field_parts.sql"),
+    },
 ];
 
 /// Connections of one process.
@@ -82,7 +87,7 @@ pub async fn open_postgres(
     let node = WorkerId::generate();
     let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
     let backend = PostgresPool { pool, node, clock, listener };
-    Ok(Arc::new(SqlStore { backend, notifier, limits }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
 }
 
 #[async_trait]

@@ -30,7 +30,7 @@ use self::wal::WalSync;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
-use crate::jobs::{Clock, JobNotifier, StoreError};
+use crate::jobs::{Clock, JobNotifier, StoreError, Turns};
 
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") },
@@ -39,6 +39,11 @@ const STEPS: &[Step] = &[
     Step { version: 4, name: "fair share", sql: include_str!("../../migrations/sqlite/0004_fair_share.sql") },
     Step { version: 5, name: "quotas", sql: include_str!("../../migrations/sqlite/0005_quotas.sql") },
     Step { version: 6, name: "callbacks", sql: include_str!("../../migrations/sqlite/0006_callbacks.sql") },
+    Step {
+        version: 7,
+        name: "field parts",
+        sql: include_str!("../../migrations/sqlite/0007_field_parts.sql"),
+    },
 ];
 
 /// Name of the database in its directory.
@@ -158,7 +163,7 @@ pub async fn open_sqlite_in_memory(
     let backend = SqliteDatabase::in_memory(bytes, clock).await;
     let failed = |source| SqliteError::Database { path: PathBuf::from(":memory:"), source };
     let backend = backend.map_err(failed)?;
-    Ok(Arc::new(SqlStore { backend, notifier, limits }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
 }
 
 async fn open(
@@ -171,7 +176,7 @@ async fn open(
     let path = directory.join(DATABASE);
     let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
     let backend = backend.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(SqlStore { backend, notifier, limits }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.

@@ -124,6 +124,23 @@ fn clients_beyond_the_bound_wait_for_a_connection() {
 }
 
 #[test]
+fn connections_leave_files_for_the_store() {
+    let server = Server::start_with_files(200, &[]);
+    let idle: Vec<TcpStream> = (0..199).map(|_| connect(&server)).collect();
+    let mut waiting = connect(&server);
+    waiting.write_all(ASK).unwrap();
+    waiting.set_read_timeout(Some(Duration::from_millis(200))).unwrap();
+    let mut answer = [0; 12];
+    assert!(waiting.read_exact(&mut answer).is_err(), "there is no place");
+    let open = std::fs::read_dir(format!("/proc/{}/fd", server.id())).map(Iterator::count);
+    assert!(open.is_ok_and(|open| open < 180), "all files are connections");
+    drop(idle);
+    waiting.set_read_timeout(Some(DEADLINE)).unwrap();
+    waiting.read_exact(&mut answer).unwrap();
+    assert_eq!(&answer, b"HTTP/1.1 200");
+}
+
+#[test]
 fn unfinished_bodies_are_bounded_in_sum() {
     let server = Server::start_with(&["--max-body", "2048"]);
     let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2048\r\n\r\n";

@@ -1,5 +1,8 @@
 //! Large results: in parts, in a binary form, in ranges, and not sent twice.
 
+use std::io::{Read, Write};
+use std::net::TcpStream;
+
 use brinell_solver::report::{FieldArrays, StepReport};
 use serde_json::json;
 
@@ -177,6 +180,12 @@ fn fields_are_had_as_arrays_of_numbers() {
     let range = solved.get("/fields/2", &["-r", "0-7"]);
     assert_eq!((range.status, range.body.as_slice()), (206, &b"BRNFLD01"[..]));
     assert_eq!(range.header("content-range"), Some(format!("bytes 0-7/{}", answer.body.len()).as_str()));
+    let length = answer.body.len();
+    assert_eq!(answer.header("content-length"), Some(length.to_string().as_str()));
+    for (first, last) in [(8, 8), (1000, 5001), (length / 3, length / 2), (length - 1, length - 1)] {
+        let part = solved.get("/fields/2", &["-r", &format!("{first}-{last}")]);
+        assert_eq!((part.status, part.body.as_slice()), (206, &answer.body[first..=last]), "{first}-{last}");
+    }
     let beyond = solved.get("/fields/2", &["-r", "99999999-"]);
     assert_eq!(beyond.status, 416);
     let known = format!("If-None-Match: {}", answer.header("etag").unwrap());
@@ -188,6 +197,29 @@ fn fields_are_had_as_arrays_of_numbers() {
         solved.get(path, &[]).problem(404, "step-not-found");
     }
     Solved::new(false).get("/fields/1", &[]).problem(409, "not-in-result");
+}
+
+#[test]
+fn readers_who_do_not_read_hold_up_nobody() {
+    let server = Server::start_with(&["--write-timeout", "600"]);
+    let mut job = example();
+    (job["mesh"], job["output"]) = (json!({"elements_per_half_width": 40}), json!({"fields": true}));
+    let job = server.target.submit(&job);
+    server.target.wait_for(&job, &["succeeded"]);
+    let host = server.target.url.strip_prefix("http://").unwrap();
+    let mut deaf = Vec::new();
+    for path in ["/result", "/fields/1", "?wait=1", "/result"].iter().cycle().take(20) {
+        let mut stream = TcpStream::connect(host).unwrap();
+        write!(stream, "GET {job}{path} HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
+        let mut first = [0; 15];
+        stream.read_exact(&mut first).unwrap();
+        assert_eq!(&first, b"HTTP/1.1 200 OK");
+        deaf.push(stream);
+    }
+    for path in ["/result", "/fields/1", "/pressure.svg", "?wait=1"] {
+        let url = format!("{}{job}{path}", server.target.url);
+        assert_eq!(curl(&["--max-time", "50", &url]).status, 200, "{path}");
+    }
 }
 
 #[test]

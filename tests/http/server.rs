@@ -118,8 +118,20 @@ impl Server {
         Self::start_in(data, args, log.into())
     }
 
+    /// Under a limit on open files.
+    pub fn start_with_files(files: u32, args: &[&str]) -> Self {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("ulimit -n {files} && exec \"$0\" \"$@\"")]);
+        shell.arg(env!("CARGO_BIN_EXE_brinell"));
+        Self::spawn(shell, Scratch::new(), args, Stdio::inherit())
+    }
+
     fn start_in(data: Scratch, args: &[&str], log: Stdio) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        Self::spawn(Command::new(env!("CARGO_BIN_EXE_brinell")), data, args, log)
+    }
+
+    fn spawn(mut command: Command, data: Scratch, args: &[&str], log: Stdio) -> Self {
+        let mut child = command
             .args(["serve", "--listen", "127.0.0.1:0"])
             .args(args)
             .env("BRINELL_DATA_DIR", &data.0)

@@ -1,10 +1,11 @@
 //! What is damaged is told as such, and holds nothing else up.
 
-use brinell::jobs::{JobId, StepResult, StoreError};
+use brinell::jobs::{FIELDS_PART, JobId, NewJob, StepResult, StoreError};
+use brinell_solver::report::{FieldArrays, FieldsReport, PerBody};
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
 
-use crate::subject::{ALL, Place, Subject, reported};
+use crate::subject::{ALL, Place, Subject, iteration, job, reported};
 
 /// Changes rows behind the back of the store.
 async fn execute(place: &Place, statement: &'static str, id: JobId) {
@@ -58,6 +59,67 @@ async fn damaged_rows_are_told(subject: &Subject) {
     store.finish(&claims[2].lease, &[], &steps, reported(SolveStatus::Converged)).await.unwrap();
     let found = store.check(true).await.unwrap();
     assert!(found[2].starts_with(&format!("job {sound}: ")), "{found:?}");
+}
+
+#[tokio::test]
+async fn damage_in_every_table_of_sqlite_is_found() {
+    damage_in_every_table_is_found(&Subject::sqlite().await).await;
+}
+
+#[tokio::test]
+async fn damage_in_every_table_of_postgres_is_found() {
+    damage_in_every_table_is_found(&Subject::postgres().await).await;
+}
+
+/// A job with everything that a job can have.
+async fn rich_job(subject: &Subject) -> JobId {
+    let callback_url = Some("https://hooks.example/".to_owned());
+    let id = subject.store.enqueue(NewJob { callback_url, ..job("x") }).await.unwrap().job.id;
+    let lease = subject.claim_one().await;
+    let fields = FieldsReport { nodes: vec![[0.0; 2]; 40_000], ..FieldsReport::default() };
+    let fields = FieldArrays::encode(&PerBody { upper: Some(fields), lower: None }).unwrap();
+    assert!(fields.len() > 2 * FIELDS_PART);
+    let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
+    let steps = [StepResult { report, fields: Some(fields.into()) }];
+    subject.store.finish(&lease, &[iteration(1)], &steps, reported(SolveStatus::Converged)).await.unwrap();
+    id
+}
+
+async fn damage_in_every_table_is_found(subject: &Subject) {
+    let store = &subject.store;
+    assert_eq!(store.check(true).await.unwrap(), Vec::<String>::new());
+    for statement in [
+        "UPDATE jobs SET state = 'lost' WHERE id = $1",
+        "DELETE FROM requests WHERE job = $1",
+        "UPDATE iterations SET records = substr(records, 1, 3) WHERE job = $1",
+        "UPDATE reports SET body = substr(body, 1, 3) WHERE job = $1",
+        "DELETE FROM result_steps WHERE job = $1",
+        "UPDATE result_steps SET body = substr(body, 1, 14) WHERE job = $1",
+        "DELETE FROM field_parts WHERE job = $1 AND first = 262144",
+        "UPDATE field_parts SET body = substr(body, 1, 100) WHERE job = $1 AND first > 0",
+        "UPDATE deliveries SET state = 'lost' WHERE job = $1",
+    ] {
+        let id = rich_job(subject).await;
+        assert_eq!(store.check(true).await.unwrap(), Vec::<String>::new());
+        execute(&subject.place, statement, id).await;
+        let found = store.check(true).await.unwrap();
+        let prefix = format!("job {id}: ");
+        assert!(found.len() == 1 && found[0].starts_with(&prefix), "{statement}: {found:?}");
+        execute(&subject.place, "DELETE FROM jobs WHERE id = $1", id).await;
+    }
+    let waiting = subject.enqueue("x").await;
+    execute(&subject.place, "UPDATE jobs SET flow = 4711 WHERE id = $1", waiting).await;
+    store.ping().await.unwrap();
+    for statement in [
+        "DELETE FROM scheduler WHERE EXISTS (SELECT 1 FROM jobs WHERE id = $1)",
+        "INSERT INTO health SELECT 1 FROM jobs WHERE id = $1",
+    ] {
+        execute(&subject.place, statement, waiting).await;
+        assert!(matches!(store.ping().await, Err(StoreError::Damaged(_))), "{statement}");
+    }
+    let found = store.check(true).await.unwrap();
+    let lines = ["table scheduler: 0 rows instead of one", "table health: 2 rows instead of one"];
+    assert!(found.len() == 3 && found[..2] == lines && found[2].contains(&waiting.to_string()), "{found:?}");
 }
 
 #[tokio::test]

@@ -45,6 +45,7 @@ macro_rules! contract {
             leases the_last_attempt_runs_alone;
             leases a_released_job_is_queued_as_if_never_taken_up;
             results steps_are_kept_as_they_are_finished;
+            results fields_are_read_part_by_part;
             results a_later_attempt_begins_without_steps;
             results the_oldest_results_make_room;
             results a_job_without_a_report_keeps_no_steps;

@@ -1,6 +1,11 @@
 //! Results of steps.
 
-use brinell::jobs::{Deflated, JobFailure, Outcome, Retention, StepResult, StoreError};
+use std::sync::Arc;
+
+use brinell::jobs::{
+    Deflated, FIELDS_PART, FieldsReader, JobFailure, Outcome, Retention, StepResult, StoreError,
+};
+use brinell_solver::report::{FieldArrays, FieldsReport, PerBody};
 use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
 use jiff::SignedDuration;
@@ -29,12 +34,40 @@ pub async fn steps_are_kept_as_they_are_finished(subject: &Subject) {
         [("a", Some("A")), ("b", Some("B")), ("c", None), ("d", None)].into_iter().enumerate()
     {
         assert_eq!(store.step(id, number).await.unwrap().text().unwrap(), text);
-        assert_eq!(store.fields(id, number).await.unwrap().as_deref(), fields.map(str::as_bytes));
+        let part = store.fields(id, number, 0).await.unwrap();
+        assert_eq!(part.as_ref().map(|part| &part.bytes[..]), fields.map(str::as_bytes));
     }
     assert!(matches!(store.step(id, 4).await, Err(StoreError::NotFound)));
-    assert!(matches!(store.fields(id, 4).await, Err(StoreError::NotFound)));
+    assert!(matches!(store.fields(id, 4, 0).await, Err(StoreError::NotFound)));
     store.delete(id).await.unwrap();
     assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)));
+}
+
+pub async fn fields_are_read_part_by_part(subject: &Subject) {
+    let side = 40_000;
+    let nodes: Vec<[f64; 2]> = (0..side).map(|k| [f64::from(k), 0.5 * f64::from(k)]).collect();
+    let written = FieldsReport { displacement: nodes.clone(), nodes, ..FieldsReport::default() };
+    let written = PerBody { upper: Some(written), lower: None };
+    let bytes = Bytes::from(FieldArrays::encode(&written).unwrap());
+    assert!(bytes.len() > 4 * FIELDS_PART);
+    let id = subject.enqueue("x").await;
+    let lease = subject.claim_one().await;
+    let step = StepResult { report: Deflated::compress(b"a").unwrap(), fields: Some(bytes.clone()) };
+    subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+
+    for at in [0, 1, FIELDS_PART - 1, FIELDS_PART, 3 * FIELDS_PART + 5, bytes.len() - 1] {
+        let part = subject.store.fields(id, 0, at).await.unwrap().unwrap();
+        assert_eq!(part.first, at / FIELDS_PART * FIELDS_PART);
+        assert_eq!(part.bytes, bytes[part.first..bytes.len().min(part.first + FIELDS_PART)]);
+    }
+    let mut reader = FieldsReader::open(Arc::clone(&subject.store), id, 0).await.unwrap().unwrap();
+    for range in [0..1, 10..10, FIELDS_PART - 3..2 * FIELDS_PART + 7, 5..FIELDS_PART, 0..bytes.len()] {
+        assert_eq!(reader.bytes(range.clone()).await.unwrap(), bytes[range]);
+    }
+    let end = bytes.len();
+    assert!(matches!(reader.bytes(end..end + 1).await, Err(StoreError::Damaged(_))));
+    let reader = FieldsReader::open(Arc::clone(&subject.store), id, 0).await.unwrap().unwrap();
+    assert_eq!(reader.whole().await.unwrap().decode().unwrap(), written);
 }
 
 pub async fn a_later_attempt_begins_without_steps(subject: &Subject) {

@@ -5,7 +5,7 @@
 //! unless `?step=` names another, counted from 1 as in the tables.
 
 use axum::extract::State;
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 use axum::routing::get;
 use utoipa::IntoParams;
 use utoipa::openapi::extensions::ExtensionsBuilder;
@@ -15,7 +15,8 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
 use utoipa_axum::router::UtoipaMethodRouter;
 
-use crate::http::export_file::{export, file};
+use crate::http::access::Caller;
+use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::query::{Step, StepQuery, takes_no_step};
 use crate::http::{HttpState, Problem};
@@ -27,7 +28,7 @@ pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<Http
         let mut paths = Paths::new();
         let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
         paths.add_path_operation(path, vec![HttpMethod::Get], operation(form));
-        (Vec::new(), paths, get(move |state, job, step| get_export(state, job, step, form)))
+        (Vec::new(), paths, get(move |state, job, step, caller| get_export(state, job, step, caller, form)))
     })
 }
 
@@ -81,10 +82,11 @@ async fn get_export(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     Step(step): Step,
+    caller: Caller,
     form: Export,
 ) -> Result<Response, Problem> {
     if step.is_some() && !form.shows_one_step() {
         return Err(takes_no_step(form.file_name()));
     }
-    Ok(file(id, form, export(&state, id, form, step).await?).into_response())
+    export_file(&state, caller, id, form, step).await
 }

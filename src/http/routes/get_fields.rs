@@ -1,16 +1,19 @@
 //! `GET /v1/jobs/{id}/fields/{step}`: mesh and nodal fields of a step as arrays of numbers.
 
-use axum::body::Bytes;
+use std::ops::Range;
+use std::vec;
+
+use axum::body::{Body, Bytes};
 use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
-use tokio::task::spawn_blocking;
+use futures_util::{Stream, stream};
 
 use crate::http::job_path::JobPath;
-use crate::http::result_body::no_result;
+use crate::http::result_body::{Fields, no_result};
 use crate::http::{HttpState, Problem, ProblemType, result_body};
 use crate::jobs::{JobId, StoreError};
-use brinell_solver::report::FieldArrays;
+use brinell_solver::report::FieldPiece;
 
 /// Mesh and nodal fields of a step, as arrays of numbers
 ///
@@ -45,14 +48,46 @@ pub(in crate::http) async fn get_fields(
     if number >= head.steps {
         return Err(no_step());
     }
-    let _decoder = state.jobs.decoder().await;
     let Some(fields) = state.jobs.fields(id, number).await? else {
         let detail = "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
     };
-    let convert = move || FieldArrays::read(fields).and_then(|arrays| arrays.single_precision());
-    let converted = spawn_blocking(convert).await.map_err(StoreError::unavailable)?;
-    let arrays = Bytes::from(converted.map_err(StoreError::unavailable)?);
+    let arrays =
+        fields.layout().single_precision().map_err(|error| StoreError::damaged(error.to_string()))?;
+    let length = arrays.iter().filter_map(FieldPiece::length).sum();
     let tag = format!("\"{id}-{}-{step}-f32\"", head.attempt);
-    Ok(result_body::bytes(&tag, "application/octet-stream", arrays, &headers))
+    let body = |range| Body::from_stream(Sent::new(state, fields, arrays, range).stream());
+    Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
+}
+
+/// A range of pieces, each of which is read and written when the client takes it.
+struct Sent {
+    state: HttpState,
+    fields: Fields,
+    /// Each with the part of it that is in the range.
+    pieces: vec::IntoIter<(FieldPiece, Range<usize>)>,
+}
+
+impl Sent {
+    fn new(state: HttpState, fields: Fields, pieces: Vec<FieldPiece>, range: Range<usize>) -> Self {
+        let mut begin = 0;
+        let mut within = Vec::new();
+        for piece in pieces {
+            let end = begin + piece.length().unwrap_or(0);
+            let (from, to) = (range.start.max(begin), range.end.min(end));
+            if from < to {
+                within.push((piece, from - begin..to - begin));
+            }
+            begin = end;
+        }
+        Self { state, fields, pieces: within.into_iter() }
+    }
+
+    fn stream(self) -> impl Stream<Item = Result<Bytes, StoreError>> + Send {
+        stream::try_unfold(self, async |mut sent| {
+            let Some((piece, part)) = sent.pieces.next() else { return Ok(None) };
+            let text = result_body::written(&sent.state, &mut sent.fields, piece).await?;
+            Ok(Some((text.slice(part), sent)))
+        })
+    }
 }

@@ -48,7 +48,7 @@ const END: &str =
 pub(super) const FORGET: [&str; 3] = [
     "DELETE FROM iterations WHERE job = $1",
     "DELETE FROM result_steps WHERE job = $1",
-    "DELETE FROM result_fields WHERE job = $1",
+    "DELETE FROM field_parts WHERE job = $1",
 ];
 const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
          losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,

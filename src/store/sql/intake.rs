@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
-use super::codec::{count, pack, to_json};
+use super::codec::{count, damaged, pack, to_json};
 use super::deliveries::Deliveries;
 use super::keys::Keys;
 use super::reading::Reading;
@@ -34,7 +34,8 @@ const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
          finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
          state = CASE WHEN state = 'queued' THEN 'cancelled' ELSE state END
      WHERE id = $1 AND state IN ('queued', 'running')";
-const HEALTH: &str = "UPDATE health SET written_at = $1";
+/// Writes the one row of its table, if what the queue cannot do without is there too.
+const HEALTH: &str = "UPDATE health SET written_at = $1 WHERE (SELECT count(*) FROM scheduler) = 1";
 const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
 const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
@@ -243,8 +244,12 @@ macro_rules! intake {
             }
 
             async fn record_health(&mut self, now: i64) -> Result<(), StoreError> {
-                sqlx::query::<$database>(HEALTH).bind(now).execute(self).await?;
-                Ok(())
+                let written = sqlx::query::<$database>(HEALTH).bind(now).execute(self).await?;
+                if written.rows_affected() == 1 {
+                    Ok(())
+                } else {
+                    Err(damaged("a table that has one row has none, or several"))
+                }
             }
 
             async fn delete(&mut self, id: JobId) -> Result<(), StoreError> {

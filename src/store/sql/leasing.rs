@@ -6,7 +6,7 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::claiming::{FORGET, until};
 use super::codec::{failure_json, pack, pack_records, to_json};
-use crate::jobs::{IterationRecord, Lease, LeaseStatus, Outcome, StepResult, StoreError};
+use crate::jobs::{FIELDS_PART, IterationRecord, Lease, LeaseStatus, Outcome, StepResult, StoreError};
 
 const BEAT: &str = "UPDATE jobs SET leased_until = $4
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
@@ -29,7 +29,7 @@ const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN '
 const STEPS: &str = "UPDATE jobs SET steps = steps + $4, stored_bytes = stored_bytes + $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING steps";
 const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)";
-const FIELDS: &str = "INSERT INTO result_fields (job, step, body) VALUES ($1, $2, $3)";
+const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)";
 const NO_STEPS: &str = "UPDATE jobs SET steps = 0, stored_bytes = 0 WHERE id = $1";
 
 /// Changes by the holder of a lease.
@@ -123,12 +123,10 @@ macro_rules! leasing {
                 for (number, step) in (last.saturating_sub(more)..).zip(steps) {
                     let report = sqlx::query::<$database>(STEP).bind(lease.job.uuid()).bind(number);
                     report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
-                    if let Some(fields) = &step.fields {
-                        let fields = sqlx::query::<$database>(FIELDS)
-                            .bind(lease.job.uuid())
-                            .bind(number)
-                            .bind(&fields[..]);
-                        fields.execute(&mut *self).await?;
+                    let fields = step.fields.as_deref().unwrap_or_default();
+                    for (part, first) in fields.chunks(FIELDS_PART).zip((0_i64..).step_by(FIELDS_PART)) {
+                        let insert = sqlx::query::<$database>(FIELDS).bind(lease.job.uuid()).bind(number);
+                        insert.bind(first).bind(part).execute(&mut *self).await?;
                     }
                 }
                 Ok(())

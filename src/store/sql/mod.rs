@@ -18,15 +18,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use async_trait::async_trait;
-use brinell_solver::report::FieldArrays;
 use bytes::Bytes;
 use sqlx::types::Uuid;
 
 use super::StoreLimits;
 use crate::jobs::{
-    ClaimRequest, Claims, Counts, Deflated, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier,
-    JobPage, JobRecord, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome, ResultHead, Retention,
-    StepResult, StoreError,
+    ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart, FieldsReader,
+    IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState, JobStore, KeyStore, Lease,
+    LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError, Turns,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
@@ -64,21 +63,22 @@ pub(super) struct SqlStore<B> {
     pub(super) backend: B,
     pub(super) notifier: Arc<JobNotifier>,
     pub(super) limits: StoreLimits,
+    /// Of submissions: each takes a connection, and locks the row of its key.
+    pub(super) submissions: Turns,
 }
 
 impl<B: Backend> SqlStore<B> {
     /// Reads everything of a job.
     async fn check_job(&self, id: JobId) -> Result<(), StoreError> {
-        let mut connection = self.backend.read().await?;
-        connection.find(id).await?;
-        Reading::request(&mut *connection, id).await?;
-        Reading::history(&mut *connection, id, 0).await?;
-        let Some(head) = Reading::result(&mut *connection, id).await? else { return Ok(()) };
+        self.get(id).await?;
+        self.request(id).await?;
+        self.history(id, 0).await?;
+        self.callback(id).await?;
+        let Some(head) = self.result(id).await? else { return Ok(()) };
         for step in 0..head.steps {
-            let report = Reading::step(&mut *connection, id, step).await?;
-            report.text().map_err(StoreError::damaged)?;
-            if let Some(fields) = Reading::fields(&mut *connection, id, step).await? {
-                FieldArrays::read(&fields).map_err(|error| StoreError::damaged(error.to_string()))?;
+            self.step(id, step).await?.text().map_err(StoreError::damaged)?;
+            if let Some(fields) = FieldsReader::open(self, id, step).await? {
+                fields.check().await?;
             }
         }
         Ok(())
@@ -114,8 +114,11 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
         self.backend.check_space().await?;
         let durability = if job.interactive { Written } else { Synced };
+        let turn = self.submissions.take(job.submitter).await;
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
+        // Many that are handed in one after the other share a sync.
+        drop(turn);
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
@@ -123,6 +126,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn enqueue_all(&self, jobs: Vec<NewJob>) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError> {
         self.backend.check_space().await?;
         let durability = if jobs.iter().all(|job| job.interactive) { Written } else { Synced };
+        let _turn = self.submissions.take(jobs.first().and_then(|job| job.submitter)).await;
         let (mut transaction, now) = self.backend.write().await?;
         let mut enqueued = Vec::with_capacity(jobs.len());
         for job in jobs {
@@ -159,8 +163,8 @@ impl<B: Backend> JobStore for SqlStore<B> {
         Reading::step(&mut *self.backend.read().await?, id, step).await
     }
 
-    async fn fields(&self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
-        Reading::fields(&mut *self.backend.read().await?, id, step).await
+    async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError> {
+        Reading::fields(&mut *self.backend.read().await?, id, step, at).await
     }
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
@@ -257,6 +261,11 @@ impl<B: Backend> JobStore for SqlStore<B> {
         if !jobs {
             return Ok(found);
         }
+        found.extend(self.backend.read().await?.check_tables().await?);
+        match self.keys(None).await {
+            Err(StoreError::Damaged(source)) => found.push(format!("API keys: {source}")),
+            keys => drop(keys?),
+        }
         let mut after = JobId::from(Uuid::nil());
         loop {
             let page = self.backend.read().await?.ids_after(after, CHECKED).await?;
@@ -264,8 +273,12 @@ impl<B: Backend> JobStore for SqlStore<B> {
             after = *last;
             for id in page {
                 match self.check_job(id).await {
-                    // Removed meanwhile.
-                    Ok(()) | Err(StoreError::NotFound) => {}
+                    Ok(()) => {}
+                    Err(StoreError::NotFound) => match self.get(id).await {
+                        // Removed meanwhile.
+                        Err(StoreError::NotFound) => {}
+                        _ => found.push(format!("job {id}: a part of it is missing")),
+                    },
                     Err(StoreError::Damaged(source)) => found.push(format!("job {id}: {source}")),
                     Err(error) => return Err(error),
                 }

@@ -6,7 +6,8 @@ use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
 use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack, unpack_records};
 use crate::jobs::{
-    Counts, Deflated, IterationRecord, JobFilter, JobId, JobPage, JobRecord, ResultHead, StoreError,
+    Counts, Deflated, FieldsPart, IterationRecord, JobFilter, JobId, JobPage, JobRecord, ResultHead,
+    StoreError,
 };
 
 /// One job with its place in the queue.
@@ -24,12 +25,17 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2";
 const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
-const REQUEST: &str = "SELECT body FROM requests WHERE job = $1";
-const RESULT: &str = "SELECT r.body, j.steps, j.attempts, EXISTS (SELECT 1 FROM result_fields f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
+const REQUEST: &str = "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
+const RESULT: &str = "SELECT r.body, j.steps, j.attempts, EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
 const FIELDS: &str =
-    "SELECT f.body FROM result_steps s LEFT JOIN result_fields f ON f.job = s.job AND f.step = s.step
+    "SELECT f.first, f.body FROM result_steps s LEFT JOIN field_parts f ON f.job = s.job AND f.step = s.step
+         AND f.first = (SELECT max(p.first) FROM field_parts p WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
      WHERE s.job = $1 AND s.step = $2";
+const ROWS: [(&str, &str); 2] =
+    [("scheduler", "SELECT count(*) FROM scheduler"), ("health", "SELECT count(*) FROM health")];
+const WITHOUT_FLOW: &str = "SELECT id FROM jobs WHERE state = 'queued'
+     AND NOT EXISTS (SELECT 1 FROM flows f WHERE f.id = jobs.flow) ORDER BY id";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
 /// The job of a row. One damaged row does not hide the others of a list.
@@ -57,7 +63,8 @@ pub(in crate::store) trait Reading: Send {
         &mut self,
         id: JobId,
         step: usize,
-    ) -> impl Future<Output = Result<Option<Bytes>, StoreError>> + Send;
+        at: usize,
+    ) -> impl Future<Output = Result<Option<FieldsPart>, StoreError>> + Send;
     fn list(&mut self, filter: &JobFilter) -> impl Future<Output = Result<JobPage, StoreError>> + Send;
     /// Names of jobs in order, those after `id`.
     fn ids_after(
@@ -65,6 +72,8 @@ pub(in crate::store) trait Reading: Send {
         id: JobId,
         limit: i64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
+    /// What is wrong with tables that concern all jobs; one line for each damage.
+    fn check_tables(&mut self) -> impl Future<Output = Result<Vec<String>, StoreError>> + Send;
     fn counts(&mut self) -> impl Future<Output = Result<Counts, StoreError>> + Send;
 }
 
@@ -92,8 +101,9 @@ macro_rules! reading {
             }
 
             async fn request(&mut self, id: JobId) -> Result<Bytes, StoreError> {
-                let row = sqlx::query_scalar::<$database, Vec<u8>>(REQUEST).bind(id.uuid());
-                unpack(row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?)
+                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(REQUEST).bind(id.uuid());
+                let packed = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
+                unpack(packed.ok_or_else(|| damaged("no text"))?)
             }
 
             async fn result(&mut self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
@@ -112,10 +122,18 @@ macro_rules! reading {
                 Deflated::from_bytes(body.into()).ok_or_else(|| damaged("a step"))
             }
 
-            async fn fields(&mut self, id: JobId, step: usize) -> Result<Option<Bytes>, StoreError> {
+            async fn fields(
+                &mut self,
+                id: JobId,
+                step: usize,
+                at: usize,
+            ) -> Result<Option<FieldsPart>, StoreError> {
                 let step = i32::try_from(step).unwrap_or(i32::MAX);
-                let row = sqlx::query_scalar::<$database, Option<Vec<u8>>>(FIELDS).bind(id.uuid()).bind(step);
-                Ok(row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?.map(Bytes::from))
+                let row = sqlx::query_as::<$database, (Option<i64>, Option<Vec<u8>>)>(FIELDS).bind(id.uuid());
+                let row = row.bind(step).bind(i64::try_from(at).unwrap_or(i64::MAX));
+                let (first, body) = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
+                let Some((first, body)) = first.zip(body) else { return Ok(None) };
+                Ok(Some(FieldsPart { first: count(first)?, bytes: body.into() }))
             }
 
             async fn list(&mut self, filter: &JobFilter) -> Result<JobPage, StoreError> {
@@ -165,6 +183,20 @@ macro_rules! reading {
             async fn ids_after(&mut self, id: JobId, limit: i64) -> Result<Vec<JobId>, StoreError> {
                 let ids = sqlx::query_scalar::<$database, Uuid>(IDS_AFTER).bind(id.uuid()).bind(limit);
                 Ok(ids.fetch_all(self).await?.into_iter().map(JobId::from).collect())
+            }
+
+            async fn check_tables(&mut self) -> Result<Vec<String>, StoreError> {
+                let mut found = Vec::new();
+                for (table, statement) in ROWS {
+                    let rows = sqlx::query_scalar::<$database, i64>(statement).fetch_one(&mut *self).await?;
+                    if rows != 1 {
+                        found.push(format!("table {table}: {rows} rows instead of one"));
+                    }
+                }
+                let lost = sqlx::query_scalar::<$database, Uuid>(WITHOUT_FLOW).fetch_all(self).await?;
+                let line = |id| format!("job {}: it is queued where nobody looks", JobId::from(id));
+                found.extend(lost.into_iter().map(line));
+                Ok(found)
             }
 
             async fn counts(&mut self) -> Result<Counts, StoreError> {

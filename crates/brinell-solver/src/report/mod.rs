@@ -21,7 +21,9 @@ mod validity;
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::ErrorEstimate;
-pub use field_arrays::{FieldArrays, FieldArraysError, Side as FieldSide};
+pub use field_arrays::{
+    FieldArrays, FieldArraysError, FieldLayout, FieldPiece, NumbersPiece, Side as FieldSide,
+};
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use load_approach::LoadApproach;
