@@ -272,7 +272,13 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
     let residual = step.equilibrium_residual;
     let is_balanced =
         step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
-    if !step.contact_check.is_sound() {
+    if let Some(ratio) = step.missed {
+        format!(
+            "What is sought is not found: under this force it is {ratio:.4} times what it is to be (of an onset, the highest von \
+             Mises stress over the yield stress), and jumps from one mesh to the next. More elements \
+             (`mesh.elements_per_half_width`) follow it more closely."
+        )
+    } else if !step.contact_check.is_sound() {
         format!(
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
              or load); do not use it."
@@ -329,6 +335,21 @@ mod tests {
             let told = report.steps[0].validity.iter().any(|note| note.code == "suspicious_units");
             assert_eq!(told, is_told, "{units} {radius} {force} {modulus}");
         }
+    }
+
+    /// A search that no force ends says so, and blames neither iteration nor load.
+    #[test]
+    fn what_is_not_found_is_told() {
+        let job = br#"{"analysis": "plane_strain", "load": {"onset": true}, "mesh": {"elements_per_half_width": 10},
+            "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": {"young_modulus": 70000,
+                "poisson_ratio": 0.3, "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 0}}}}"#;
+        let job = Job::from_json(job).unwrap();
+        let mut step = run(&job, &mut Unobserved).unwrap().steps.remove(0);
+        assert!(notes(&job, &step, 10.0, &[40.0]).is_empty());
+        (step.status, step.missed) = (SolveStatus::NotConverged, Some(1.0123));
+        let notes = notes(&job, &step, 10.0, &[40.0]);
+        assert!(notes[0].code == "not_converged" && notes[0].message.contains("1.0123 times"), "{notes:?}");
     }
 
     /// Meshes grow with the contact, so no job is known that ends like this.

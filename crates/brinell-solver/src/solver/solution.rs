@@ -80,6 +80,8 @@ pub struct StepSolution {
     pub has_collapsed: bool,
     /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
     pub unresolved: Option<f64>,
+    /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
+    pub missed: Option<f64>,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.

@@ -61,6 +61,23 @@ fn cones_of_sneddon() {
     }
 }
 
+/// A wedge touches in the same way under any force: the pressure is the same down to contacts of 1e-13 mm, and a roller's is
+/// Hertz's.
+#[test]
+fn the_smallest_loads_are_solved() {
+    let peak = |shape: Value, force: f64| {
+        step(&press("plane_strain", shape, json!({"force": force}), 20.0, Value::Null)).contact.peak_pressure
+    };
+    let wedge = json!({"type": "wedge", "angle": 0.8, "width": 10.0, "depth": 10.0});
+    let reference = peak(wedge.clone(), 1.0);
+    for force in [1e-9, 1e-6, 1e-4] {
+        assert_within(peak(wedge.clone(), force), reference, 1e-3);
+        let hertz = brinell_solver::analytical::HertzLine::new(force, 10.0, MODULUS);
+        let roller = json!({"type": "cylinder", "radius": 10.0});
+        assert_within(peak(roller, force), hertz.peak_pressure(), 1e-3);
+    }
+}
+
 #[test]
 fn wedges_of_johnson() {
     for angle in [2.0_f64, 5.710_593] {

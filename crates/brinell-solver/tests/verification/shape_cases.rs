@@ -142,6 +142,21 @@ fn pins_in_grooves_are_sent_to_holes() {
     }
 }
 
+/// What no force will find is said by the check before the solve: elastic bodies have no onset of yield, and a pin that fills
+/// its groove has no contact that ends.
+#[test]
+fn searches_without_an_end_are_refused_before_they_begin() {
+    let mut job = case("pin_in_groove_clearance_0.2");
+    job["load"] = json!({"onset": true});
+    assert_eq!(refused(&job).pointer, "/load/onset");
+    job["lower"]["material"]["plasticity"] =
+        json!({"law": "bilinear", "yield_stress": 300.0, "tangent_modulus": 0.0});
+    report::preflight(&parse(&job)).unwrap();
+    job["lower"]["shape"]["radius"] = json!(10.0);
+    let faults = report::preflight(&parse(&job)).unwrap_err();
+    assert!(faults.len() == 2 && faults.iter().all(|fault| fault.detail.contains("`hole`")), "{faults:?}");
+}
+
 /// A sphere far beyond full plasticity would sink in by two thirds of its radius.
 #[test]
 fn a_ball_that_would_sink_in_is_refused() {

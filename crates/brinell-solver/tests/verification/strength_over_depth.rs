@@ -103,20 +103,23 @@ fn graded_cylinder(yield_stress: f64, over_depth: &Value) -> Value {
     body
 }
 
-/// `p0 = min_z σ_y(z)/F(z/a)`, F by McEwen. Contacts so small that the bodies are half-planes. Strength is taken at the
-/// middle of elements, so that a corner of the profile asks for small ones.
+/// `p0 = min_z σ_y(z)/F(z/a)`, F by McEwen. Contacts so small that the bodies are half-planes. A step within an element is
+/// met where it is.
 #[test]
 fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
     let modulus = YOUNG / 1.82;
-    for over_depth in [
-        json!([[0.0, 2.0], [0.008, 1.0]]),
-        json!([[0.0, 1.0], [0.01, 3.0]]),
-        json!([[0.0, 1.6], [0.003, 1.0], [0.012, 2.0]]),
-        json!([[0.0, 3.0], [0.012, 2.8], [0.016, 1.0]]),
+    for (over_depth, elements) in [
+        (json!([[0.0, 2.0], [0.008, 1.0]]), 40),
+        (json!([[0.0, 1.0], [0.01, 3.0]]), 40),
+        (json!([[0.0, 1.6], [0.003, 1.0], [0.012, 2.0]]), 40),
+        (json!([[0.0, 3.0], [0.012, 2.8], [0.016, 1.0]]), 40),
+        (json!([[0.0, 3.0], [0.0131, 3.0], [0.013_113, 1.0]]), 20),
+        (json!([[0.0, 3.0], [0.0157, 3.0], [0.015_716, 1.0]]), 20),
+        (json!([[0.0, 4.0], [0.0212, 4.0], [0.021_221, 1.0], [0.03, 4.0]]), 20),
     ] {
         let body = graded_cylinder(35.0, &over_depth);
         let job = json!({"analysis": "plane_strain", "upper": body, "lower": body, "load": {"onset": true},
-            "mesh": {"elements_per_half_width": 40}});
+            "mesh": {"elements_per_half_width": elements}});
         let found = report(&job);
         assert_eq!(found.status, SolveStatus::Converged);
         let step = &found.steps[0];

@@ -236,6 +236,7 @@ fn judge(
         reaches_edge: pass.reaches_edge,
         has_collapsed,
         unresolved: None,
+        missed: None,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),

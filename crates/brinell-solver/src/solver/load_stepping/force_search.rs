@@ -207,7 +207,9 @@ impl ForceSearch<'_> {
         }
         let Some(mut best) = best else { return Err(SolveError::NoLoad) };
         if best.deviation() > self.missed().max(tolerance) {
-            best.steps.iter_mut().for_each(|step| step.status = SolveStatus::NotConverged);
+            for step in &mut best.steps {
+                (step.status, step.missed) = (SolveStatus::NotConverged, Some(best.ratio));
+            }
         }
         Ok(best.steps)
     }

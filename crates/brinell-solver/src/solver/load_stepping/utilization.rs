@@ -51,7 +51,8 @@ fn highest_of_elements(solution: &BodySolution, limits: &ProblemBody) -> Option<
 /// Parts of an element's side at whose ends a strength that varies is looked at.
 const PARTS: u32 = 8;
 
-/// The highest ratio of recovered stresses to a yield stress that varies within elements.
+/// The highest ratio of recovered stresses to a yield stress that varies within elements: at even points within them, and where
+/// they cross the depths of the profile, at which strength may change so fast that it jumps between such points.
 fn highest_of_graded(
     solution: &BodySolution,
     symmetric: bool,
@@ -60,35 +61,68 @@ fn highest_of_graded(
     let mesh = &solution.mesh;
     let stress: Vec<[f64; 4]> =
         Recovery::new(solution, symmetric).nodes().into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
-    let ratio = |stress, position| Some(von_mises(stress) / limits.yield_stress_at(position)?);
     let is_near_core = |node: u32| mesh.frame.is_near_core(mesh.nodes[node as usize]);
     let at_node = |node: u32| {
-        if is_near_core(node) { Some(0.0) } else { ratio(stress[node as usize], mesh.nodes[node as usize]) }
+        let (stress, position) = (stress[node as usize], mesh.nodes[node as usize]);
+        let limit = limits.yield_stress_at(position)?;
+        Some(if is_near_core(node) { 0.0 } else { von_mises(stress) / limit })
     };
     let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect::<Option<Vec<_>>>()?;
     let highest = nodal.iter().copied().fold(0.0, f64::max);
+    let depth: Vec<f64> = mesh.nodes.iter().map(|&node| limits.outline.foot(node).0).collect();
+    let (yield_stress, profile) = (limits.yield_stress()?, limits.material.as_ref()?.strength()?);
     let mut best = (0.0, [0.0; 2]);
     for (element, nodes) in mesh.elements.iter().enumerate() {
         if nodes.iter().any(|&node| is_near_core(node)) {
             continue;
         }
-        // Between nodes it is higher by no more than the strength varies within an element.
-        if nodes.iter().all(|&node| nodal[node as usize] < 0.5 * highest) {
-            continue;
-        }
+        let depths = nodes.map(|node| depth[node as usize]);
+        let (least, greatest) =
+            depths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (z.min(a), z.max(b)));
+        let crossed = profile.points().iter().filter(|[z, _]| least < *z && *z < greatest);
         let corners = mesh.corners(element);
-        for k in 0..(PARTS + 1) * (PARTS + 1) {
-            let natural =
-                [k % (PARTS + 1), k / (PARTS + 1)].map(|k| 2.0 * f64::from(k) / f64::from(PARTS) - 1.0);
+        let mut look = |natural: [f64; 2], limit: Option<f64>| -> Option<()> {
             let shape = shape_functions(natural);
             let mix = |values: &dyn Fn(usize) -> f64| (0..4).map(|c| shape[c] * values(c)).sum::<f64>();
             let position = std::array::from_fn(|axis| mix(&|c| corners[c][axis]));
             let stress = std::array::from_fn(|s| mix(&|c| stress[nodes[c] as usize][s]));
-            let found = ratio(stress, position)?;
+            let found = von_mises(stress) / limit.or_else(|| limits.yield_stress_at(position))?;
             if found > best.0 {
                 best = (found, position);
+            }
+            Some(())
+        };
+        for [z, factor] in crossed {
+            for natural in crossings(depths, *z) {
+                look(natural, Some(yield_stress * factor))?;
+            }
+        }
+        // Between nodes and depths of the profile it is higher by no more than the strength varies within an element.
+        if nodes.iter().any(|&node| nodal[node as usize] >= 0.5 * highest) {
+            for k in 0..(PARTS + 1) * (PARTS + 1) {
+                look([k % (PARTS + 1), k / (PARTS + 1)].map(even), None)?;
             }
         }
     }
     Some(best)
+}
+
+/// The place of an even point along a side, -1 to 1.
+fn even(k: u32) -> f64 {
+    2.0 * f64::from(k) / f64::from(PARTS) - 1.0
+}
+
+/// Where lines along both natural directions cross the depth z, depth being interpolated between the corners of an element.
+fn crossings(depths: [f64; 4], z: f64) -> impl Iterator<Item = [f64; 2]> {
+    (0..2 * (PARTS + 1)).filter_map(move |k| {
+        let (axis, fixed) = (usize::from(k > PARTS), even(k % (PARTS + 1)));
+        let at = |along: f64| {
+            let natural = if axis == 0 { [along, fixed] } else { [fixed, along] };
+            let shape = shape_functions(natural);
+            (natural, (0..4).map(|c| shape[c] * depths[c]).sum::<f64>())
+        };
+        let (start, end) = (at(-1.0).1, at(1.0).1);
+        let part = (z - start) / (end - start);
+        (0.0..=1.0).contains(&part).then(|| at(2.0 * part - 1.0).0)
+    })
 }

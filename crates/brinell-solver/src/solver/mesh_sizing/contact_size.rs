@@ -92,9 +92,9 @@ impl ContactSizeEstimate {
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
         let half_width = if problem.has_arcs() {
-            (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a))
+            smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears)
         } else {
-            let rough = (0..=ROUGH_STEPS).rev().map(|k| limit * ROUGH_RATIO.powi(-k)).find(|&a| bears(a));
+            let rough = smallest(limit, ROUGH_RATIO, ROUGH_STEPS, bears);
             rough.map(|a| bisect(a / ROUGH_RATIO, a, bears))
         };
         let plastic = match load {
@@ -128,7 +128,7 @@ impl ContactSizeEstimate {
             ContactLoad::Force(force) => problem.elastic_force(a) >= force,
             ContactLoad::Approach(approach) => pair.initial_gap(a) >= approach * pair.closing(a),
         };
-        let elastic = (0..=SEARCH_STEPS).rev().map(|k| limit * SEARCH_RATIO.powi(-k)).find(|&a| bears(a));
+        let elastic = smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears);
         let (elastic, plastic) = match load {
             ContactLoad::Force(force) => {
                 let Some(elastic) = elastic else {
@@ -333,6 +333,14 @@ pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
     // Not of the graded columns: they leave the rest as it is.
     let columns = zone.half_width() / zone.spacing();
     Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns }
+}
+
+/// The smallest half-width that bears a load, by steps of a ratio down from the largest; by as many again where the last
+/// still bears it.
+fn smallest(largest: f64, ratio: f64, steps: i32, bears: impl Fn(f64) -> bool) -> Option<f64> {
+    let at = |k: i32| largest * ratio.powi(-k);
+    let steps = if bears(at(steps)) { 2 * steps } else { steps };
+    (0..=steps).rev().map(at).find(|&a| bears(a))
 }
 
 /// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.

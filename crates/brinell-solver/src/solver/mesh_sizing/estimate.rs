@@ -1,5 +1,6 @@
 //! What a job will cost, without meshing it.
 
+use crate::contact::ContactLoad;
 use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
 use crate::job::{Job, Target, TargetFigure, Theory};
 use crate::solver::SolveError;
@@ -10,6 +11,8 @@ use crate::solver::problem::Problem;
 
 /// Bytes of factor for each equation and binary digit of their number.
 const FACTOR_BYTES: f64 = 40.0;
+/// A load under which any two bodies touch over a part of their surfaces, if they are to at all.
+const LEAST_LOAD: ContactLoad = ContactLoad::Force(1e-9);
 /// Bytes of everything else for each equation.
 const OTHER_BYTES: f64 = 2000.0;
 
@@ -67,6 +70,12 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
 
 /// Where the load is yet to be found: a contact of a hundredth of the surface, if it is not told how wide it is.
 fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, SolveError> {
+    if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
+        return Err(SolveError::NoYieldPoint);
+    }
+    if let Err(error @ SolveError::Conforming) = ContactSizeEstimate::expected(problem, LEAST_LOAD) {
+        return Err(error);
+    }
     let available = problem.span().1;
     let half_width = match sought {
         Sought::Target(Target { figure: TargetFigure::HalfWidth, value }) => value.get(),
