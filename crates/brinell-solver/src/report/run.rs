@@ -59,7 +59,14 @@ impl RunError {
                 let side = if *side == 0 { "upper" } else { "lower" };
                 vec![format!("/{side}/shape/interpolation")]
             }
-            SolveError::TraceTooFine { .. } => faces(false),
+            SolveError::TraceTooFine { .. } => {
+                let radii = sides.iter().filter_map(|(side, body)| match body.shape {
+                    Shape::Punch(_) => Some(format!("/{side}/shape/edge_radius")),
+                    Shape::Wedge(_) | Shape::Cone(_) => Some(format!("/{side}/shape/tip_radius")),
+                    _ => None,
+                });
+                faces(false).into_iter().chain(radii).collect()
+            }
             SolveError::Mesh(MeshError::TooSteep { .. }) => faces(true),
             _ => Vec::new(),
         };

@@ -50,7 +50,7 @@ pub enum SolveError {
     #[error(
         "within the contact, of half-width {half_width:.4} mm, the surfaces have details that only elements of \
          {spacing:.2e} mm resolve, but {finest:.2e} mm is the finest that is solved: give the surface with fewer points, \
-         or smooth its trace"
+         smooth its trace, or leave out a radius that is so much smaller than the contact"
     )]
     TraceTooFine {
         /// Expected half-width \[mm\].

@@ -142,6 +142,21 @@ fn pins_in_grooves_are_sent_to_holes() {
     }
 }
 
+/// A radius that no mesh resolves is refused at its field, and the sharp punch is solved.
+#[test]
+fn a_radius_that_no_mesh_resolves_is_refused() {
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
+    let mut job = json!({"analysis": "plane_strain", "load": {"force": 1000.0},
+        "upper": {"shape": {"type": "punch", "width": 10.0, "edge_radius": 1e-5, "depth": 10.0},
+                  "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel}});
+    let fault = refused(&job);
+    assert_eq!(fault.pointer, "/upper/shape/edge_radius");
+    assert!(fault.detail.contains("leave out a radius"), "{}", fault.detail);
+    job["upper"]["shape"]["edge_radius"] = json!(0.0);
+    assert_within(step(&job).contact.half_width, 5.0, 1e-9);
+}
+
 /// What no force will find is said by the check before the solve: elastic bodies have no onset of yield, and a pin that fills
 /// its groove has no contact that ends.
 #[test]
