@@ -101,6 +101,8 @@ pub(super) fn solve(args: &SolveArgs) -> Result<ExitCode, Fault> {
     if let Some(form) = format.export() {
         form.require(&mut job);
     }
+    // What is not solved is refused before anything is.
+    report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
     let mut progress = ProgressLine::start();
     let report = report::run(&job, &mut progress).map_err(|error| match error {
         RunError::Input(errors) => Fault::of_job(&name, JobError::Fields(errors)),

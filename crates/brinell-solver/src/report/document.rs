@@ -59,7 +59,7 @@ pub struct StepReport {
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
     /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
-    /// 0 where nothing touches and where the step was stopped \[stiffness\].
+    /// 0 where nothing touches, where the step was stopped and where the bodies do not bear the load \[stiffness\].
     pub contact_stiffness: f64,
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]

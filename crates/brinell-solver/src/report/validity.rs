@@ -24,6 +24,7 @@ pub const VALIDITY_CODES: &[&str] = &[
     "not_converged",
     "cancelled",
     "timed_out",
+    "slow_coupling",
     "wide_contact",
     "large_strain",
     "collapse",
@@ -50,6 +51,8 @@ const SOFT: f64 = 1.0;
 const WIDE_CONTACT: f64 = 0.1;
 /// Slope of a surface beyond which the same is said. A smooth curve through the points of a flank of 10 % is up to half as steep again.
 const STEEP: f64 = 0.15;
+/// Evaluations of the plastic law beyond which a coupling is called slow.
+const MANY_UPDATES: usize = 150;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
 /// Plastic strain beyond which that is said more strongly.
@@ -71,12 +74,17 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if let Some((code, message)) = status_remark(step, job.solver) {
         say(code, message);
     }
+    if let Some(message) = slow_coupling(step, job.solver.coupling) {
+        say("slow_coupling", message);
+    }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
     if let Some(message) = wide_contact(job, step, half_width, radius) {
         say("wide_contact", message);
     }
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
-    if let Some((code, message)) = strain_remark(step, strain) {
+    // Strains where another coupling has given up say nothing of the bodies.
+    let is_iterate = step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
+    if let (false, Some((code, message))) = (is_iterate, strain_remark(step, strain)) {
         say(code, message);
     }
     if strain > 0.0 && step.energy.is_none() {
@@ -185,6 +193,18 @@ fn steepest(job: &Job, step: &StepSolution) -> f64 {
     step.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
+/// What is said of a coupling that took many times the work of the default one.
+fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
+    let updates: usize = step.history.iter().map(|record| record.initial_stress_updates).sum();
+    (coupling != Coupling::Accelerated && updates > MANY_UPDATES).then(|| {
+        format!(
+            "The coupling took {updates} evaluations of the plastic law in {} iterations; the accelerated one \
+             (`solver.coupling`) rarely takes more than 40.",
+            step.history.len()
+        )
+    })
+}
+
 /// What is said of a step that did not converge.
 fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'static str, String)> {
     match step.status {
@@ -266,6 +286,9 @@ fn falls(job: &Job) -> bool {
     }
 }
 
+/// What is advised after another coupling than the default one.
+const OTHER_COUPLING: &str = " Use the accelerated coupling (`solver.coupling`).";
+
 fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
@@ -279,9 +302,10 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
              (`mesh.elements_per_half_width`) follow it more closely."
         )
     } else if !step.contact_check.is_sound() {
+        let advice = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
         format!(
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
-             or load); do not use it."
+             or load); do not use it.{advice}"
         )
     } else if step.has_collapsed {
         "There is no answer with small strains; see `collapse`.".into()
@@ -291,16 +315,16 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
         "An increment before it in this history has not converged, and this step inherits its error.".into()
     } else {
         let advice = if settings.coupling != Coupling::Accelerated {
-            "Use the accelerated coupling (`solver.coupling`)."
+            OTHER_COUPLING
         } else if iterations >= settings.max_iterations as usize {
-            "Raise `solver.max_iterations`."
+            " Raise `solver.max_iterations`."
         } else {
-            "Newton's method, to which the accelerated coupling turns last, came to no end either: do not use the \
+            " Newton's method, to which the accelerated coupling turns last, came to no end either: do not use the \
              figures. A smaller load or a little hardening may have an answer."
         };
         format!(
             "Not converged after {iterations} iterations: forces are off balance by {residual:.1e} of the contact \
-             force. {advice}"
+             force.{advice}"
         )
     }
 }

@@ -75,7 +75,11 @@ pub fn job(random: &mut Random, elements: &[u32]) -> Value {
         }
     }
     if random.happens(0.15) {
-        solver.insert("coupling".into(), json!(random.one_of(&["strong", "weak", "secant_stiffness"])));
+        let coupling = random.one_of(&["strong", "weak", "secant_stiffness"]);
+        // Secant moduli are those of deformation theory.
+        if !is_flow || coupling != "secant_stiffness" {
+            solver.insert("coupling".into(), json!(coupling));
+        }
     }
     if random.happens(0.1) {
         solver.insert("contact".into(), json!("simplex"));
@@ -163,14 +167,18 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
             // As high at the half-width as a cylinder.
             let exponent = random.between(1.2, 6.0);
             let height = half_width * half_width / (2.0 * radius);
-            let scale = (height / half_width.powf(exponent)).powf((1.0 - exponent).recip());
+            let scale = (height / half_width.powf(exponent)).powf((1.0 - exponent).recip()).min(1e6);
             json!({"type": "power", "exponent": exponent, "scale": scale, "width": 8.0 * half_width, "depth": radius})
         }
         4 => {
             let kind = if scale.analysis == "axisymmetric" { "cone" } else { "wedge" };
             let angle = (0.3 * half_width / radius).atan().to_degrees().max(0.1);
-            json!({"type": kind, "angle": angle, "tip_radius": half_width * random.one_of(&[0.0, 0.1, 1.0]),
-                "width": width, "depth": depth})
+            let mut shape = json!({"type": kind, "angle": angle, "width": width, "depth": depth});
+            let tip_radius = half_width * random.one_of(&[0.0, 0.1, 1.0]);
+            if tip_radius > 0.0 {
+                shape["tip_radius"] = json!(tip_radius);
+            }
+            shape
         }
         5 => {
             let points: Vec<[f64; 2]> = (0..=16)
@@ -183,8 +191,11 @@ fn convex(random: &mut Random, scale: &Scale) -> (Value, bool) {
         }
         _ => {
             let width = 2.0 * half_width;
-            let shape = json!({"type": "punch", "width": width, "edge_radius": width * random.one_of(&[0.0, 0.02, 0.2]),
-                "depth": radius});
+            let mut shape = json!({"type": "punch", "width": width, "depth": radius});
+            let edge_radius = width * random.one_of(&[0.0, 0.02, 0.2]);
+            if edge_radius > 0.0 {
+                shape["edge_radius"] = json!(edge_radius);
+            }
             return (shape, true);
         }
     };

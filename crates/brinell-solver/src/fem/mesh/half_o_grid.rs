@@ -3,6 +3,9 @@
 //! Rings are interpolated transfinitely between the block's perimeter and the outer boundary, in the plane of
 //! `(ln r, φ)` about the middle of the zone. That plane is a conformal image of the body, so rings turn into
 //! arcs and rays stay normal to them, and a geometric growth of the ring thickness is an even step there.
+//!
+//! Rings in a body that is much deeper than wide would be thin along its walls and fold at its base. They end two widths below
+//! the surface, where the stress is even across the body, and rows of elements as wide as it is go on to the support: the shaft.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -30,6 +33,13 @@ const MAX_BLOCK_DEPTH: f64 = 0.5;
 /// the base.
 const CORNER_RAY: f64 = 0.3;
 
+/// Depth over width from which a body has a shaft, and that of its rings then.
+const SLENDER: f64 = 4.0;
+const RINGS: f64 = 2.0;
+/// Ratio of the thicknesses of neighbouring rows of the shaft, and that of the first one over the width of the body.
+const SHAFT_GROWTH: f64 = 1.5;
+const SHAFT_ROW: f64 = 0.25;
+
 /// A point in the plane of the interpolation: `(ln r, φ)` about the centre.
 #[derive(Clone, Copy)]
 struct Polar {
@@ -52,13 +62,36 @@ pub(super) fn generate(
     let rows = block_rows(outline, zone);
     let mut grid = Builder::new(outline, zone, rows);
     grid.block();
-    grid.rings(refinement, fade);
+    let base = grid.rings(refinement, fade);
+    grid.shaft(base);
     Ok(grid.finish())
+}
+
+/// Depth at which the rings end: that of the body, unless it has a shaft.
+fn ring_depth(outline: &Outline) -> f64 {
+    let width = outline.span().1 - outline.span().0;
+    let lowest = outline.end(1.0)[1].min(outline.end(-1.0)[1]);
+    if outline.depth() + lowest > SLENDER * width { RINGS * width - lowest } else { outline.depth() }
+}
+
+/// Depths of the rows of the shaft, the last one that of the body; none without a shaft.
+fn shaft_rows(outline: &Outline) -> Vec<f64> {
+    let (begin, end) = (ring_depth(outline), outline.depth());
+    let mut thickness = SHAFT_ROW * (outline.span().1 - outline.span().0);
+    let (mut rows, mut depth) = (Vec::new(), begin);
+    while depth < end {
+        depth += thickness;
+        thickness *= SHAFT_GROWTH;
+        rows.push(depth);
+    }
+    // Compressed so that the last one ends on the support.
+    let part = (end - begin) / (depth - begin);
+    rows.iter().map(|row| begin + part * (row - begin)).collect()
 }
 
 /// Rows of the block: about as deep as one half of the zone is wide, but never more than a part of the body.
 fn block_rows(outline: &Outline, zone: &ContactZone) -> usize {
-    let wanted = zone.half_width().min(MAX_BLOCK_DEPTH * outline.depth());
+    let wanted = zone.half_width().min(MAX_BLOCK_DEPTH * ring_depth(outline));
     ((wanted / zone.spacing()).round() as usize).max(2)
 }
 
@@ -68,9 +101,10 @@ pub(super) fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement:
     let sides = if zone.is_symmetric() { 1 } else { 2 };
     let columns = zone.columns();
     // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
-    let (growth, distance) = (refinement.growth, outline.depth().max(outline.span().1));
+    let (growth, distance) = (refinement.growth, ring_depth(outline).max(outline.span().1));
     let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
-    (columns + 1) * (rows + 1) + rings.ceil().max(1.0) as usize * (columns + sides * rows + 1)
+    let outer = rings.ceil().max(1.0) as usize + shaft_rows(outline).len();
+    (columns + 1) * (rows + 1) + outer * (columns + sides * rows + 1)
 }
 
 struct Builder<'a> {
@@ -80,6 +114,8 @@ struct Builder<'a> {
     depths: Vec<f64>,
     /// y of the block's base, negative.
     base: f64,
+    /// Depth at which the rings end \[mm\].
+    ring_depth: f64,
     mesh: Mesh,
 }
 
@@ -97,9 +133,10 @@ impl<'a> Builder<'a> {
             zone: zone.clone(),
             frame: SurfaceFrame::Tangent,
         };
-        let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (outline.depth() + lowest));
+        let ring_depth = ring_depth(outline);
+        let depth = (zone.spacing() * rows as f64).min(MAX_BLOCK_DEPTH * (ring_depth + lowest));
         let base = lowest - depth;
-        Self { outline, zone, depths: zone.row_depths(rows), base, mesh }
+        Self { outline, zone, depths: zone.row_depths(rows), base, ring_depth, mesh }
     }
 
     /// The block, column by column from the surface down.
@@ -152,7 +189,7 @@ impl<'a> Builder<'a> {
     /// and rings cannot fold; angles are stretched as a whole where the free surface bends down, and the rays next
     /// to the corners of the body are turned into them.
     fn outer_boundary(&self, inner: &[Polar], centre: [f64; 2]) -> Vec<([f64; 2], bool)> {
-        let depth = self.outline.depth();
+        let depth = self.ring_depth;
         let end = |sign: f64| self.outline.end(sign);
         let first = angle_about(centre, end(1.0));
         let last = if self.zone.is_symmetric() { -0.5 * PI } else { angle_about(centre, end(-1.0)) };
@@ -215,8 +252,8 @@ impl<'a> Builder<'a> {
         points
     }
 
-    /// The rings, from the block outward.
-    fn rings(&mut self, refinement: Refinement, fade: i32) {
+    /// The rings, from the block outward. Returned are the nodes of their base, with the rays on which they lie.
+    fn rings(&mut self, refinement: Refinement, fade: i32) -> Vec<(usize, u32)> {
         let perimeter = self.perimeter();
         let centre = [self.zone.centre(), self.outline.height(self.zone.centre())];
         let polar = |p: [f64; 2]| Polar {
@@ -229,6 +266,7 @@ impl<'a> Builder<'a> {
         let steps = ring_steps(&inner, &outer_polar, self.zone, refinement);
         let last = perimeter.len() - 1;
 
+        let mut base = Vec::new();
         let mut previous = perimeter;
         for (k, &eta) in steps.iter().enumerate() {
             let is_outermost = k + 1 == steps.len();
@@ -261,7 +299,7 @@ impl<'a> Builder<'a> {
                 self.mesh.nodes.push(position);
                 self.mesh.lattice.push(LatticePoint { patch: 1, i: s as i32, j: k as i32 });
                 if is_outermost && outer[s].1 {
-                    self.mesh.support_nodes.push(node);
+                    base.push((s, node));
                 }
                 if on_axis {
                     self.mesh.axis_nodes.push(node);
@@ -273,6 +311,29 @@ impl<'a> Builder<'a> {
             }
             previous = current;
         }
+        base
+    }
+
+    /// The rows below the rings, down to the support.
+    fn shaft(&mut self, base: Vec<(usize, u32)>) {
+        let mut previous = base;
+        for (j, depth) in shaft_rows(self.outline).into_iter().enumerate() {
+            let mut current = Vec::with_capacity(previous.len());
+            for (s, above) in &previous {
+                let node = self.mesh.nodes.len() as u32;
+                self.mesh.nodes.push([self.mesh.nodes[*above as usize][0], -depth]);
+                self.mesh.lattice.push(LatticePoint { patch: 2, i: *s as i32, j: j as i32 });
+                current.push((*s, node));
+            }
+            if self.zone.is_symmetric() {
+                self.mesh.axis_nodes.extend(current.last().map(|(_, node)| node));
+            }
+            for (above, below) in previous.windows(2).zip(current.windows(2)) {
+                self.mesh.elements.push([above[0].1, above[1].1, below[1].1, below[0].1]);
+            }
+            previous = current;
+        }
+        self.mesh.support_nodes.extend(previous.iter().map(|(_, node)| node));
     }
 
     /// By how much the free surface at one end of the rings deviates in angle from the straight line between

@@ -155,10 +155,14 @@ impl Mesh {
     /// Nodes of the free surface, the contact zone included, in no particular order.
     pub fn free_surface_nodes(&self) -> impl Iterator<Item = u32> {
         // Patch 0 is the block below the zone, or the polar grid, with the surface at j = 0; the rings of patch 1 end on the
-        // surface.
+        // surface; below them patch 2, the shaft, has none of it.
         let last_ray = self.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
         let is_end = move |ray: i32| ray == 0 || (!self.zone.is_symmetric() && Some(ray) == last_ray);
-        let is_free = move |p: &LatticePoint| if p.patch == 0 { p.j == 0 } else { is_end(p.i) };
+        let is_free = move |p: &LatticePoint| match p.patch {
+            0 => p.j == 0,
+            1 => is_end(p.i),
+            _ => false,
+        };
         (0u32..).zip(&self.lattice).filter(move |(_, p)| is_free(p)).map(|(node, _)| node)
     }
 
@@ -209,8 +213,12 @@ mod tests {
         });
         prop_oneof![
             Just(r#"{"type": "cylinder", "radius": 10}"#.to_owned()),
-            (1.0..100.0f64)
-                .prop_map(|depth| format!(r#"{{"type": "block", "width": 20, "depth": {depth}}}"#)),
+            (0.0..3.5f64)
+                .prop_map(|decades| format!(r#"{{"type": "block", "width": 20, "depth": {}}}"#, 10f64.powf(decades))),
+            (1.2..8.0f64, 0.0..3.5f64).prop_map(|(exponent, decades)| {
+                let depth = 9.0 + 10f64.powf(decades);
+                format!(r#"{{"type": "power", "exponent": {exponent}, "scale": 20, "width": 20, "depth": {depth}}}"#)
+            }),
             groove,
             parabola,
         ]

@@ -51,6 +51,8 @@ pub(crate) struct Outcome {
     pub history: Vec<IterationRecord>,
     /// Whether it ended because another linearization would pay.
     pub stalled: bool,
+    /// Whether its strains say something of the bodies: it has converged, or no other coupling gets farther.
+    pub is_conclusive: bool,
 }
 
 /// Where an iteration begins.
@@ -72,6 +74,11 @@ const TRIAL: usize = 8;
 const RATE_SPAN: usize = 7;
 /// Iterations to go that cost about as much as another linearization.
 const MAX_REMAINING: f64 = 12.0;
+
+/// Iterations over which the best residuals are compared to see whether an iteration without another linearization gets to its
+/// end, and by how much it may miss that.
+const OUTLOOK: usize = 50;
+const OUTLOOK_SLACK: f64 = 4.0;
 
 /// Out-of-balance force over the contact force from which no iteration comes back.
 const DIVERGED: f64 = 1e8;
@@ -98,6 +105,8 @@ pub(crate) struct Iteration<'a> {
     start: Option<BlockVector>,
     /// Contact of the last iteration.
     previous: Option<ContactSolution>,
+    /// Whether the last state is so far off that nothing can be told from it.
+    has_diverged: bool,
 }
 
 impl<'a> Iteration<'a> {
@@ -118,6 +127,7 @@ impl<'a> Iteration<'a> {
             history: initial.history,
             start: initial.displacement,
             previous: initial.contact,
+            has_diverged: false,
         }
     }
 
@@ -206,8 +216,10 @@ impl<'a> Iteration<'a> {
     ) -> Option<SolveStatus> {
         let force = norm(&response.contact.force).max(self.controls.scales.force);
         let displacement_change = self.displacement_change(start, &response.displacement);
-        if !(force + displacement_change + residual_norm).is_finite() {
-            return Some(SolveStatus::NotConverged);
+        let equilibrium_residual = relative(residual_norm, force);
+        if !(force + displacement_change + equilibrium_residual).is_finite() {
+            self.has_diverged = true;
+            return (!self.controls.renewable).then_some(SolveStatus::NotConverged);
         }
         let force_change = self
             .previous
@@ -221,7 +233,7 @@ impl<'a> Iteration<'a> {
             factorizations: counts.factorizations,
             displacement_change,
             force_change,
-            equilibrium_residual: relative(residual_norm, force),
+            equilibrium_residual,
             plastic_points: plastic_points * self.system.symmetry_factor(),
             contact_pairs: self.system.mirrored_count(&response.contact.active_set),
             approach: response.contact.approach,
@@ -231,6 +243,7 @@ impl<'a> Iteration<'a> {
         };
         self.previous = Some(response.contact.clone());
         let verdict = self.observer.on_iteration(&record);
+        self.has_diverged = equilibrium_residual > DIVERGED;
         let status = self.status_after(&record, verdict);
         self.history.push(record);
         status
@@ -245,15 +258,25 @@ impl<'a> Iteration<'a> {
         // A residual of zero (elastic bodies) cannot change any more.
         if residual <= tolerance && (record.displacement_change <= tolerance || residual == 0.0) {
             Some(SolveStatus::Converged)
-        } else if record.iteration >= self.controls.max_iterations || residual > DIVERGED {
+        } else if record.iteration >= self.controls.max_iterations
+            || !self.controls.renewable && (self.has_diverged || self.is_hopeless(residual))
+        {
             Some(SolveStatus::NotConverged)
         } else {
             None
         }
     }
 
+    /// Whether the last state is so far off that nothing can be told from it.
+    pub fn has_diverged(&self) -> bool {
+        self.has_diverged
+    }
+
     /// Whether, at the present convergence rate, the iterations left cost more than another linearization.
     pub fn has_stalled(&self) -> bool {
+        if self.has_diverged {
+            return self.controls.renewable;
+        }
         let residual = |k: usize| self.history[k].equilibrium_residual;
         let now = self.history.len();
         if !self.controls.renewable || now - self.begun < TRIAL {
@@ -265,14 +288,41 @@ impl<'a> Iteration<'a> {
         remaining >= MAX_REMAINING * rate
     }
 
-    /// Closes the iteration; without a status it is one that has stalled.
-    pub fn finish(self, state: State, status: Option<SolveStatus>) -> Outcome {
-        Outcome {
+    /// Whether the iterations left would have to be many more to get to the end at the rate of the last ones.
+    fn is_hopeless(&self, residual: f64) -> bool {
+        let now = self.history.len() + 1;
+        if now < 2 * OUTLOOK {
+            return false;
+        }
+        let best = |records: &[IterationRecord]| {
+            records.iter().map(|record| record.equilibrium_residual).fold(f64::INFINITY, f64::min)
+        };
+        let (before, lately) = self.history[now - 2 * OUTLOOK..].split_at(OUTLOOK);
+        let lately = best(lately).min(residual);
+        let rate = (best(before) / lately).ln() / OUTLOOK as f64;
+        let left = self.controls.max_iterations.saturating_sub(now) as f64;
+        (lately / self.controls.tolerance).ln() > OUTLOOK_SLACK * left * rate.max(0.0)
+    }
+
+    /// Closes the iteration; without a status it is one that has stalled. One that has diverged ends in the state without
+    /// initial-stress loads.
+    ///
+    /// # Errors
+    /// Those of a contact solve.
+    pub fn finish(mut self, state: State, status: Option<SolveStatus>) -> Result<Outcome, SolveError> {
+        let state = if self.has_diverged {
+            let loads = self.system.zeros();
+            State { response: self.solve_equilibrium(&loads)?, loads, factors: None }
+        } else {
+            state
+        };
+        Ok(Outcome {
             state,
             status: status.unwrap_or(SolveStatus::NotConverged),
             history: self.history,
             stalled: status.is_none(),
-        }
+            is_conclusive: status == Some(SolveStatus::Converged) || self.controls.renewable,
+        })
     }
 }
 

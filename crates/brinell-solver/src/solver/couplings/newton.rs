@@ -22,7 +22,7 @@ use crate::contact::ContactLoad;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::phases::PhaseTimes;
-use crate::solver::{Observer, SolveError};
+use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Steps at most. Each costs a factorization.
 const MAX_STEPS: usize = 60;
@@ -75,8 +75,8 @@ pub(crate) fn run(
         let residual_norm = system.distance(&image, &loads);
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
         let state = State { response, loads, factors: None };
-        if status.is_some() {
-            return Ok(iteration.finish(state, status));
+        if status.is_some() || iteration.has_diverged() {
+            return iteration.finish(state, status.or(Some(SolveStatus::NotConverged)));
         }
         let share = point.advance(&mut iteration, &state, &image, residual_norm);
         stiffening = if share < SHORT {
@@ -86,7 +86,7 @@ pub(crate) fn run(
         } else {
             stiffening
         };
-        outcome = iteration.finish(state, None);
+        outcome = iteration.finish(state, None)?;
     }
     Ok(outcome)
 }

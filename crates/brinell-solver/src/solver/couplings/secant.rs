@@ -37,7 +37,7 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.residual_norm)
         {
             let state = State { response, loads: system.zeros(), factors: Some(factors) };
-            return Ok(iteration.finish(state, Some(status)));
+            return iteration.finish(state, Some(status));
         }
         for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {
             let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
@@ -52,7 +52,7 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
                 // The iterations so far are kept.
                 Err(SolveError::Interrupted(interrupt)) => {
                     let state = State { response, loads: system.zeros(), factors: None };
-                    return Ok(iteration.finish(state, Some(interrupt.into())));
+                    return iteration.finish(state, Some(interrupt.into()));
                 }
                 refactored => refactored?,
             }

@@ -46,7 +46,7 @@ fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<O
             iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, &loads));
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
         if status.is_some() || iteration.has_stalled() {
-            return Ok(iteration.finish(State { response, loads, factors: None }, status));
+            return iteration.finish(State { response, loads, factors: None }, status);
         }
         start = response.displacement;
         match &mut anderson {

@@ -23,6 +23,8 @@ const LARGEST_FACTOR: f64 = 1.0;
 const MAX_UPDATES: usize = 1500;
 /// Initial-stress updates within one alternation at most.
 const MAX_INNER: usize = 200;
+/// Alternations whose plastic iteration may come to no end: the contact forces were more than the bodies bear.
+const MAX_UNSETTLED: usize = 2;
 /// Displacement change that ends the plastic iteration, over the 3/2-th power of that of the alternation.
 const INNER_ACCURACY: f64 = 0.003;
 /// The same over the tolerance, at least. Contact answers what is left undone several times as large.
@@ -43,12 +45,14 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
     let mut relaxation = Aitken::new(system.initial_gap.len());
     let (mut start, mut loads) = iteration.initial_state();
+    let mut unsettled = 0;
     loop {
         let contact = iteration.contact(relaxation.value())?;
         let displacement = iteration.displacement(&loads, &contact.force);
         let mut response = Response { displacement, contact };
-        let (mut plastic_points, mut residual_norm) =
+        let Plasticity { mut plastic_points, mut residual_norm, is_settled } =
             converge_plasticity(&mut iteration, &start, &mut response, &mut loads);
+        unsettled += usize::from(!is_settled);
         if iteration.displacement_change(&start, &response.displacement) <= iteration.controls.tolerance {
             // The contact has answered a relaxed displacement so far; let it answer the true one before
             // anything is called converged.
@@ -58,20 +62,30 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             residual_norm = system.distance(&image, &loads);
         }
         if let Some(status) = iteration.record(&start, &response, plastic_points, residual_norm) {
-            return Ok(iteration.finish(State { response, loads, factors: None }, Some(status)));
+            return iteration.finish(State { response, loads, factors: None }, Some(status));
         }
-        if iteration.updates() > MAX_UPDATES {
+        if iteration.updates() > MAX_UPDATES || unsettled > MAX_UNSETTLED {
             let state = State { response, loads, factors: None };
-            return Ok(iteration.finish(state, Some(SolveStatus::NotConverged)));
+            return iteration.finish(state, Some(SolveStatus::NotConverged));
         }
         start = response.displacement;
         relaxation.advance(&system.plastic_gap(&loads));
     }
 }
 
+/// What the plastic law says of a state at fixed contact forces.
+#[derive(Default)]
+struct Plasticity {
+    /// Points beyond yield.
+    plastic_points: usize,
+    /// Out-of-balance force \[N/mm\].
+    residual_norm: f64,
+    /// Whether it changes no more.
+    is_settled: bool,
+}
+
 /// Initial-stress iteration at fixed contact forces, accelerated like the strong coupling. On return
-/// displacements, forces and loads are in elastic equilibrium; returned are the points beyond yield and what the
-/// plastic law says against that state.
+/// displacements, forces and loads are in elastic equilibrium.
 ///
 /// `alternation` are the displacements at the start of the alternation. The less the contact has moved since then, the
 /// smaller a part of that may be left undone, so that Aitken's factor compares converged states.
@@ -80,7 +94,7 @@ fn converge_plasticity(
     alternation: &BlockVector,
     response: &mut Response,
     loads: &mut BlockVector,
-) -> (usize, f64) {
+) -> Plasticity {
     let system = iteration.system;
     let moved = iteration.displacement_change(alternation, &response.displacement);
     let floor = INNER_FLOOR * iteration.controls.tolerance;
@@ -88,17 +102,18 @@ fn converge_plasticity(
     let mut anderson = Anderson::default();
     let mut start = response.displacement.clone();
     let mut image = system.zeros();
-    let mut judgement = (0, 0.0);
+    let mut state = Plasticity::default();
     for _ in 0..MAX_INNER {
         iteration.initial_stress(&start, loads);
         iteration.count_update();
         response.displacement = iteration.displacement(loads, &response.contact.force);
-        judgement.0 = iteration.initial_stress(&response.displacement, &mut image);
-        judgement.1 =
+        state.plastic_points = iteration.initial_stress(&response.displacement, &mut image);
+        state.residual_norm =
             iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, loads));
         let change = iteration.displacement_change(&start, &response.displacement);
-        let balanced = judgement.1 <= BALANCE * sufficient * norm(&response.contact.force);
+        let balanced = state.residual_norm <= BALANCE * sufficient * norm(&response.contact.force);
         if change <= sufficient && balanced {
+            state.is_settled = true;
             break;
         }
         iteration.phases.time(Phase::Plasticity, iteration.observer, || {
@@ -106,7 +121,7 @@ fn converge_plasticity(
             system.unpack(&next, &mut start);
         });
     }
-    judgement
+    state
 }
 
 /// A vector that follows a target with Aitken's relaxation.

@@ -12,7 +12,7 @@ use crate::contact::{ContactLoad, KktReport, kkt};
 use crate::fem::assembly::StressField;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
-use crate::solver::couplings::iteration::{norm, relative};
+use crate::solver::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
@@ -32,6 +32,9 @@ const COLLAPSE_AREA: f64 = 1.0 / 400.0;
 
 /// Whether strains have outgrown the theory of small strains.
 pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
+    if !pass.outcome.is_conclusive {
+        return false;
+    }
     let half_width = pass.patch.map_or(0.0, |patch| patch.half_width());
     pass.system.bodies.iter().zip(&pass.fields).any(|(body, field)| {
         let accumulates = body.model.has_memory();
@@ -58,14 +61,9 @@ pub(crate) fn finish(
         match phases
             .time_observed(Phase::Solves, observer, |observer| contact_stiffness(problem, pass, observer))
         {
-            // No answer is lost because its slope is not known.
-            Ok(stiffness) => {
-                if stiffness.is_finite() {
-                    stiffness
-                } else {
-                    0.0
-                }
-            }
+            // No answer is lost because its slope is not known, and a body that collapses has none.
+            Ok(stiffness) if stiffness.is_finite() => stiffness.max(0.0),
+            Ok(_) => 0.0,
             Err(interrupt) => {
                 pass.outcome.status = interrupt.into();
                 pass.fields.clear();
@@ -101,11 +99,9 @@ pub(crate) fn unloading_stiffness(
     stiffness.unwrap_or(0.0)
 }
 
-/// Energies of bodies with a memory.
-fn energy(system: &System, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
-    if !bodies.iter().any(|body| body.model.has_memory()) {
-        return None;
-    }
+/// Energies of the bodies of a history.
+fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
+    outcome.history.last()?.increment?;
     let mut energy = Energy::default();
     for (body, copies) in bodies.iter().zip(&system.bodies_represented) {
         let ElasticModuli { bulk, shear } = body.model.elastic();
@@ -242,7 +238,7 @@ fn judge(
         increments: Vec::new(),
         increment_error: None,
         unloading_stiffness: 0.0,
-        energy: energy(system, &bodies),
+        energy: energy(system, outcome, &bodies),
     }
 }
 

@@ -123,11 +123,13 @@ impl<'a> LoadStepper<'a> {
         );
         step.coarse = figures;
         step.unresolved = found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing());
+        let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
             drop((sizing, outgrown));
             let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
-            next.map(|_| LastStep { load, extent, coarse, fine })
+            // What has not converged is no place to start from.
+            next.filter(|_| is_converged).map(|_| LastStep { load, extent, coarse, fine })
         });
         Ok(step)
     }

@@ -19,6 +19,8 @@ use crate::solver::problem::Problem;
 pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 /// Half-width of the candidate zone over that of the contact.
 const ZONE: f64 = 1.6;
+/// Elements over the half-width of the zone at least.
+const LEAST_COLUMNS: f64 = 4.0;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
@@ -268,7 +270,8 @@ impl ContactSizeEstimate {
         };
         Self {
             centre: 0.5 * (patch.left + patch.right),
-            half_width: patch.half_width(),
+            // A single node says no more than that.
+            half_width: patch.half_width().max(0.5 * zone.spacing()),
             smallest_part: smallest.max(0.5 * zone.spacing()),
             plastic: pass.yielded_envelope(),
             hertz_half_width: self.hertz_half_width,
@@ -306,10 +309,11 @@ impl ContactSizeEstimate {
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
 
-    /// A zone that covers the contact and more, with elements of a given size.
+    /// A zone that covers the contact and more, with elements of a given size or, where these would be too few, smaller ones.
     pub fn zone(&self, problem: &Problem, spacing: f64) -> ContactZone {
         let symmetric = problem.is_symmetric();
-        let mut columns = (ZONE * self.half_width / spacing).round().max(4.0);
+        let spacing = spacing.min(ZONE * self.half_width / LEAST_COLUMNS);
+        let mut columns = (ZONE * self.half_width / spacing).round().max(LEAST_COLUMNS);
         if problem.conforming.is_some() {
             // As much as there is, for a contact that reaches far round.
             columns = columns.min((problem.span().1 / spacing).floor());
