@@ -196,7 +196,7 @@ fn reported_jobs_have_sound_answers() {
         "took_long_1585",
     ];
     assert_eq!(refused, expected);
-    // One load is beyond what the bodies bear; of the others the contact is wider than the surfaces.
+    // Two loads are beyond what the bodies bear; of the others the contact is wider than the surfaces.
     let expected = ["mesh_folded_1162", "mesh_folded_1180", "mesh_folded_1198", "plane_stress_pp_8"];
     assert_eq!(failed, expected);
 }
