@@ -293,6 +293,7 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
     let residual = step.equilibrium_residual;
+    let other = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
     let is_balanced =
         step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
     if let Some(ratio) = step.missed {
@@ -302,20 +303,21 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
              (`mesh.elements_per_half_width`) follow it more closely."
         )
     } else if !step.contact_check.is_sound() {
-        let advice = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
         format!(
             "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
-             or load); do not use it.{advice}"
+             or load); do not use it.{other}"
         )
     } else if step.has_collapsed {
         "There is no answer with small strains; see `collapse`.".into()
     } else if step.reaches_edge && is_balanced {
         "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
     } else if step.energy.is_some() && is_balanced {
-        "An increment before it in this history has not converged, and this step inherits its error.".into()
+        format!(
+            "An increment before it in this history has not converged, and this step inherits its error.{other}"
+        )
     } else {
-        let advice = if settings.coupling != Coupling::Accelerated {
-            OTHER_COUPLING
+        let advice = if !other.is_empty() {
+            other
         } else if iterations >= settings.max_iterations as usize {
             " Raise `solver.max_iterations`."
         } else {
