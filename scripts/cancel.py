@@ -18,7 +18,7 @@ parser.add_argument("--binary", default="target/release/brinell")
 args = parser.parse_args()
 BASE = {**EXAMPLES["two_cylinders"], "mesh": {"elements_per_half_width": args.elements}, "output": {"fields": True, "subsurface": True}}
 BASE["lower"] = {**BASE["lower"], "material": {**BASE["lower"]["material"], "plasticity": {**BASE["lower"]["material"]["plasticity"], "yield_stress": 501.0}}}
-HISTORY = {"solver": {"theory": "flow"}, "load": {"history": [300.0, 612.0, 0.0]}}
+HISTORY = {"solver": {"theory": "flow"}, "load": {"history": [{"force": 300.0}, {"force": 612.0}, {"force": 0.0}]}}
 JOBS = {"accelerated": {}, "strong": {"solver": {"coupling": "strong"}}, "weak": {"solver": {"coupling": "weak"}},
         "secant stiffness": {"solver": {"coupling": "secant_stiffness"}}, "plane stress": {"analysis": "plane_stress"},
         "axisymmetric": {"analysis": "axisymmetric", "load": {"force": 3000.0}}, "flow theory": HISTORY}

@@ -8,6 +8,7 @@ use axum::http::header::{
     CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderName, HeaderValue,
     X_CONTENT_TYPE_OPTIONS,
 };
+use axum::http::uri::Authority;
 use axum::middleware::Next;
 use axum::response::Response;
 
@@ -76,7 +77,10 @@ pub(super) async fn check_host(
     let (Some(host), None) = (hosts.next(), hosts.next()) else {
         return Err(Problem::new(ProblemType::InvalidHeader, "Host must come once"));
     };
-    if !host.to_str().is_ok_and(|host| state.hosts.allow(host)) {
+    // A client that writes the whole address, as for a proxy, names a host there as well.
+    let is_allowed = |host: &str| state.hosts.allow(host);
+    let addressed = request.uri().authority().map(Authority::as_str);
+    if !host.to_str().is_ok_and(is_allowed) || !addressed.is_none_or(is_allowed) {
         let detail = "this service does not answer under this name; --allowed-host adds one";
         return Err(Problem::new(ProblemType::UnknownHost, detail));
     }

@@ -85,7 +85,9 @@ impl TextPlace {
             tokio::select! {
                 free = sender.reserve() => {
                     let Ok(free) = free else { return };
-                    free.send(text.split_to(PIECE.min(text.len())));
+                    // A copy: a piece of the text that a slow connection holds would hold the whole of it.
+                    let piece = text.split_to(PIECE.min(text.len()));
+                    free.send(Bytes::copy_from_slice(&piece));
                 }
                 () = sleep_until(until) => {
                     if text.len() > due && self.is_wanted() {

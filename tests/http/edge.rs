@@ -29,6 +29,14 @@ fn other_names_are_not_answered_to() {
         let status = status_of(&server, head);
         assert!(status.starts_with("HTTP/1.1 400"), "{status}");
     }
+    let whole = |host: &str| {
+        let line =
+            format!("GET http://{host}/livez HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+        status_of(&server, &line)
+    };
+    assert!(
+        whole("localhost").starts_with("HTTP/1.1 200") && whole("evil.example").starts_with("HTTP/1.1 421")
+    );
     let named = Server::start_with(&["--allowed-host", "brinell.example"]);
     let url = format!("{}/v1/jobs", named.target.url);
     assert_eq!(curl(&["-H", "Host: Brinell.example:443", &url]).status, 200);

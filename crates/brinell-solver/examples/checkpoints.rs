@@ -1,6 +1,6 @@
 //! How long a job can go on after it has been told to stop: the longest times between two questions to its observer.
 //!
-//! usage: `cargo run --release --example checkpoints -- ELEMENTS`, elements over the half-width of the reference problem
+//! usage: `cargo run --release --example checkpoints -- ELEMENTS [COUPLING]`, elements over the half-width of the reference problem
 //! with two different bodies and all output, 140 for about a million equations. Prints the longest times, in order, where
 //! they ended, and how they divide into pieces of work that are timed;
 //! then stops the job at moments spread over its course and prints how long each took to end. All times are processor times
@@ -55,10 +55,11 @@ fn spent() -> Duration {
     Duration::from_nanos(text.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()).unwrap_or(0))
 }
 
-fn job(elements: u32) -> Result<Job, JobError> {
+fn job(elements: u32, coupling: &str) -> Result<Job, JobError> {
     let mut job: Value =
         serde_json::from_str(include_str!("../../../api/examples/two_cylinders.json")).unwrap_or_default();
     job["mesh"] = json!({"elements_per_half_width": elements});
+    job["solver"] = json!({"coupling": coupling});
     job["output"] = json!({"fields": true, "subsurface": true});
     job["lower"]["material"]["plasticity"]["yield_stress"] = json!(501.0);
     Job::from_json(job.to_string().as_bytes())
@@ -66,7 +67,7 @@ fn job(elements: u32) -> Result<Job, JobError> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let elements = std::env::args().nth(1).ok_or("how many elements?")?.parse()?;
-    let job = job(elements)?;
+    let job = job(elements, &std::env::args().nth(2).unwrap_or_else(|| "accelerated".to_owned()))?;
     let mut watch = Watch::start(Duration::MAX);
     let report = report::run(&job, &mut watch)?;
     watch.asked.push(spent());

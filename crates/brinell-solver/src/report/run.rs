@@ -134,7 +134,7 @@ const FIELD_COPIES: u64 = 6;
 /// Bytes of the rest of a step's report, compressed; it grows with the number of contact nodes.
 const STEP_BYTES: u64 = 8 << 10;
 /// And for each element over the half-width.
-const STEP_BYTES_PER_ELEMENT: u64 = 512;
+const STEP_BYTES_PER_ELEMENT: u64 = 832;
 
 /// Bytes of a factor whose step is one unit of work.
 const WORK_UNIT: u64 = 1 << 16;

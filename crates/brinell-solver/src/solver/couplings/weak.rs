@@ -104,6 +104,10 @@ fn converge_plasticity(
     let mut image = system.zeros();
     let mut state = Plasticity::default();
     for _ in 0..MAX_INNER {
+        // Whoever stops the job is heard when the iteration is recorded.
+        if iteration.observer.on_checkpoint().is_break() {
+            break;
+        }
         iteration.initial_stress(&start, loads);
         iteration.count_update();
         response.displacement = iteration.displacement(loads, &response.contact.force);
