@@ -94,6 +94,24 @@ fn solve_writes_every_format() {
     assert_eq!((beyond.status.code(), stderr(&beyond).as_str()), (Some(2), "error: there is no step 3\n"));
 }
 
+/// A case and a stress before the load are parts of a body; the limit of rolling stands beside the onset of yield.
+#[test]
+fn the_table_says_what_lies_below_the_surface() {
+    for (example, words) in [
+        (
+            "case_hardened_roller",
+            ["its stresses × 1.00 to 1.98 over depth", "rolling freely, it shakes down up to"],
+        ),
+        ("peened_roller", ["σ_x -1000 to 60 before the load", "σ_x -500 to 0 before the load"]),
+    ] {
+        let output = brinell(&["solve", &format!("api/examples/{example}.json"), "--format", "table"], "");
+        let table = stdout(&output).replace("\n       ", " ");
+        for expected in words {
+            assert!(table.contains(expected), "{expected:?} is missing:\n{table}");
+        }
+    }
+}
+
 #[test]
 fn the_table_says_what_matters() {
     let output = brinell(&["solve", EXAMPLE, "--format", "table"], "");

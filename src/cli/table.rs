@@ -169,6 +169,13 @@ impl Page {
             let onset = significant(*onset, 5);
             self.line(&format!("yield begins at {onset} {}; this force is {times} times that", units.force));
         }
+        if let Some(limit) = hertz.and_then(|hertz| hertz.shakedown_pressure) {
+            let limit = significant(limit, 5);
+            self.line(&format!(
+                "rolling freely, it shakes down up to a Hertz peak of {limit} {}",
+                units.stress
+            ));
+        }
     }
 
     fn figure(&mut self, (name, unit): (&str, &str), value: f64, hertz: Option<f64>, error: Option<f64>) {

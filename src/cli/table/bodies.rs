@@ -1,6 +1,6 @@
 //! A body in a few words.
 
-use super::number::short;
+use super::number::{short, significant};
 use brinell_solver::job::fields::{Field, FieldKind, FieldTable, Value};
 use brinell_solver::job::{Body, Deformable, Material, Support, Units};
 
@@ -28,6 +28,18 @@ fn describe_material(material: &Deformable, units: Units) -> Vec<String> {
         format!("ν {}", short(elastic.poisson_ratio.get())),
     ];
     items.extend(material.plasticity().map(|law| describe_fields(law.table(), law.values(), units)));
+    if let Some(strength) = material.strength() {
+        let (least, greatest) = strength.range();
+        items.push(format!(
+            "its stresses × {} to {} over depth",
+            significant(least, 3),
+            significant(greatest, 3)
+        ));
+    }
+    let initial = material.initial_stress().iter().map(|row| row.sigma_x);
+    if let Some((least, greatest)) = initial.map(|x| (x, x)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) {
+        items.push(format!("σ_x {} to {} before the load", stress(least), stress(greatest)));
+    }
     items
 }
 
