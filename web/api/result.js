@@ -13,6 +13,9 @@ const waiting =
     new Map()
   );
 
+/** Depths of a curve that a chart can show. */
+const DEPTHS = 120;
+
 /**
  * The figures of a job, without the fields on the mesh: those come by {@link fetchFields}, a step at a time.
  * @param {string} id of a job
@@ -20,8 +23,14 @@ const waiting =
  * @returns {Promise<Report>}
  * @throws {Problem}
  */
-export const fetchResult = (id, progress) =>
-  ask(`v1/jobs/${id}/result?fields=contact,subsurface,plasticity,history`, {}, { progress });
+export async function fetchResult(id, progress) {
+  const parts = 'contact,subsurface,plasticity,history';
+  try {
+    return await ask(`v1/jobs/${id}/result?fields=${parts}&subsurface_points=${DEPTHS}`, {}, { progress });
+  } finally {
+    renew();
+  }
+}
 
 /**
  * @param {string} id of a job
@@ -59,6 +68,13 @@ function ask(path, options, { signal, progress }) {
     const headers = { ...authorization(), ...(options.body && { 'Content-Type': 'application/json' }) };
     worker?.postMessage({ number, url: new URL(path, document.baseURI).href, options: { ...options, headers } });
   });
+}
+
+/** Another worker in place of one that has nothing to do: what is left of megabytes of JSON goes with it, before the fields come. */
+function renew() {
+  if (waiting.size) return;
+  worker?.terminate();
+  worker = start();
 }
 
 function start() {

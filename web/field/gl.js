@@ -3,7 +3,7 @@
 import { MOST_BANDS } from './palette.js';
 
 /** Numbers that are handed over at once. */
-const PIECE = 1 << 18;
+const PIECE = 1 << 16;
 /** Corners of an element as two triangles, and as four sides. */
 const [TRIANGLES, SIDES] = [
   [0, 1, 2, 0, 2, 3],
