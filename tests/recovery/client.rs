@@ -34,6 +34,34 @@ impl Client {
         receipt["id"].as_str().unwrap().to_owned()
     }
 
+    /// Queues small jobs, a hundred in one request, and returns their ids. One by one they may be solved as fast as they come.
+    #[track_caller]
+    pub fn submit_small_jobs(&mut self, count: usize) -> Vec<String> {
+        let mut ids = Vec::new();
+        while ids.len() < count {
+            let hundred = ids.len()..count.min(ids.len() + 100);
+            let jobs: Vec<Value> = hundred.map(|number| json!({"job": small_job(number)})).collect();
+            let (status, answer) =
+                self.ask("POST", "/v1/batch/submit", "", &json!({"jobs": jobs}).to_string());
+            assert_eq!(status, 200, "{answer}");
+            let receipts = answer["jobs"].as_array().unwrap();
+            ids.extend(receipts.iter().map(|receipt| receipt["job"]["id"].as_str().unwrap().to_owned()));
+        }
+        ids
+    }
+
+    /// Waits until so many jobs run at the same time, and returns the counts of the queue.
+    #[track_caller]
+    pub fn wait_until_running(&mut self, least: u64) -> Value {
+        loop {
+            let queue = self.get("/v1/capacity").1["queue"].take();
+            if queue["running"].as_u64() >= Some(least) {
+                return queue;
+            }
+            assert_ne!(queue["queued"], 0, "all jobs have ended before {least} were seen to run");
+        }
+    }
+
     pub fn ask(&mut self, method: &str, path: &str, headers: &str, body: &str) -> (u16, Value) {
         let length = body.len();
         let head = format!(

@@ -9,17 +9,9 @@ fn five_hundred_queued_jobs_survive_kill_9() {
     let args = ["--data-dir", data.0.to_str().unwrap(), "--workers", "4"];
     let mut server = Server::start_with(&args);
     let mut client = Client::connect(&server.target.url);
-    let mut ids = Vec::new();
-    let queued = loop {
-        ids.push(client.submit(&small_job(ids.len())));
-        if ids.len() % 50 == 0 {
-            let (_, capacity) = client.get("/v1/capacity");
-            if capacity["queue"]["queued"].as_u64().unwrap() >= 500 && capacity["queue"]["running"] != 0 {
-                break capacity["queue"].clone();
-            }
-        }
-        assert!(ids.len() < 20_000, "jobs are solved faster than they are handed in");
-    };
+    let ids = client.submit_small_jobs(1000);
+    let queue = client.wait_until_running(3);
+    assert!(queue["queued"].as_u64() >= Some(500), "{queue}");
     server.signal("KILL");
     server.wait();
     drop(server);
@@ -30,7 +22,7 @@ fn five_hundred_queued_jobs_survive_kill_9() {
     client.assert_all_succeeded(&ids);
     let jobs = client.all_jobs();
     let again = jobs.values().filter(|job| job["attempts"] == 2).count();
-    assert!((1..=4).contains(&again), "{again} jobs ran twice; {queued} at the kill");
+    assert!((1..=4).contains(&again), "{again} jobs ran twice; {queue} at the kill");
     assert!(jobs.values().all(|job| job["attempts"].as_u64().is_some_and(|attempts| attempts <= 2)));
 }
 

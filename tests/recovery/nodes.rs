@@ -6,7 +6,7 @@ use std::thread;
 use serde_json::Value;
 use tokio::runtime::Runtime;
 
-use crate::client::{Client, small_job};
+use crate::client::Client;
 use crate::cluster::Cluster;
 use crate::curl::spawn_curl;
 use crate::server::{Server, example};
@@ -104,9 +104,9 @@ fn a_killed_worker_s_jobs_are_run_by_the_other() {
     let database = database(Cluster::shared());
     let api = service(&database, &["--no-workers"]);
     let mut client = Client::connect(&api.target.url);
-    let ids: Vec<String> = (0..300).map(|number| client.submit(&small_job(number))).collect();
+    let ids = client.submit_small_jobs(300);
     let (mut doomed, _other) = (WorkerProcess::start(&database), WorkerProcess::start(&database));
-    while client.get("/v1/capacity").1["queue"]["running"].as_u64() < Some(3) {}
+    client.wait_until_running(3);
     doomed.0.kill().unwrap();
     doomed.0.wait().unwrap();
     client.wait_until_idle();
@@ -120,8 +120,8 @@ fn nodes_outlive_a_restart_of_the_database() {
     let api = service(&database, &["--workers", "2"]);
     let _worker = WorkerProcess::start(&database);
     let mut client = Client::connect(&api.target.url);
-    let ids: Vec<String> = (0..300).map(|number| client.submit(&small_job(number))).collect();
-    while client.get("/v1/capacity").1["queue"]["running"].as_u64() == Some(0) {}
+    let ids = client.submit_small_jobs(300);
+    client.wait_until_running(1);
     cluster.restart();
     client.wait_until_idle();
     client.assert_all_succeeded(&ids);
