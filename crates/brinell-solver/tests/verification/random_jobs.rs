@@ -82,7 +82,8 @@ fn solve_and_check(text: &str) -> Option<bool> {
         let mut curve: Vec<(f64, f64)> = converged.map(|step| (step.contact.force, step.approach)).collect();
         curve.sort_by(|a, b| a.0.total_cmp(&b.0));
         assert!(
-            curve.is_sorted_by(|a, b| a.1 <= b.1 + 1e-9 * b.1.abs()),
+            // Forces that differ by rounding alone are one.
+            curve.is_sorted_by(|a, b| a.1 <= b.1 || b.0 - a.0 <= 1e-12 * b.0),
             "approach falls with the force: {curve:?}\n{text}"
         );
     }
@@ -129,7 +130,7 @@ fn run_random_jobs(seed: u64) {
     let answers: Vec<bool> = jobs.filter_map(|job| is_solved(&job)).collect();
     let converged = answers.iter().filter(|converged| **converged).count();
     println!("{count} jobs, {} solved, {converged} converged", answers.len());
-    assert!(10 * answers.len() >= 8 * count && 100 * converged >= 95 * answers.len());
+    assert!(10 * answers.len() >= 8 * count && 100 * converged >= 97 * answers.len());
 }
 
 /// One test for each seed, so that they run side by side.

@@ -33,8 +33,6 @@ const NEAR: f64 = 0.01;
 const TOLERANCE: f64 = 1e-3;
 /// The same for the onset of yield, which scatters less.
 const ONSET_TOLERANCE: f64 = 2e-4;
-/// Deviation of the highest stress over the yield stress from which on the onset counts as missed: half a per cent of the force.
-const ONSET_MISSED: f64 = 2.5e-3;
 /// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
 const MISSED: f64 = 0.01;
 const MISSED_ELEMENTS: f64 = 0.5;
@@ -281,7 +279,7 @@ impl ForceSearch<'_> {
     fn missed(&self) -> f64 {
         let elements = f64::from(self.sequence.job.mesh.elements_per_half_width);
         match self.sought {
-            Sought::Onset => ONSET_MISSED,
+            Sought::Onset => 0.0,
             Sought::Target(_) if self.is_of_width() => MISSED.max(2.0 * MISSED_ELEMENTS / elements),
             Sought::Target(_) => MISSED,
         }

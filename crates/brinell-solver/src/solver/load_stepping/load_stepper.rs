@@ -31,7 +31,8 @@ const SIZING_TRUST: f64 = 0.4;
 const PLASTIC_MARGIN: f64 = 1.1;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
-/// Elements that a mesh used again may be short of those asked for.
+/// Elements that a mesh used again may be short of those asked for, and how much smaller or larger a contact is expected to be than
+/// the one for which its mesh was made, to be left on it whatever was found of its extent.
 const RESOLUTION_SLACK: f64 = 1.05;
 
 /// How much finer than the mesh a surface may have to be resolved without a remark: one step of the search for it.
@@ -53,6 +54,8 @@ pub(crate) struct LoadStepper<'a> {
 /// What the next load of a sweep can build on.
 struct LastStep {
     load: ContactLoad,
+    /// The load for which the meshes were made.
+    made_for: ContactLoad,
     extent: ContactSizeEstimate,
     coarse: ReusableMesh,
     fine: ReusableMesh,
@@ -79,7 +82,9 @@ impl<'a> LoadStepper<'a> {
         let reserve = resolution_reserve(load, next);
         let last = self.last.take();
         let predicted = last.as_ref().map(|last| last.extent.scaled(self.growth(last.load, load)));
-        let serves = matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, extent));
+        let serves =
+            matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, load, extent));
+        let made_for = last.as_ref().filter(|_| serves).map_or(load, |last| last.made_for);
         let (extent, sizing) = match predicted {
             Some(extent) => (extent, None),
             None => self.size(load, solution, observer)?,
@@ -129,7 +134,7 @@ impl<'a> LoadStepper<'a> {
             drop((sizing, outgrown));
             let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
             // What has not converged is no place to start from.
-            next.filter(|_| is_converged).map(|_| LastStep { load, extent, coarse, fine })
+            next.filter(|_| is_converged).map(|_| LastStep { load, made_for, extent, coarse, fine })
         });
         Ok(step)
     }
@@ -144,12 +149,14 @@ impl<'a> LoadStepper<'a> {
         (to.magnitude() / from.magnitude()).powf(exponent)
     }
 
-    /// Whether the meshes of the last load serve for a contact of this extent.
-    fn serves(&self, last: &LastStep, extent: ContactSizeEstimate) -> bool {
+    /// Whether the meshes of the last load serve for a load whose contact is expected to have this extent.
+    fn serves(&self, last: &LastStep, load: ContactLoad, extent: ContactSizeEstimate) -> bool {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let zone = &last.fine.system.zone;
+        // What is found of an extent jumps by an element: a search would go from mesh to mesh and never settle.
+        let is_near = || self.growth(last.made_for, load).ln().abs() <= RESOLUTION_SLACK.ln();
         zone.half_width() >= ZONE_MARGIN * extent.half_width
-            && zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements)
+            && (zone.spacing() <= RESOLUTION_SLACK * extent.spacing(elements) || is_near())
     }
 
     /// Small meshes with a loose tolerance, from the closed-form estimate until one finds its own size confirmed.
