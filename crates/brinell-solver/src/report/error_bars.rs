@@ -100,7 +100,9 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     let size = step.spacing / half_width;
     let relative = |fine: f64, coarse: f64| if fine == 0.0 { 0.0 } else { ((fine - coarse) / fine).abs() };
     let is_axis_raw = step.stress_state == StressState::Axisymmetric && size * RECOVERED > 1.0;
-    let peak_floor = if is_axis_raw { AXIS_FLOOR } else { PEAK_FLOOR * size * size };
+    // Of a contact in several parts the coarsest one may have the peak.
+    let peak_size = step.coarsest_part().map_or(size, |(_, elements)| size.max(elements.recip()));
+    let peak_floor = (PEAK_FLOOR * peak_size * peak_size).max(if is_axis_raw { AXIS_FLOOR } else { 0.0 });
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     let approach_floor = if yields && step.stress_state == StressState::Axisymmetric {
         PLASTIC_REVOLUTION_FLOOR * size

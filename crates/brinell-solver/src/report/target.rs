@@ -79,9 +79,20 @@ fn error_of(figure: TargetFigure, bars: ErrorEstimate, of_revolution: bool) -> O
 /// Why a target is not reached, in the units of the job.
 pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
     let Some(target) = found.target else {
+        let (ratio, force) = (found.nearest, write.force_text(found.force));
         return match &found.reason {
             UnreachableReason::Limit(why) => format!("the contact does not yield: {why}"),
-            _ => "the contact does not yield under any force that is solved".to_owned(),
+            UnreachableReason::LargestForce => {
+                "the contact does not yield under any force that is solved".to_owned()
+            }
+            UnreachableReason::SmallestForce => format!(
+                "the contact yields under the smallest forces already, down to {force}: at a sharp corner, or where the stress \
+                 before the load is beyond the yield stress"
+            ),
+            UnreachableReason::Insensitive => format!(
+                "the highest von Mises stress is {ratio:.3} of the yield stress under {force} and hardly depends on the force, \
+                 at a sharp corner or because of the stress before the load, so that no force is the onset of yield"
+            ),
         };
     };
     let name = target.figure.label();

@@ -7,7 +7,7 @@ use super::strength;
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Units};
-use crate::solver::{PairState, SolveStatus, StepSolution};
+use crate::solver::{MAX_HALF_ANGLE, PairState, SolveStatus, StepSolution};
 
 /// One remark on the validity of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -63,6 +63,33 @@ const COARSE_MESH: f64 = 9.0;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
+/// By what a mesh is too coarse for a contact.
+fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
+    let mut messages = Vec::new();
+    if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
+        messages.push(format!(
+            "The half-width has only {:.1} elements; ask for at least 10 (`mesh.elements_per_half_width`).",
+            half_width / step.spacing
+        ));
+    }
+    if let Some((part, elements)) = step.coarsest_part().filter(|(_, elements)| *elements < COARSE_MESH) {
+        messages.push(format!(
+            "The part of the contact at x = {:.4} mm has only {elements:.1} elements over half of its width: pressure, yield and \
+             the end of the contact there are those of the mesh. Ask for more elements (`mesh.elements_per_half_width`), or \
+             solve that part for itself.",
+            0.5 * (part.left + part.right)
+        ));
+    }
+    if let Some(needed) = step.unresolved {
+        messages.push(format!(
+            "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh have \
+             {:.2e} mm.",
+            step.spacing
+        ));
+    }
+    messages
+}
+
 /// The remarks that apply to a step that was solved with these settings. `radius` is the smallest of the effective radius and
 /// those of the surfaces, infinite where there is none; `depths` are those of the deformable bodies \[mm\].
 pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64]) -> Vec<ValidityNote> {
@@ -112,28 +139,19 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if step.reaches_edge {
         say(
             "contact_at_edge",
-            "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing."
-                .into(),
+            if step.conforming.is_some() {
+                format!(
+                    "The contact reaches beyond what is meshed of the hole. It is solved up to {MAX_HALF_ANGLE}° to each side: \
+                     reduce the load, or widen the clearance."
+                )
+            } else {
+                "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing."
+                    .to_owned()
+            },
         );
     }
-    if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
-        say(
-            "coarse_mesh",
-            format!(
-                "The half-width has only {:.1} elements; ask for at least 10 (`mesh.elements_per_half_width`).",
-                half_width / step.spacing
-            ),
-        );
-    }
-    if let Some(needed) = step.unresolved {
-        say(
-            "coarse_mesh",
-            format!(
-                "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh \
-                 have {:.2e} mm.",
-                step.spacing
-            ),
-        );
+    for message in coarse_mesh(step, half_width) {
+        say("coarse_mesh", message);
     }
     for (code, message) in strength::remarks(job, step) {
         say(code, message);

@@ -328,8 +328,17 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
     })
 }
 
+/// A wider zone; where the surfaces have no room for it on one side, it grows on the other.
 pub(crate) fn enlarge(problem: &Problem, zone: &ContactZone) -> ContactZone {
-    resized(problem, zone, ENLARGEMENT)
+    let wider = resized(problem, zone, ENLARGEMENT);
+    if fits(problem, &wider) || problem.conforming.is_some() {
+        return wider;
+    }
+    let room = problem.bodies.each_ref().map(|body| ContactZone::room(&body.outline));
+    let x_min = wider.x_min().max(room[0].0).max(room[1].0);
+    let x_max = wider.x_max().min(room[0].1).min(room[1].1);
+    let columns = ((x_max - x_min) / zone.spacing()).ceil() as usize;
+    problem.zone(x_min, x_max, columns, zone.is_symmetric())
 }
 
 pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
@@ -341,9 +350,9 @@ fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
     let (centre, mut half) = (zone.centre(), factor * zone.half_width());
     let mut columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor).round() as usize;
     if problem.conforming.is_some() && half > problem.span().1 {
-        // As much as there is of a pin in a hole.
-        columns = (problem.span().1 / zone.spacing()).floor() as usize;
-        half = columns as f64 * zone.spacing();
+        // All there is of a pin in a hole.
+        half = problem.span().1;
+        columns = (half / zone.spacing()).ceil() as usize;
     }
     let x_min = if zone.is_symmetric() { 0.0 } else { centre - half };
     problem.zone(x_min, centre + half, columns, zone.is_symmetric())
@@ -412,14 +421,16 @@ fn find_contact(
     let meets_beyond = !outcome.status.is_stopped()
         && problem.may_touch_elsewhere()
         && meets_beyond_zone(problem, system, outcome, fields);
-    (patch, meets_beyond || reaches_edge(system, outcome))
+    (patch, meets_beyond || reaches_edge(problem, system, outcome))
 }
 
-/// Whether one of the outermost two pairs of an open end of the zone carries force.
-fn reaches_edge(system: &System, outcome: &Outcome) -> bool {
+/// Whether one of the outermost two pairs of an open end of the zone carries force; only the outermost one counts where a zone
+/// is all there is of a pin in a hole.
+fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
     let active = &outcome.state.response.contact.active_set;
     let last = system.zone.columns();
-    let right = active.contains(last) || active.contains(last.saturating_sub(1));
+    let is_whole = problem.conforming.is_some() && system.zone.x_max() >= problem.span().1;
+    let right = active.contains(last) || (!is_whole && active.contains(last.saturating_sub(1)));
     let left = !system.zone.is_symmetric() && (active.contains(0) || active.contains(1));
     right || left
 }

@@ -28,6 +28,7 @@ mod solution;
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
+pub(crate) use conforming::MAX_HALF_ANGLE;
 pub use error::{SolveError, Unreachable, UnreachableReason};
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};

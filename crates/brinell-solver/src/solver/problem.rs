@@ -139,6 +139,8 @@ fn in_body<M: ConstitutiveModel>(
 const INNER_PART: f64 = 0.95;
 /// Rounding of a corner that makes a difference, as a part of the gap at the ends of the contact.
 const ROUNDING_SHARE: f64 = 0.05;
+/// Places that differ by less, relative to the distance from the origin, are the same.
+const SAME_PLACE: f64 = 1e-9;
 /// Steps of the integral for the force of an elastic contact.
 const FORCE_STEPS: u32 = 48;
 
@@ -245,6 +247,19 @@ impl Problem {
         self.knots.get(first..end).unwrap_or(&[])
     }
 
+    /// The nearest edges beside a place, beyond which no contact around it reaches \[mm\]; infinite where there is none.
+    pub fn edges_around(&self, centre: f64) -> [f64; 2] {
+        let (mut left, mut right) = (f64::NEG_INFINITY, f64::INFINITY);
+        for corner in &self.corners {
+            if corner.edge() < 0.0 && corner.x < centre {
+                left = left.max(corner.x);
+            } else if corner.edge() > 0.0 && corner.x > centre {
+                right = right.min(corner.x);
+            }
+        }
+        [left, right]
+    }
+
     /// Whether one of the surfaces has a corner at this knot.
     pub fn is_corner(&self, x: f64) -> bool {
         self.corners.binary_search_by(|corner| corner.x.total_cmp(&x)).is_ok()
@@ -299,12 +314,20 @@ impl Problem {
         self.bodies.iter().all(|body| body.outline.is_arc())
     }
 
-    /// By how much the surfaces open, both sides together, at the distance a from where they touch \[mm\].
-    pub fn opening(&self, a: f64) -> f64 {
-        self.initial_gap(self.first_contact_x + a) + self.initial_gap(self.first_contact_x - a)
+    /// By how much the surfaces open, both sides together, at the distance a from where they touch \[mm\]. At an edge a contact
+    /// grows to one side only, which stands for both.
+    pub fn opening(&self, touch: f64, a: f64) -> f64 {
+        let at_touch = |corner: &&Corner| {
+            (corner.x - touch).abs() <= SAME_PLACE * corner.x.abs() && corner.edge() != 0.0
+        };
+        match self.corners.iter().find(at_touch) {
+            Some(edge) => 2.0 * self.initial_gap(touch - a * edge.edge()),
+            None => self.initial_gap(touch + a) + self.initial_gap(touch - a),
+        }
     }
 
-    /// Force under which elastic half-spaces with these surfaces touch over the half-width a \[N/mm, or N in axisymmetry\].
+    /// Force under which elastic half-spaces with these surfaces touch over the half-width a around one place, which is the only one
+    /// \[N/mm, or N in axisymmetry\]; in axisymmetry away from the axis, of a ring, that for each length of it \[N/mm\].
     ///
     /// Exact, with `g(x)` half of the opening, for contacts in one part:
     /// ```text
@@ -315,28 +338,24 @@ impl Problem {
     /// # Reference
     /// I. N. Sneddon, *The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of
     /// arbitrary profile*, Int. J. Engng Sci. 3 (1965) 47–57; K. L. Johnson, *Contact Mechanics* (1985), section 2.7.
-    pub fn elastic_force(&self, a: f64) -> f64 {
+    pub fn elastic_force(&self, touch: f64, a: f64) -> f64 {
         let modulus = self.effective_modulus();
         if let Some(pair) = &self.conforming {
             return pair.elastic_force(self.stress_state, modulus, a);
         }
+        let is_round = self.stress_state == StressState::Axisymmetric && touch == 0.0;
         if self.has_arcs() {
-            return match self.stress_state {
-                StressState::PlaneStrain | StressState::PlaneStress => 0.25 * PI * modulus * self.opening(a),
-                StressState::Axisymmetric => 4.0 / 3.0 * modulus * a * self.opening(a),
-            };
+            let opening = modulus * self.opening(touch, a);
+            return if is_round { 4.0 / 3.0 * a * opening } else { 0.25 * PI * opening };
         }
         // With x = a sin φ, between even steps of φ: dg tan φ, or 2 dg a sin φ tan φ.
         let angle = |k: f64| 0.5 * PI * k / f64::from(FORCE_STEPS);
         let mut last = 0.0;
         let parts = (0..FORCE_STEPS).map(|k| {
-            let opening = 0.5 * self.opening(a * angle(f64::from(k + 1)).sin());
+            let opening = 0.5 * self.opening(touch, a * angle(f64::from(k + 1)).sin());
             let growth = opening - std::mem::replace(&mut last, opening);
             let (sin, cos) = angle(f64::from(k) + 0.5).sin_cos();
-            match self.stress_state {
-                StressState::PlaneStrain | StressState::PlaneStress => growth * sin / cos,
-                StressState::Axisymmetric => 2.0 * growth * a * sin * sin / cos,
-            }
+            if is_round { 2.0 * growth * a * sin * sin / cos } else { growth * sin / cos }
         });
         modulus * parts.sum::<f64>()
     }

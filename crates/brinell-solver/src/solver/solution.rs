@@ -11,6 +11,7 @@ use crate::material::von_mises;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
+use crate::solver::mesh_sizing::rough::LEAST_PART;
 use crate::solver::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::phases::PhaseTimes;
 
@@ -184,6 +185,26 @@ impl StepSolution {
         let meshed: f64 = self.pairs.iter().map(|pair| pair.closing * pair.force).sum();
         let on_axis = self.pairs.first().map_or(0.0, |pair| pair.force);
         if self.is_mirrored() { 2.0 * meshed - on_axis } else { meshed }
+    }
+
+    /// Of a contact in several parts: the one with the fewest elements, of those that carry a share of the force worth looking at,
+    /// and its elements over half of its own width. `None` for a contact in one part.
+    pub fn coarsest_part(&self) -> Option<(ContactPatch, f64)> {
+        let is_on_axis = |part: &ContactPatch| self.symmetric && part.left == 0.0;
+        if let [only] = self.parts.as_slice()
+            && (!self.symmetric || is_on_axis(only))
+        {
+            return None;
+        }
+        let least = LEAST_PART * self.pairs.iter().map(|pair| pair.force).sum::<f64>();
+        let resolved = self.parts.iter().filter_map(|part| {
+            let inside = || self.pairs.iter().filter(|pair| (part.left..=part.right).contains(&pair.x));
+            let nodes = inside().count() as f64;
+            // Each node stands for one element, on the axis for half of one.
+            let elements = if is_on_axis(part) { nodes - 0.5 } else { 0.5 * nodes };
+            (inside().map(|pair| pair.force).sum::<f64>() >= least).then_some((*part, elements))
+        });
+        resolved.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Half of the distance between the ends of the pressure; 0 where nothing touches \[mm\].

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 #![expect(clippy::float_cmp, reason = "what is set to zero is exactly zero")]
 
+mod apart;
 mod approach;
 mod autofrettage;
 mod bodies;
@@ -29,6 +30,8 @@ mod problems;
 mod profiles;
 mod punch_ceiling;
 mod random_jobs;
+#[path = "../support/rough_traces.rs"]
+mod rough_traces;
 mod shape_cases;
 mod soundness;
 mod stops;

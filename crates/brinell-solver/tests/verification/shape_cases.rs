@@ -3,13 +3,14 @@
 
 use std::path::Path;
 
-use brinell_solver::analytical::{PinInHole, PowerIndenter, flat_punch_pressure};
+use brinell_solver::analytical::{HertzLine, PinInHole, PowerIndenter, flat_punch_pressure};
 use brinell_solver::job::FieldError;
 use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
 use crate::problems::{assert_within, parse, report};
+use crate::rough_traces::{self, TRACES};
 
 const MODULUS: f64 = 210_000.0 / 0.91;
 
@@ -180,26 +181,15 @@ fn a_ball_that_would_sink_in_is_refused() {
     assert!(fault.detail.contains("reduce the load"), "{}", fault.detail);
 }
 
-/// A spike 0.01 mm high on a crest, `half` of its base to each side; even points 0.25 mm apart beside it.
-fn spike(at: f64, half: f64, crest: impl Fn(f64) -> f64) -> Value {
-    let mut x: Vec<f64> = (-40..=40).map(|k| 0.25 * f64::from(k)).chain([at - half, at, at + half]).collect();
-    x.sort_by(f64::total_cmp);
-    x.dedup();
-    let height = |x: f64| crest(x) + 0.01 * (1.0 - (x - at).abs() / half).max(0.0);
-    let points: Vec<[f64; 2]> = x.into_iter().map(|x| [x, height(x)]).collect();
-    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
-    json!({"analysis": "plane_strain", "load": {"force": 5.0}, "mesh": {"elements_per_half_width": 10},
-        "upper": {"shape": {"type": "profile", "points": points, "depth": 20.0}, "material": steel},
-        "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel}})
-}
-
-/// Spikes of 1 µm to 1 mm, on and off the samples of any search: asked about; straight, they touch with their tips as wedges do
-/// and nowhere else, or are refused as too steep.
+/// Spikes 0.01 mm high, half a micrometre to a tenth of a millimetre to each side of their tips, on and off the samples of any search:
+/// asked about; straight, they touch with their tips as wedges do and nowhere else, or are refused as too steep.
 #[test]
 fn spikes_are_found_wherever_they_stand() {
     for half in [0.5, 0.1, 0.01, 0.002, 0.0005] {
         for at in [0.0, 3.001_23] {
-            let job = spike(at, half, |x| -1e-5 * x * x);
+            let shift = if half > 0.1 { "_shift" } else { "" };
+            let elements = if half > 0.1 { "_n10" } else { "" };
+            let job = case(&format!("asperity{shift}_w{half}_x{at}{elements}"));
             assert_corner_is_asked_about(&job);
             if half < 0.01 {
                 let fault = refused(&straight(job));
@@ -220,23 +210,74 @@ fn spikes_are_found_wherever_they_stand() {
     }
 }
 
-/// The same contact, shifted by micrometres beside the samples, has the same approach: to 1e-4, at both densities.
+/// The same contact, shifted by micrometres beside the samples, has the same approach at both densities: of a tip to 1e-4, of one that is
+/// rounded off between its points, so that these shape it, to 2e-3.
 #[test]
 fn a_shift_does_not_change_the_approach() {
     for elements in [10, 40] {
-        let at = |x: f64| {
-            let mut job = straight(spike(x, 0.1, |s| -1e-6 * (s - x) * (s - x)));
-            job["mesh"]["elements_per_half_width"] = json!(elements);
-            step(&job).approach
-        };
-        let reference = at(3.0);
-        for x in [3.001_23, 3.0025, 3.004] {
-            assert_within(at(x), reference, 1e-4);
+        for (interpolation, tolerance) in [("linear", 1e-4), ("smooth", 2e-3)] {
+            let at = |half: f64, x: f64| {
+                let mut job = case(&format!("asperity_shift_w{half}_x{x}_n{elements}"));
+                assert_corner_is_asked_about(&job);
+                job["upper"]["shape"]["interpolation"] = json!(interpolation);
+                step(&job).approach
+            };
+            let reference = at(0.1, 3.0);
+            for x in [3.001_23, 3.0025, 3.004] {
+                assert_within(at(0.1, x), reference, tolerance);
+            }
+            // In the middle of its body it stands a little stiffer, whatever the spike.
+            let [sharp, blunt] = [0.1, 0.5].map(|half| at(half, 3.001_23) - at(half, 0.0));
+            assert!(sharp > 0.0 && sharp < 1e-2 * reference);
+            assert_within(blunt, sharp, 0.1);
         }
-        if elements == 10 {
-            continue;
-        }
-        // In the middle of its body it stands a little stiffer.
-        assert_within(at(0.0), reference, 1e-2);
+    }
+}
+
+fn rough(trace: (usize, f64, usize)) -> Value {
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
+    json!({"analysis": "plane_strain", "load": {"force": 300.0}, "mesh": {"elements_per_half_width": 20},
+        "upper": {"shape": {"type": "profile", "points": rough_traces::trace(trace), "depth": 20.0}, "material": steel},
+        "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel}})
+}
+
+/// The traces are those that were reported, number for number.
+#[test]
+fn rough_traces_are_those_that_were_reported() {
+    let reported = [
+        (-1.000_117_884_175_123, -1.000_021_418_083_851_4, -668_337.286_471_021_1),
+        (-1.000_022_881_043_371_3, -0.999_860_977_734_771_7, -10_673_355.335_271_487),
+        (-1.000_507_421_640_317_8, -1.000_797_282_579_779_7, -10_673_562.225_617_686),
+    ];
+    for (trace, (first, last, sum)) in TRACES.into_iter().zip(reported) {
+        let heights: Vec<f64> = rough_traces::trace(trace).into_iter().map(|[_, height]| height).collect();
+        assert_within(heights[0], first, 1e-15);
+        assert_within(heights[heights.len() - 1], last, 1e-15);
+        let weighted: f64 = heights.iter().enumerate().map(|(k, height)| (k + 1) as f64 * height).sum();
+        assert_within(weighted, sum, 1e-14);
+    }
+}
+
+/// What a rough trace costs is known before it is solved, and by how much the mesh is too coarse for its summits afterwards.
+#[test]
+fn rough_traces_cost_what_was_estimated() {
+    let [first, second, third] = TRACES.map(rough);
+    let expected = report::preflight(&parse(&first)).unwrap().equations as f64;
+    let found = report(&first);
+    assert_within(found.mesh.equations as f64, expected, 0.1);
+    let step = &found.steps[0];
+    assert_eq!(step.status, SolveStatus::Converged);
+    // Half-planes under Hertz's parabola are 0.408 mm wide to each side, and the summits reach farther.
+    let hertz = HertzLine::new(300.0, 50.0, 0.5 * MODULUS);
+    assert!(
+        step.contact.half_width > hertz.half_width() && step.contact.half_width < 1.2 * hertz.half_width()
+    );
+    assert!(step.contact.peak_pressure > 2.0 * hertz.peak_pressure() && step.contact.patches.len() > 10);
+    assert_eq!(codes(step), ["coarse_mesh"]);
+    // Of points a quarter as far apart.
+    assert_corner_is_asked_about(&third);
+    for job in [second, straight(third)] {
+        let equations = report::preflight(&parse(&job)).unwrap().equations;
+        assert!((3_000_000..5_000_000).contains(&equations), "{equations}");
     }
 }

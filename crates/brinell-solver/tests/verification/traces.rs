@@ -17,16 +17,6 @@ fn on_block(points: &[[f64; 2]], force: f64, elements: u32) -> Value {
         "lower": {"shape": {"type": "block", "width": 60.0, "depth": 30.0}, "material": steel()}})
 }
 
-/// A gentle crest at `at`, on which a spike of half the given width stands 0.01 mm high.
-fn spike(at: f64, width: f64) -> Vec<[f64; 2]> {
-    let crest = |x: f64| -1e-6 * (x - at) * (x - at);
-    let even = (-40..=40).map(|k| 0.25 * f64::from(k)).filter(|x| (x - at).abs() > width);
-    let mut points: Vec<[f64; 2]> = even.map(|x| [x, crest(x)]).collect();
-    points.extend([[at - width, crest(at - width)], [at, 0.01], [at + width, crest(at + width)]]);
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    points
-}
-
 fn with_interpolation(mut job: Value, interpolation: &str) -> Value {
     job["upper"]["shape"]["interpolation"] = json!(interpolation);
     job
@@ -36,22 +26,6 @@ fn step(job: &Value) -> StepReport {
     let step = report(job).steps.remove(0);
     assert_eq!(step.status, SolveStatus::Converged);
     step
-}
-
-/// Wherever a spike of 0.1 mm stands between the samples of a search, it is found, and the approach is the same to the
-/// error of the mesh.
-#[test]
-fn the_approach_does_not_depend_on_where_a_spike_stands() {
-    for interpolation in ["smooth", "linear"] {
-        let at = |x: f64| step(&with_interpolation(on_block(&spike(x, 0.1), 5.0, 10), interpolation));
-        let reference = at(3.0);
-        for x in [3.0025, 3.004, 3.001_23] {
-            let shifted = at(x);
-            assert_within(shifted.approach, reference.approach, 2e-3);
-            assert_within(shifted.contact.half_width, reference.contact.half_width, 2e-3);
-            assert!((shifted.contact.peak_position - x).abs() < 0.01);
-        }
-    }
 }
 
 #[test]
@@ -74,16 +48,6 @@ fn a_corner_in_the_contact_is_asked_about() {
         let sharp = step(&with_interpolation(job.clone(), "linear"));
         assert_within(sharp.contact.half_width, 1.0, 1e-2);
         assert_within(sharp.contact.mean_pressure, 0.05 * modulus, 1e-2);
-    }
-}
-
-/// A spike as steep as 5 : 1 and more is no surface that small-displacement theory presses on.
-#[test]
-fn a_steep_spike_is_refused_with_its_slope() {
-    for width in [0.002, 0.0005] {
-        let job = with_interpolation(on_block(&spike(3.001_23, width), 5.0, 10), "linear");
-        let refused = solver::run(&parse(&job), &mut Unobserved).unwrap_err().to_string();
-        assert!(refused.contains("slope"), "{refused}");
     }
 }
 

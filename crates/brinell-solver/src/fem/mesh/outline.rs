@@ -91,9 +91,9 @@ pub(super) const MESHED_SLOPE: f64 = 0.5;
 /// Slope of a vertical drop.
 const VERTICAL: f64 = 1e9;
 
-/// The inner points of a line as corners.
-fn bends(line: &Polyline) -> impl Iterator<Item = Corner> {
-    line.bends().map(|[x, left, right]| Corner { x, slopes: [left, right] })
+/// The inner points of a line as corners, which a smooth curve through them rounds off.
+fn bends(line: &Polyline, is_rounded: bool) -> impl Iterator<Item = Corner> {
+    line.bends().map(move |[x, left, right]| Corner { x, slopes: [left, right], is_rounded })
 }
 
 impl Outline {
@@ -283,17 +283,19 @@ impl Outline {
 
     /// Corners of the surface, ascending.
     pub fn corners(&self) -> Vec<Corner> {
-        let corner = |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right] };
+        let corner = |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right], is_rounded: false };
         match &self.surface {
             Surface::Wedge { slope, tip_radius } if *tip_radius == 0.0 => vec![corner(0.0, *slope, -slope)],
             Surface::Punch { half_width, edge_radius, .. } if *edge_radius == 0.0 => {
                 vec![corner(-half_width, VERTICAL, 0.0), corner(*half_width, 0.0, -VERTICAL)]
             }
             Surface::Smooth(curve) => {
-                let corners = bends(curve.line());
+                let corners = bends(curve.line(), true);
                 corners.filter(|corner| corner.opening().abs() > CORNER).collect()
             }
-            Surface::Linear(line) => bends(line).filter(|corner| corner.opening().abs() > 0.0).collect(),
+            Surface::Linear(line) => {
+                bends(line, false).filter(|corner| corner.opening().abs() > 0.0).collect()
+            }
             _ => Vec::new(),
         }
     }
@@ -302,7 +304,7 @@ impl Outline {
     /// the face turns much more than at the points beside, however little that is.
     pub fn possible_corners(&self) -> Vec<Corner> {
         let Surface::Smooth(curve) = &self.surface else { return self.corners() };
-        let bends: Vec<Corner> = bends(curve.line()).collect();
+        let bends: Vec<Corner> = bends(curve.line(), true).collect();
         let opening = |k: usize| bends.get(k).map_or(0.0, |corner| corner.opening().max(0.0));
         let is_possible = |(k, corner): &(usize, &Corner)| {
             let beside = opening(k.wrapping_sub(1)).max(opening(k + 1));

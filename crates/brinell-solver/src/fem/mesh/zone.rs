@@ -25,6 +25,8 @@ pub struct Corner {
     pub x: f64,
     /// Slopes of the surface's height to the left and to the right.
     pub slopes: [f64; 2],
+    /// Whether a smooth curve rounds it off, so that only a mesh takes it for one.
+    pub is_rounded: bool,
 }
 
 impl Corner {
@@ -35,7 +37,7 @@ impl Corner {
 
     /// On which side a contact ends here, +1 for the right, because the surface falls off there abruptly and much more than
     /// on the other; 0 where it does not.
-    fn edge(&self) -> f64 {
+    pub fn edge(&self) -> f64 {
         let [left, right] = self.slopes;
         if self.opening() < EDGE {
             0.0
@@ -146,17 +148,22 @@ impl ContactZone {
 
     /// Whether candidate node `k` is a corner of one of the surfaces.
     pub fn is_corner(&self, k: usize) -> bool {
-        self.corners.binary_search_by_key(&k, |(node, _)| *node).is_ok()
+        self.corner(k).is_some()
+    }
+
+    /// Whether it is one that nothing rounds off, or an edge, beside which a curve through points falls off too steeply to matter.
+    pub fn is_sharp_corner(&self, k: usize) -> bool {
+        self.corner(k).is_some_and(|corner| !corner.is_rounded || corner.edge() != 0.0)
+    }
+
+    fn corner(&self, k: usize) -> Option<&Corner> {
+        let place = self.corners.binary_search_by_key(&k, |(node, _)| *node).ok()?;
+        self.corners.get(place).map(|(_, corner)| corner)
     }
 
     /// Where the edge is that candidate node `k` stands for, if it does \[mm\]; the node lies a little inside of it.
     pub fn edge(&self, k: usize) -> Option<f64> {
-        let place = self.corners.binary_search_by_key(&k, |(node, _)| *node).ok()?;
-        self.corners
-            .get(place)
-            .map(|(_, corner)| corner)
-            .filter(|corner| corner.edge() != 0.0)
-            .map(|corner| corner.x)
+        self.corner(k).filter(|corner| corner.edge() != 0.0).map(|corner| corner.x)
     }
 
     /// Whether all columns are equally wide and no node is a corner.
@@ -176,10 +183,16 @@ impl ContactZone {
 
     /// Whether the zone leaves enough of a body's surface beside it to be meshed.
     pub fn fits(&self, outline: &Outline) -> bool {
+        let (left, right) = Self::room(outline);
+        self.x_max() <= right && self.x_min() >= left
+    }
+
+    /// Where a zone may be on a body, from left to right \[mm\].
+    pub fn room(outline: &Outline) -> (f64, f64) {
         let (left, right) = outline.span();
         // The span of a pin or a hole is where a zone may be.
         let part = if outline.ring().is_some() { 1.0 } else { MAX_ZONE_SPAN };
-        self.x_max() <= part * right && self.x_min() >= part * left
+        (part * left, part * right)
     }
 
     /// Largest half-width of a zone on a body \[mm\].
@@ -241,7 +254,8 @@ mod tests {
 
     #[test]
     fn corners_are_nodes_and_edges_are_graded() {
-        let corners = [Corner { x: 0.0, slopes: [0.05, -0.05] }, Corner { x: 0.73, slopes: [0.0, -10.0] }];
+        let corner = |x: f64, slopes: [f64; 2]| Corner { x, slopes, is_rounded: false };
+        let corners = [corner(0.0, [0.05, -0.05]), corner(0.73, [0.0, -10.0])];
         let zone = ContactZone::with_corners(0.0, 1.0, 10, true, &corners);
         let edge = (0..=zone.columns()).find(|&k| zone.edge(k) == Some(0.73)).unwrap();
         assert!(zone.is_corner(0) && zone.edge(0).is_none() && !zone.is_corner(1));

@@ -112,7 +112,10 @@ impl System {
             bodies.push(body);
             transferred.push(displacement);
         }
-        let initial_gap: Vec<f64> = zone.abscissae().iter().map(|&x| problem.initial_gap(x)).collect();
+        // The pair of an edge closes where the edge is.
+        let initial_gap: Vec<f64> = (0..=zone.columns())
+            .map(|k| problem.initial_gap(zone.edge(k).unwrap_or_else(|| zone.abscissa(k))))
+            .collect();
         let mut system = Self {
             bodies,
             bodies_represented,
@@ -219,9 +222,9 @@ impl System {
         self.tributary_within(k, self.zone.abscissae())
     }
 
-    /// Where pairs carry force at a corner of one of the surfaces \[mm\].
+    /// Where pairs carry force at a sharp corner of one of the surfaces \[mm\].
     pub fn loaded_corners(&self, force: &[f64]) -> Vec<f64> {
-        let loaded = (0..force.len()).filter(|&k| force[k] > 0.0 && self.zone.is_corner(k));
+        let loaded = (0..force.len()).filter(|&k| force[k] > 0.0 && self.zone.is_sharp_corner(k));
         loaded.map(|k| self.zone.edge(k).unwrap_or_else(|| self.zone.abscissa(k))).collect()
     }
 

@@ -243,7 +243,7 @@ impl ForceSearch<'_> {
         };
         match solved {
             Ok(()) => {}
-            Err(SolveError::TooWide { .. }) => {
+            Err(SolveError::TooWide { .. } | SolveError::TooFarRound { .. }) => {
                 return Ok(Err(
                     "the contact would spread over more of the surfaces than is solved".to_owned()
                 ));

@@ -77,47 +77,73 @@ impl ContactSizeEstimate {
         let (left, right) = problem.span();
         // A full model of a symmetric problem is sized as its half would be, so that both have the same mesh.
         let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
-        let first_contact_x = if symmetric { problem.first_contact_x.abs() } else { problem.first_contact_x };
-        let beside = right - first_contact_x;
-        let available = if symmetric { beside } else { beside.min(first_contact_x - left) };
+        let touch = if symmetric { problem.first_contact_x.abs() } else { problem.first_contact_x };
+        let beside = right - touch;
+        let available = if symmetric { beside } else { beside.min(touch - left) };
         let limit = MAX_HALF_WIDTH * available;
-        if limit <= 0.0 {
+        let is_apart = symmetric && touch > 0.0;
+        let farthest = if is_apart { limit.min(touch) } else { limit };
+        if limit <= 0.0 || problem.opening(touch, farthest) <= 0.0 {
             return Err(SolveError::Conforming);
         }
-        let opening = |a: f64| problem.opening(a);
-        if opening(limit) <= 0.0 {
-            return Err(SolveError::Conforming);
+        if !is_apart {
+            return Self::at(problem, load, touch, limit)?
+                .map_err(|half_width| SolveError::TooWide { half_width, available });
         }
+        // Two places that are mirror images of each other, or a ring, until the contact has closed between them.
+        let share = match (load, problem.stress_state) {
+            (ContactLoad::Force(force), StressState::Axisymmetric) => {
+                ContactLoad::Force(force / (2.0 * PI * touch))
+            }
+            (ContactLoad::Force(force), _) => ContactLoad::Force(0.5 * force),
+            (approach, _) => approach,
+        };
+        if let Ok(apart) = Self::at(problem, share, touch, farthest)? {
+            return Ok(apart);
+        }
+        Self::at(problem, load, 0.0, MAX_HALF_WIDTH * right)?
+            .map_err(|half_width| SolveError::TooWide { half_width, available: right })
+    }
+
+    /// The extent around one place; the inner error is the half-width that would be needed, above the limit.
+    fn at(
+        problem: &Problem,
+        load: ContactLoad,
+        touch: f64,
+        limit: f64,
+    ) -> Result<Result<Self, f64>, SolveError> {
         let bears = |a: f64| match load {
-            ContactLoad::Force(force) => problem.elastic_force(a) >= force,
-            ContactLoad::Approach(approach) => 0.5 * opening(a) >= approach,
+            ContactLoad::Force(force) => problem.elastic_force(touch, a) >= force,
+            ContactLoad::Approach(approach) => 0.5 * problem.opening(touch, a) >= approach,
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
-        let half_width = if problem.has_arcs() {
+        let elastic = if problem.has_arcs() {
             smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears)
         } else {
             let rough = smallest(limit, ROUGH_RATIO, ROUGH_STEPS, bears);
             rough.map(|a| bisect(a / ROUGH_RATIO, a, bears))
         };
         let plastic = match load {
-            ContactLoad::Force(force) => plastic_half_width(problem, force),
+            ContactLoad::Force(force) => plastic_half_width(problem, force, touch),
             ContactLoad::Approach(_) => 0.0,
         };
-        match half_width.map(|a| a.max(plastic)) {
-            Some(a) if a <= limit => {
-                let hertz_half_width = half_width.unwrap_or(a);
-                if let Some((side, corner)) = problem.ambiguous_corner(first_contact_x, a) {
+        match elastic {
+            Some(elastic) if elastic.max(plastic) <= limit => {
+                let a = elastic.max(plastic);
+                if let Some((side, corner)) = problem.ambiguous_corner(touch, a) {
                     return Err(SolveError::AmbiguousCorner { side, x: corner.x, opening: corner.opening() });
                 }
-                Ok(Self::around(first_contact_x, a, hertz_half_width, symmetric))
+                let symmetric = problem.is_symmetric() || problem.has_symmetric_outlines();
+                Ok(Ok(Self::around(touch, a, elastic, symmetric)))
             }
-            beyond => {
-                let elastic = match load {
-                    ContactLoad::Force(force) => limit * (force / problem.elastic_force(limit)).sqrt(),
-                    ContactLoad::Approach(approach) => limit * (2.0 * approach / opening(limit)).sqrt(),
+            elastic => {
+                let ratio = match load {
+                    ContactLoad::Force(force) => force / problem.elastic_force(touch, limit),
+                    ContactLoad::Approach(approach) => 2.0 * approach / problem.opening(touch, limit),
                 };
-                let half_width = beyond.unwrap_or(elastic).max(plastic);
-                Err(SolveError::TooWide { half_width, available })
+                // Where the surfaces close again, no ratio tells.
+                let beyond = limit * if ratio > 1.0 { ratio.sqrt() } else { 1.0 };
+                Ok(Err(elastic.unwrap_or(beyond).max(plastic)))
             }
         }
     }
@@ -127,7 +153,7 @@ impl ContactSizeEstimate {
     fn round(problem: &Problem, pair: &ConformingPair, load: ContactLoad) -> Result<Self, SolveError> {
         let limit = pair.largest_arc();
         let bears = |a: f64| match load {
-            ContactLoad::Force(force) => problem.elastic_force(a) >= force,
+            ContactLoad::Force(force) => problem.elastic_force(0.0, a) >= force,
             ContactLoad::Approach(approach) => pair.initial_gap(a) >= approach * pair.closing(a),
         };
         let elastic = smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears);
@@ -138,7 +164,7 @@ impl ContactSizeEstimate {
                     let half_angle = PinInHole::of_clearance_ratio(ratio).half_angle().to_degrees();
                     return Err(SolveError::TooFarRound { half_angle });
                 };
-                (elastic, pair.arc_of_chord(plastic_half_width(problem, force)))
+                (elastic, pair.arc_of_chord(plastic_half_width(problem, force, 0.0)))
             }
             ContactLoad::Approach(_) => (elastic.unwrap_or(limit), 0.0),
         };
@@ -148,8 +174,8 @@ impl ContactSizeEstimate {
         Ok(Self::around(0.0, elastic.max(plastic), elastic, true))
     }
 
-    fn around(first_contact_x: f64, a: f64, hertz_half_width: f64, symmetric: bool) -> Self {
-        let (centre, half_width) = if symmetric { (0.0, first_contact_x + a) } else { (first_contact_x, a) };
+    fn around(touch: f64, a: f64, hertz_half_width: f64, symmetric: bool) -> Self {
+        let (centre, half_width) = if symmetric { (0.0, touch + a) } else { (touch, a) };
         Self {
             centre,
             half_width,
@@ -185,7 +211,11 @@ impl ContactSizeEstimate {
         let middle = if symmetric { 0.0 } else { problem.first_contact_x };
         let (left, right) = problem.span();
         let available = (right - middle).min(middle - left);
-        let Some(found) = rough::extent(problem, force, middle, available) else {
+        let near = rough::extent(problem, force, middle, available);
+        // What lies farther to one side than the surfaces reach to the other.
+        let far = rough::extent(problem, force, 0.5 * (left + right), 0.5 * (right - left))
+            .filter(|far| far.right > middle + available || far.left < middle - available);
+        let Some(found) = far.or(near) else {
             return self;
         };
         let (centre, half_width) = if symmetric {
@@ -314,11 +344,12 @@ impl ContactSizeEstimate {
         let symmetric = problem.is_symmetric();
         let spacing = spacing.min(ZONE * self.half_width / LEAST_COLUMNS);
         let mut columns = (ZONE * self.half_width / spacing).round().max(LEAST_COLUMNS);
-        if problem.conforming.is_some() {
-            // As much as there is, for a contact that reaches far round.
-            columns = columns.min((problem.span().1 / spacing).floor());
+        let mut half = columns * spacing;
+        if problem.conforming.is_some() && half > problem.span().1 {
+            // All there is, for a contact that reaches far round.
+            half = problem.span().1;
+            columns = (half / spacing).ceil();
         }
-        let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
         let columns = columns as usize;
@@ -363,9 +394,11 @@ fn bisect(mut low: f64, mut high: f64, bears: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-fn plastic_half_width(problem: &Problem, force: f64) -> f64 {
-    match problem.stress_state {
-        StressState::PlaneStrain | StressState::PlaneStress => force / (2.0 * problem.hardness()),
-        StressState::Axisymmetric => (force / (PI * problem.hardness())).sqrt(),
+/// Half-width that bears a force where all of the contact is plastic; of a ring, the force on a length of it.
+fn plastic_half_width(problem: &Problem, force: f64, touch: f64) -> f64 {
+    if problem.stress_state == StressState::Axisymmetric && touch == 0.0 {
+        (force / (PI * problem.hardness())).sqrt()
+    } else {
+        force / (2.0 * problem.hardness())
     }
 }

@@ -83,11 +83,16 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
     };
     let limit = problem.conforming.map_or(MAX_HALF_WIDTH * available, |pair| pair.largest_arc());
     if half_width > limit {
-        return Err(SolveError::TooWide { half_width, available });
+        return Err(match &problem.conforming {
+            Some(pair) => SolveError::TooFarRound { half_angle: pair.angle(half_width).to_degrees() },
+            None => SolveError::TooWide { half_width, available },
+        });
     }
+    // Of surfaces that touch at two places, as far apart as these are.
+    let apart = if problem.is_symmetric() { problem.first_contact_x.abs() } else { 0.0 };
     let extent = ContactSizeEstimate {
         centre: 0.0,
-        half_width,
+        half_width: apart.max(half_width),
         smallest_part: half_width,
         plastic: RadialEnvelope::NONE,
         hertz_half_width: half_width,

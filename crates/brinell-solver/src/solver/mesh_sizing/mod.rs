@@ -3,5 +3,5 @@
 pub(crate) mod contact_size;
 pub(crate) mod estimate;
 pub(crate) mod first_contact;
-mod rough;
+pub(crate) mod rough;
 mod trace;

@@ -14,7 +14,7 @@ const WIDENING: f64 = 1.5;
 /// Pairs at most to each side of the middle.
 const MAX_PAIRS: f64 = 450.0;
 /// Part of the force that a part of the contact carries at least to be resolved for its own sake.
-pub(super) const LEAST_PART: f64 = 0.05;
+pub(crate) const LEAST_PART: f64 = 0.05;
 /// Part of what is looked at that a contact covers at least for its ends to be known.
 const LEAST_PART_OF_REACH: f64 = 0.4;
 /// Pairs to each side of the middle that tell the ends of a contact to a few per cent.

@@ -17,8 +17,10 @@ const MAX_TRIALS: u32 = 60;
 /// The largest spacing \[mm\] up to `wanted` with which the nodes of a mesh see the gap over `[centre - a, centre + a]` as it
 /// is.
 pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: f64) -> f64 {
-    let inside = problem.knots_within(centre - a, centre + a);
-    let opening = 0.5 * (problem.initial_gap(centre + a) + problem.initial_gap(centre - a));
+    let edges = problem.edges_around(centre);
+    let (left, right) = ((centre - a).max(edges[0]), (centre + a).min(edges[1]));
+    let inside = problem.knots_within(left, right);
+    let opening = 0.5 * (problem.initial_gap(right) + problem.initial_gap(left));
     if inside.len() < 3 || opening <= 0.0 {
         return wanted;
     }
@@ -30,7 +32,7 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
         }
         let smooth = 2.0 * 0.25 * opening * (spacing / a).powi(2);
         let allowed = smooth + SLOPE_SHARE * 0.5 * opening * spacing / a;
-        if largest_deviation(problem, inside, centre, spacing) <= allowed {
+        if largest_deviation(problem, inside, centre, edges, spacing) <= allowed {
             break;
         }
         spacing *= STEP;
@@ -38,17 +40,18 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
     spacing
 }
 
-/// Largest distance of the gap at knots from straight lines between nodes of this spacing \[mm\].
-fn largest_deviation(problem: &Problem, knots: &[f64], centre: f64, spacing: f64) -> f64 {
+/// Largest distance of the gap at knots from straight lines between nodes of this spacing, edges being nodes as well \[mm\].
+fn largest_deviation(problem: &Problem, knots: &[f64], centre: f64, edges: [f64; 2], spacing: f64) -> f64 {
     let deviation = |(k, &x): (usize, &f64)| {
         let is_apart = |other: Option<&f64>| other.is_none_or(|other| (other - x).abs() > spacing);
         let is_node = is_apart(k.checked_sub(1).and_then(|j| knots.get(j))) && is_apart(knots.get(k + 1));
-        if is_node && problem.is_corner(x) {
+        if (is_node && problem.is_corner(x)) || edges.contains(&x) {
             return 0.0;
         }
-        let left = centre + ((x - centre) / spacing).floor() * spacing;
-        let (below, above) = (problem.initial_gap(left), problem.initial_gap(left + spacing));
-        (problem.initial_gap(x) - below - (above - below) * (x - left) / spacing).abs()
+        let node = centre + ((x - centre) / spacing).floor() * spacing;
+        let (left, right) = (node.max(edges[0]), (node + spacing).min(edges[1]));
+        let (below, above) = (problem.initial_gap(left), problem.initial_gap(right));
+        (problem.initial_gap(x) - below - (above - below) * (x - left) / (right - left)).abs()
     };
     knots.iter().enumerate().map(deviation).fold(0.0, f64::max)
 }
