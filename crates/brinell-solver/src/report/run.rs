@@ -54,7 +54,9 @@ impl RunError {
             SolveError::Unreachable(Unreachable { target: Some(target), .. }) => {
                 vec![format!("/load/target/{}", target.figure.name())]
             }
-            SolveError::Conforming => sides.map(|(side, _)| format!("/{side}/shape")).to_vec(),
+            SolveError::Conforming | SolveError::TouchesAtEnd { .. } => {
+                sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
+            }
             SolveError::AmbiguousCorner { side, .. } => {
                 let side = if *side == 0 { "upper" } else { "lower" };
                 vec![format!("/{side}/shape/interpolation")]

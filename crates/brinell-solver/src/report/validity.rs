@@ -132,7 +132,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             "sharp_corner",
             format!(
                 "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound there: the peak pressure is \
-                 that of the mesh, and grows with its density."
+                 that of the mesh. It grows with the density of the mesh, and the force under which yield begins falls."
             ),
         );
     }

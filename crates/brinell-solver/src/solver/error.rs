@@ -46,6 +46,19 @@ pub enum SolveError {
         "the surfaces do not open away from where they first touch, so that no load makes a contact that ends"
     )]
     Conforming,
+    /// The surfaces first touch where one of them is about to end.
+    #[error(
+        "the surfaces first touch at x = {x:.4} mm, but contacts are solved from {left:.4} to {right:.4} mm, a fifth short of the \
+         ends of the surfaces: make them wider, or move what touches towards the middle"
+    )]
+    TouchesAtEnd {
+        /// Where they first touch \[mm\].
+        x: f64,
+        /// Where a contact may begin \[mm\].
+        left: f64,
+        /// Where it may end \[mm\].
+        right: f64,
+    },
     /// A surface that is given by points has details much smaller than the contact.
     #[error(
         "within the contact, of half-width {half_width:.4} mm, the surfaces have details that only elements of \

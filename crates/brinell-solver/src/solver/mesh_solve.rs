@@ -334,9 +334,8 @@ pub(crate) fn enlarge(problem: &Problem, zone: &ContactZone) -> ContactZone {
     if fits(problem, &wider) || problem.conforming.is_some() {
         return wider;
     }
-    let room = problem.bodies.each_ref().map(|body| ContactZone::room(&body.outline));
-    let x_min = wider.x_min().max(room[0].0).max(room[1].0);
-    let x_max = wider.x_max().min(room[0].1).min(room[1].1);
+    let (left, right) = problem.room();
+    let (x_min, x_max) = (wider.x_min().max(left), wider.x_max().min(right));
     let columns = ((x_max - x_min) / zone.spacing()).ceil() as usize;
     problem.zone(x_min, x_max, columns, zone.is_symmetric())
 }

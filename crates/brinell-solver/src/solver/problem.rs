@@ -409,6 +409,12 @@ impl Problem {
         (spans[0].0.max(spans[1].0), spans[0].1.min(spans[1].1))
     }
 
+    /// Where a contact zone has room on both bodies, from left to right \[mm\].
+    pub fn room(&self) -> (f64, f64) {
+        let room = self.bodies.each_ref().map(|body| ContactZone::room(&body.outline));
+        (room[0].0.max(room[1].0), room[0].1.min(room[1].1))
+    }
+
     /// A pressure that a fully plastic contact of the softer body bears \[MPa\]; infinite for elastic bodies.
     pub fn hardness(&self) -> f64 {
         // Of the strongest depth: a contact that is too narrow for it is widened, one too wide is refused.

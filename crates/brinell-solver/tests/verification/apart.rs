@@ -230,3 +230,23 @@ fn onsets_that_no_force_is() {
     job["lower"]["material"] = stressed;
     assert!(fault(&job).contains("stress before the load"), "{}", fault(&job));
 }
+
+/// What touches only where a surface is about to end is refused before it is solved, with what to do about it.
+#[test]
+fn contacts_at_the_end_of_a_surface_are_refused() {
+    for analysis in ["plane_strain", "axisymmetric"] {
+        for load in
+            [json!({"force": 10.0}), json!({"approach": 0.01}), json!({"target": {"peak_pressure": 100.0}})]
+        {
+            let mut job = bumps([0.0; 2], "smooth", 10.0, steel());
+            job["analysis"] = json!(analysis);
+            job["load"] = load;
+            for at in [8.5, 9.5, 9.99] {
+                job["upper"]["shape"]["points"] = json!([[0.0, 0.0], [at, 0.5], [10.0, 0.4]]);
+                let faults = report::preflight(&parse(&job)).unwrap_err();
+                assert!(faults.len() == 2 && faults.iter().all(|fault| fault.pointer.ends_with("/shape")));
+                assert!(faults[0].detail.contains("towards the middle"), "{}", faults[0].detail);
+            }
+        }
+    }
+}

@@ -377,8 +377,8 @@ fn stopped(step: &StepSolution) -> Option<Interrupt> {
 fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, SolveError> {
     let (mut low, mut high) = (1e-9, 1e9);
     let expected = |force: f64| ContactSizeEstimate::expected(problem, ContactLoad::Force(force));
-    if matches!(expected(low), Err(SolveError::Conforming)) {
-        return Err(SolveError::Conforming);
+    if let Err(error @ (SolveError::Conforming | SolveError::TouchesAtEnd { .. })) = expected(low) {
+        return Err(error);
     }
     for _ in 0..80 {
         let middle = f64::sqrt(low * high);

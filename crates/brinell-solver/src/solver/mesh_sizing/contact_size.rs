@@ -68,7 +68,7 @@ impl ContactSizeEstimate {
     /// approach the width is where the undeformed surfaces would overlap, which is too much.
     ///
     /// # Errors
-    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where
+    /// [`SolveError::Conforming`] where the surfaces do not open, [`SolveError::TouchesAtEnd`] where they end, [`SolveError::TooWide`] or [`SolveError::TooFarRound`] where
     /// the contact would take up more of the surfaces than is solved.
     pub fn expected(problem: &Problem, load: ContactLoad) -> Result<Self, SolveError> {
         if let Some(pair) = &problem.conforming {
@@ -86,6 +86,10 @@ impl ContactSizeEstimate {
         if limit <= 0.0 || problem.opening(touch, farthest) <= 0.0 {
             return Err(SolveError::Conforming);
         }
+        let room = problem.room();
+        if touch > room.1 || touch < room.0 {
+            return Err(SolveError::TouchesAtEnd { x: touch, left: room.0, right: room.1 });
+        }
         if !is_apart {
             return Self::at(problem, load, touch, limit)?
                 .map_err(|half_width| SolveError::TooWide { half_width, available });
@@ -101,8 +105,15 @@ impl ContactSizeEstimate {
         if let Ok(apart) = Self::at(problem, share, touch, farthest)? {
             return Ok(apart);
         }
-        Self::at(problem, load, 0.0, MAX_HALF_WIDTH * right)?
-            .map_err(|half_width| SolveError::TooWide { half_width, available: right })
+        let limit = MAX_HALF_WIDTH * right;
+        let too_wide = |half_width: f64| SolveError::TooWide { half_width, available: right };
+        if touch > limit {
+            return Err(too_wide(touch));
+        }
+        let closed = Self::at(problem, load, 0.0, limit)?.map_err(too_wide)?;
+        // Both places are in contact.
+        let half_width = closed.half_width.max(touch);
+        Ok(Self { half_width, smallest_part: half_width, ..closed })
     }
 
     /// The extent around one place; the inner error is the half-width that would be needed, above the limit.
