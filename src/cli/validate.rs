@@ -32,10 +32,7 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, Fault> {
         report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
     let default = if io::stdout().is_terminal() { Format::Table } else { Format::Json };
     let text = match args.format.unwrap_or(default) {
-        Format::Json => {
-            let estimate = json!({"equations": estimate.equations, "bytes": estimate.bytes});
-            format!("{}\n", json!({"valid": true, "estimate": estimate}))
-        }
+        Format::Json => format!("{}\n", json!({"valid": true, "estimate": estimate})),
         Format::Table => {
             let (verdict, mebibytes) = (Style::of_stdout().green("valid"), estimate.bytes.div_ceil(1 << 20));
             format!("{name} is {verdict}: {} equations, about {mebibytes} MiB\n", estimate.equations)

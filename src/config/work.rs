@@ -21,8 +21,8 @@ const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
 /// Part of the jobs' memory that is for short jobs beside long ones, and the most of it \[bytes\] for each solver.
-const SHORT_PART: u64 = 8;
-const MAX_SHORT: u64 = 64 << 20;
+const SHORT_PART: u64 = 4;
+const MAX_SHORT: u64 = 320 << 20;
 
 /// Settings of the solvers.
 #[derive(Debug, Clone, PartialEq, Args)]
@@ -31,7 +31,7 @@ pub struct WorkConfig {
     #[arg(long, env = "BRINELL_WORKERS", value_name = "N")]
     pub workers: Option<NonZeroUsize>,
 
-    /// Memory that the jobs being solved may need together, an eighth of it (64 a worker at most) for short jobs beside long ones [default: 70 % of the machine's or the container's]
+    /// Memory that the jobs being solved may need together, a quarter of it (320 a worker at most) for short jobs beside long ones [default: 70 % of the machine's or the container's]
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
 

@@ -2,22 +2,22 @@
 
 use std::num::NonZeroUsize;
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::in_process::{InProcess, job};
 use crate::server::{Server, example};
 
 #[test]
 fn a_job_above_the_budget_is_refused_with_its_estimate() {
-    // An eighth is for short jobs beside long ones.
-    let server = Server::start_with(&["--memory-limit", "8"]);
-    assert_eq!(server.target.get("/v1/capacity").json()["memory_bytes"], 8 << 20);
+    // A quarter is for short jobs beside long ones.
+    let server = Server::start_with(&["--memory-limit", "80"]);
+    assert_eq!(server.target.get("/v1/capacity").json()["memory_bytes"], 80 << 20);
     let mut large = example();
     large["mesh"] = json!({"elements_per_half_width": 80});
     for path in ["/v1/jobs", "/v1/solve", "/v1/validate"] {
         let problem = server.target.post(path, large.to_string()).problem(422, "job-too-large");
-        assert_eq!(problem["limit_bytes"], 7 << 20, "the budget binds where --max-job-memory would not");
-        assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 7 << 20));
+        assert_eq!(problem["limit_bytes"], 60 << 20, "the budget binds where --max-job-memory would not");
+        assert!(problem["estimate"]["bytes"].as_u64().is_some_and(|bytes| bytes > 60 << 20));
     }
     let mut small = example();
     small["mesh"] = json!({"elements_per_half_width": 4});
@@ -40,9 +40,16 @@ fn a_short_job_does_not_wait_for_a_long_one() {
     target.wait_for(&second, &["succeeded"]);
 }
 
-/// A service with three solvers, and room for so many tenths of a job of ordinary size.
+/// A job that needs several times as much memory as a small one.
+fn large_job() -> Value {
+    let mut large = job("slow");
+    large["mesh"] = json!({"elements_per_half_width": 50});
+    large
+}
+
+/// A service with three solvers, and room for so many tenths of a large job.
 fn with_room_for(tenths: u64) -> InProcess {
-    let estimate = InProcess::start(|_| ()).target.post("/v1/validate", job("slow").to_string());
+    let estimate = InProcess::start(|_| ()).target.post("/v1/validate", large_job().to_string());
     let bytes = estimate.json()["estimate"]["bytes"].as_u64().unwrap();
     let mebibytes = u32::try_from((tenths * bytes / 10) >> 20).unwrap();
     InProcess::start(|config| {
@@ -53,11 +60,11 @@ fn with_room_for(tenths: u64) -> InProcess {
 
 #[test]
 fn a_job_waits_until_there_is_memory_for_it() {
-    let service = with_room_for(15);
+    let service = with_room_for(20);
     let target = &service.target;
-    let first = target.submit(&job("slow"));
+    let first = target.submit(&large_job());
     target.wait_for(&first, &["running"]);
-    let second = target.submit(&job("slow"));
+    let second = target.submit(&large_job());
     // A small job that goes before the second. Whoever takes it up has two solvers free, and comes to the second too.
     let mut small = job("quick");
     small["mesh"] = json!({"elements_per_half_width": 4});
@@ -70,8 +77,8 @@ fn a_job_waits_until_there_is_memory_for_it() {
 
 #[test]
 fn jobs_that_fit_beside_each_other_run_at_the_same_time() {
-    let service = with_room_for(25);
-    let jobs = [(); 2].map(|()| service.target.submit(&job("slow")));
+    let service = with_room_for(30);
+    let jobs = [(); 2].map(|()| service.target.submit(&large_job()));
     for id in &jobs {
         service.target.wait_for(id, &["running"]);
     }

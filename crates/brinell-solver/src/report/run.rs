@@ -129,6 +129,8 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     }
 }
 
+/// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps on their way into a result.
+const SOLVER_BYTES: u64 = 56 << 20;
 /// Bytes of the fields of a step for each node: ten numbers and the corners of an element.
 const FIELD_BYTES: u64 = 96;
 /// Copies of them while a step is written, encoded and stored.
@@ -162,7 +164,7 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
     JobEstimate {
         equations: estimate.equations,
-        bytes: estimate.bytes + FIELD_COPIES * fields,
+        bytes: SOLVER_BYTES + estimate.bytes + FIELD_COPIES * fields,
         result_bytes: step * steps as u64,
         work: (estimate.bytes / WORK_UNIT).max(1) * solves as u64,
     }
