@@ -63,7 +63,7 @@ const watch = new Watch({
   solved: (id, report) => {
     const job = current?.job ?? {};
     const inside = report.steps.some(({ fields }) => fields);
-    const fields = job.output?.fields && !inside ? new FieldSource(id) : undefined;
+    const fields = job.output?.fields && !inside ? new FieldSource(id, report) : undefined;
     first = { id, report, job, fields, colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900) byId('result').scrollIntoView({ behavior: 'smooth' });

@@ -10,16 +10,14 @@
  * @typedef {import('./wire.js').Subsurface} Profile
  * @typedef {import('./wire.js').PlasticZone} Zone
  *
- * @typedef {object} Mesh fields of one body, packed by the worker
+ * @typedef {'von_mises' | 'equivalent_plastic_strain' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy'} Scalar
+ *
+ * @typedef {object} Shape of one body
  * @property {Float32Array} nodes
  * @property {Float32Array} displacement
  * @property {Uint32Array} elements four corners of each, counter-clockwise
- * @property {Float32Array} von_mises
- * @property {Float32Array} equivalent_plastic_strain
- * @property {Float32Array} sigma_x
- * @property {Float32Array} sigma_y
- * @property {Float32Array} sigma_z
- * @property {Float32Array} tau_xy
+ *
+ * @typedef {Shape & Partial<Record<Scalar, Float32Array>>} Mesh fields of one body, packed by the worker; the scalars that have been fetched
  *
  * @typedef {object} Made members of a step that the page makes of those of the wire
  * @property {{force?: number, approach?: number}} load

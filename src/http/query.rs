@@ -8,6 +8,7 @@ use std::time::Duration;
 use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
 use brinell_solver::job::{FaultCode, Named};
+use brinell_solver::report::FIELD_NAMES;
 use jiff::Timestamp;
 use serde::Deserialize;
 use utoipa::{IntoParams, ToSchema};
@@ -125,6 +126,23 @@ impl Reader {
             }
         }
         values
+    }
+
+    /// The words of a list, separated by commas, each the name of one that is known.
+    fn words<T: Copy>(&mut self, name: &str, known: &[(&'static str, T)]) -> Option<Vec<T>> {
+        let text = self.text(name)?;
+        let mut found = Vec::new();
+        for word in text.split(',') {
+            if let Some((_, one)) = known.iter().find(|(name, _)| *name == word) {
+                found.push(*one);
+            } else {
+                let known: Vec<_> = known.iter().map(|(name, _)| *name).collect();
+                let shown: String = word.chars().take(40).collect();
+                let detail = format!("must be among: {}; got {shown:?}", known.join(", "));
+                self.fault(name, FaultCode::UnknownWord, detail);
+            }
+        }
+        Some(found)
     }
 
     fn fault(&mut self, name: &str, code: FaultCode, detail: impl Into<String>) {
@@ -362,25 +380,47 @@ impl FromRequestParts<HttpState> for Selection {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let mut query = Reader::new(parts, state, &["fields", "step", "subsurface_points"]).await;
-        let mut wanted = None;
-        if let Some(text) = query.text("fields") {
-            let mut found = Vec::new();
-            for word in text.split(',') {
-                if let Some(part) = StepPart::ALL.iter().find(|part| part.name() == word) {
-                    found.push(*part);
-                } else {
-                    let known: Vec<_> = StepPart::ALL.iter().map(|part| part.name()).collect();
-                    let shown: String = word.chars().take(40).collect();
-                    let detail = format!("must be among: {}; got {shown:?}", known.join(", "));
-                    query.fault("fields", FaultCode::UnknownWord, detail);
-                }
-            }
-            wanted = Some(found);
-        }
+        let parts: Vec<_> = StepPart::ALL.iter().map(|part| (part.name(), *part)).collect();
+        let wanted = query.words("fields", &parts);
         let step = query.step();
         let expected = format!("a whole number, {MIN_DEPTHS} or greater");
         let depths = query.value("subsurface_points", &expected, |Whole(count)| *count >= MIN_DEPTHS);
         query.finish(Self { parts: wanted, step, depths: depths.map(|Whole(count)| count) })
+    }
+}
+
+#[derive(Debug, Deserialize, IntoParams)]
+#[into_params(parameter_in = Query)]
+#[expect(dead_code, reason = "declares what `Reader` reads")]
+pub(super) struct ArraysQuery {
+    /// The arrays that are wanted, by their names, separated by commas. Everything, unless it is given.
+    #[param(
+        example = "nodes,elements,displacement,von_mises",
+        pattern = "^(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain)(,(nodes|elements|displacement|sigma_x|sigma_y|sigma_z|tau_xy|von_mises|equivalent_plastic_strain))*$"
+    )]
+    arrays: Option<String>,
+}
+
+/// The `?arrays=` of the fields of a step; `None` is every array.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Arrays(pub(super) Option<Vec<&'static str>>);
+
+impl Arrays {
+    /// What it is called in the tag of an answer.
+    pub(super) fn name(&self) -> String {
+        let Some(names) = &self.0 else { return String::new() };
+        let wanted = FIELD_NAMES.into_iter().filter(|name| names.contains(name));
+        wanted.map(|name| format!("-{name}")).collect()
+    }
+}
+
+impl FromRequestParts<HttpState> for Arrays {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
+        let mut query = Reader::new(parts, state, &["arrays"]).await;
+        let names = query.words("arrays", &FIELD_NAMES.map(|name| (name, name)));
+        query.finish(Self(names))
     }
 }
 

@@ -193,6 +193,23 @@ fn fields_are_had_as_arrays_of_numbers() {
     let compressed = solved.get("/fields/2", &["--compressed"]);
     assert_eq!((compressed.header("content-encoding"), compressed.body == answer.body), (None, true));
 
+    let some = solved.get("/fields/2?arrays=von_mises,nodes", &[]);
+    let header_end = 16 + u32::from_le_bytes(some.body[8..12].try_into().unwrap()) as usize;
+    let header: serde_json::Value = serde_json::from_slice(&some.body[16..header_end]).unwrap();
+    let names: Vec<_> = header["arrays"].as_array().unwrap().iter().map(|array| &array["name"]).collect();
+    assert_eq!(names, ["nodes", "von_mises", "nodes", "von_mises"]);
+    let per_node = |answer: &Answer| answer.body.len() / read.nodes.len();
+    assert!(per_node(&some) < 30 && per_node(&answer) > 100, "of both bodies");
+    assert_ne!(some.header("etag"), answer.header("etag"), "other bytes, another tag");
+    let all =
+        "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,equivalent_plastic_strain";
+    assert_eq!(solved.get(&format!("/fields/2?arrays={all}"), &[]).body, answer.body);
+    for wrong in
+        ["arrays=", "arrays=stress", "arrays=nodes,,nodes", "array=nodes", "arrays=nodes&arrays=nodes"]
+    {
+        solved.get(&format!("/fields/2?{wrong}"), &[]).problem(400, "invalid-query");
+    }
+
     for path in ["/fields/4", "/fields/0", "/fields/x"] {
         solved.get(path, &[]).problem(404, "step-not-found");
     }

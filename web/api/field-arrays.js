@@ -21,13 +21,6 @@ export class FieldReader {
   #filling = 0;
   /** Place of the next byte among those of the arrays. */
   #at = 0;
-  /** @type {ArrayBuffer[]} */
-  #spare;
-
-  /** @param {ArrayBuffer[]} [spare] room of arrays that nobody looks at any more; what is used of it is taken out */
-  constructor(spare = []) {
-    this.#spare = spare;
-  }
 
   /** @param {Uint8Array} chunk that comes next */
   push(chunk) {
@@ -51,15 +44,8 @@ export class FieldReader {
     const text = new TextDecoder().decode(Uint8Array.from(this.#head.slice(HEADER)));
     const base = this.#head.length;
     const entries = /** @type {Entry[]} */ (JSON.parse(text).arrays);
-    this.#targets = entries.map((entry) => ({ entry, bytes: this.#room(sizeOf(entry)) }));
+    this.#targets = entries.map((entry) => ({ entry, bytes: new Uint8Array(sizeOf(entry)) }));
     this.push(chunk.subarray(base - known));
-  }
-
-  /** @param {number} size in bytes @returns {Uint8Array<ArrayBuffer>} */
-  #room(size) {
-    const fits = this.#spare.findIndex(({ byteLength }) => byteLength >= size && byteLength <= 1.5 * size);
-    const buffer = fits < 0 ? new ArrayBuffer(size) : this.#spare.splice(fits, 1)[0];
-    return new Uint8Array(buffer, 0, size);
   }
 
   /** How long the header is, as far as is known. */
@@ -75,13 +61,12 @@ export class FieldReader {
     const fields = /** @type {Arrays} */ ({ upper: null, lower: null });
     for (const { entry, bytes } of this.#targets) {
       const { buffer } = bytes;
-      const numbers = entry.count * entry.components;
       const values =
         entry.type === 'u32'
-          ? new Uint32Array(buffer, 0, numbers)
+          ? new Uint32Array(buffer)
           : entry.type === 'f32'
-            ? new Float32Array(buffer, 0, numbers)
-            : Float32Array.from(new Float64Array(buffer, 0, numbers));
+            ? new Float32Array(buffer)
+            : Float32Array.from(new Float64Array(buffer));
       fields[entry.body] ??= {};
       fields[entry.body][entry.name] = values;
       buffers.push(/** @type {ArrayBuffer} */ (values.buffer));

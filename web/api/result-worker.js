@@ -6,16 +6,10 @@ import { FieldReader } from './field-arrays.js';
 const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
 /** Bytes between two reports of how far it is. */
 const REPORTED = 1 << 20;
-/** Arrays of the fields of a step. */
-const MOST_SPARE = 18;
-
-/** Room of fields that nobody looks at any more: a collector lets hundreds of megabytes of it pass. @type {ArrayBuffer[]} */
-let spare = [];
 
 const running = /** @type {Map<number, AbortController>} */ (new Map());
 
-self.addEventListener('message', async ({ data: { number, abort, back, ...question } }) => {
-  if (back) return (spare = [...back, ...spare].slice(0, MOST_SPARE));
+self.addEventListener('message', async ({ data: { number, abort, ...question } }) => {
   if (abort) return running.get(number)?.abort();
   const controller = new AbortController();
   running.set(number, controller);
@@ -38,7 +32,7 @@ async function answerOf({ url, options }, number, signal, buffers) {
   const response = await fetch(url, { ...options, signal });
   const binary = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && binary) {
-    const reader = new FieldReader(spare);
+    const reader = new FieldReader();
     await each(response, number, (chunk) => reader.push(chunk));
     return { answer: reader.finish(buffers) };
   }

@@ -4,9 +4,12 @@ import { Problem, authorization, keyWanted } from './client.js';
 import { reportLost } from './connection.js';
 
 /** @typedef {import('../types.js').Report} Report */
+/** @typedef {import('../types.js').Mesh} Mesh */
 
 /** @type {Worker | undefined} */
 let worker;
+/** Whether megabytes have passed through it. */
+let filled = false;
 let count = 0;
 const waiting =
   /** @type {Map<number, {resolve: (value: any) => void, reject: (error: Error) => void, progress?: (received: number, total: number) => void}>} */ (
@@ -23,26 +26,27 @@ const DEPTHS = 120;
  * @returns {Promise<Report>}
  * @throws {Problem}
  */
-export async function fetchResult(id, progress) {
+export function fetchResult(id, progress) {
   const parts = 'contact,subsurface,plasticity,history';
-  try {
-    return await ask(`v1/jobs/${id}/result?fields=${parts}&subsurface_points=${DEPTHS}`, {}, { progress });
-  } finally {
-    renew();
-  }
+  // Fields may be wanted next.
+  return ask(`v1/jobs/${id}/result?fields=${parts}&subsurface_points=${DEPTHS}`, {}, { progress }).finally(prepare);
 }
 
 /**
  * @param {string} id of a job
  * @param {number} step counted from 0
- * @param {(received: number, total: number) => void} [progress] in bytes
- * @returns {Promise<{upper: import('../types.js').Mesh | null, lower: import('../types.js').Mesh | null}>}
+ * @param {string[]} arrays by their names
+ * @param {{signal?: AbortSignal, progress?: (received: number, total: number) => void}} about progress in bytes
+ * @returns {Promise<{upper: Partial<Mesh> | null, lower: Partial<Mesh> | null}>}
  * @throws {Problem}
  */
-export const fetchFields = (id, step, progress) => ask(`v1/jobs/${id}/fields/${step + 1}`, {}, { progress });
+export const fetchFields = (id, step, arrays, about) =>
+  ask(`v1/jobs/${id}/fields/${step + 1}?arrays=${arrays.join()}`, {}, about);
 
-/** Gives back the room of fields that nobody looks at any more. @param {ArrayBuffer[]} buffers */
-export const giveBack = (buffers) => worker?.postMessage({ back: buffers }, buffers);
+/** Starts the worker, so that what is asked soon need not wait for it. */
+export function prepare() {
+  worker ??= start();
+}
 
 /**
  * Solves a job at once and keeps nothing of it.
@@ -70,19 +74,24 @@ function ask(path, options, { signal, progress }) {
   });
 }
 
-/** Another worker in place of one that has nothing to do: what is left of megabytes of JSON goes with it, before the fields come. */
-function renew() {
-  if (waiting.size) return;
+/** Ends a worker that has nothing to do: what is left of megabytes goes with it, which it would collect some day. */
+function rest() {
+  if (waiting.size || !filled) return;
+  filled = false;
   worker?.terminate();
-  worker = start();
+  worker = undefined;
 }
 
 function start() {
   const started = new Worker(new URL('result-worker.js', import.meta.url), { type: 'module' });
   started.addEventListener('message', ({ data }) => {
     const asker = waiting.get(data.number);
-    if (data.received !== undefined) return asker?.progress?.(data.received, data.total);
+    if (data.received !== undefined) {
+      filled = true;
+      return asker?.progress?.(data.received, data.total);
+    }
     waiting.delete(data.number);
+    rest();
     if (data.answer) return asker?.resolve(data.answer);
     if (data.status === 0 && !data.aborted) reportLost();
     if (data.status === 401) keyWanted();

@@ -1,6 +1,6 @@
 /** What a nodal field is along a line through the bodies. */
 
-import { triangle } from './locate.js';
+import { corner } from './locate.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {[number, number]} Point */
@@ -38,9 +38,10 @@ export function cut({ mesh: { nodes, displacement, elements }, lift }, values, d
     if (at >= 0 && at <= length) points.push([at, parity * (values[a] + t * (values[b] - values[a]))]);
   };
   for (let k = 0; k < 2 * elements.length; k += 4) {
-    const [a, b, c] = triangle(elements, k);
-    const [sa, sb, sc] = [across[a] > 0, across[b] > 0, across[c] > 0];
-    if (sa === sb && sb === sc) continue;
+    const a = corner(elements, k, 0);
+    const b = corner(elements, k, 1);
+    const c = corner(elements, k, 2);
+    if (across[a] > 0 === across[b] > 0 && across[b] > 0 === across[c] > 0) continue;
     edge(a, b);
     edge(b, c);
     edge(c, a);

@@ -3,7 +3,7 @@
 import { MOST_BANDS } from './palette.js';
 
 /** Numbers that are handed over at once. */
-const PIECE = 1 << 16;
+const PIECE = 1 << 17;
 /** Corners of an element as two triangles, and as four sides. */
 const [TRIANGLES, SIDES] = [
   [0, 1, 2, 0, 2, 3],
@@ -62,6 +62,8 @@ void main() {
 export class Renderer {
   /** @type {Body[]} */
   #bodies = [];
+  /** Where indices are put together, again and again. */
+  #piece = new Uint32Array((PIECE / 4) * Math.max(TRIANGLES.length, SIDES.length));
 
   /** @param {WebGL2RenderingContext} gl */
   constructor(gl) {
@@ -173,12 +175,13 @@ export class Renderer {
     const buffer = gl.createBuffer();
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, elements.length * order.length, gl.STATIC_DRAW);
-    const piece = new Uint32Array((PIECE / 4) * order.length);
+    const piece = this.#piece;
     for (let begin = 0; begin < elements.length; begin += PIECE) {
       const end = Math.min(begin + PIECE, elements.length);
       let count = 0;
       for (let k = begin; k < end; k += 4) for (const corner of order) piece[count++] = elements[k + corner];
       gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, begin * order.length, piece, 0, count);
+      this.#arrived();
     }
     return buffer;
   }
@@ -202,8 +205,15 @@ export class Renderer {
   #fill(target, data) {
     const { gl } = this;
     gl.bufferData(target, data.byteLength, gl.STATIC_DRAW);
-    for (let at = 0; at < data.length; at += PIECE)
+    for (let at = 0; at < data.length; at += PIECE) {
       gl.bufferSubData(target, 4 * at, data, at, Math.min(PIECE, data.length - at));
+      this.#arrived();
+    }
+  }
+
+  /** Waits until a piece has been taken over, which no answer says but that to a question: `finish` does not wait in Chromium. */
+  #arrived() {
+    this.gl.getError();
   }
 
   /** @param {number} target @param {Float32Array | Uint32Array} data */

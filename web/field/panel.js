@@ -1,5 +1,7 @@
 /** Stress, plastic strain and displacement on both deformed meshes. */
 
+import { Problem } from '../api/client.js';
+import { reconnected } from '../api/connection.js';
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { factor, figure, loaded, plain, unit } from '../lib/units.js';
@@ -14,8 +16,8 @@ import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
 import { compose } from './picture.js';
 import { steer } from './pointer.js';
-import { QUANTITIES, nameOf, valuesOf } from './quantities.js';
-import { colourBar, extremes, readout, scaleOf } from './read.js';
+import { QUANTITIES, arraysOf, nameOf, valuesOf } from './quantities.js';
+import { READ, colourBar, extremes, readout, scaleOf } from './read.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Report} Report */
@@ -24,6 +26,7 @@ import { colourBar, extremes, readout, scaleOf } from './read.js';
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
 /** @typedef {import('./source.js').Fields} Fields */
 /** @typedef {import('./source.js').FieldSource} FieldSource */
+/** @typedef {{report: Report, at: number, units: UnitSet}} Asked */
 
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
@@ -33,7 +36,7 @@ const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 export class FieldPanel {
   /** @type {Body[]} */
   #bodies = [];
-  /** @type {Quantity} */
+  /** Quantity that is drawn. @type {Quantity} */
   #quantity = 'von_mises';
   #camera = new Camera();
   #deformation = 1;
@@ -44,8 +47,22 @@ export class FieldPanel {
   #stale = true;
   /** @type {[number, number] | null} */
   #probe = null;
-  /** @type {{report: Report, at: number, units: UnitSet} | undefined} */
+  /** What is drawn. @type {Asked | undefined} */
   #shown;
+  /** What is to be drawn, as soon as it is here. @type {Asked | undefined} */
+  #wanted;
+  /** Of the shown step. @type {Fields | undefined} */
+  #fields;
+  /** How often something was asked for: an answer to what is not the last question is not shown. */
+  #turn = 0;
+  /** Kept when what was asked for last is drawn, or cannot be. @type {Promise<void>} */
+  settled = Promise.resolve();
+  /** Whether something is on its way. */
+  busy = false;
+  /** Analysis whose names the quantities have. */
+  #named = '';
+  /** Fields whose other arrays have been asked for, to be read. @type {Fields | undefined} */
+  #reading;
   /** @type {Renderer | undefined} */
   #renderer;
   /** In the units shown. @type {import('./palette.js').Bands} */
@@ -56,8 +73,6 @@ export class FieldPanel {
   #fixed = [0, 1];
   /** Least and largest values of steps that were here, by quantity and step. @type {Map<string, [number, number]>} */
   #limits = new Map();
-  /** Step that is to be shown. */
-  #wanted = 0;
   /** Whether the whole contact is to be seen as soon as there is a field. */
   #homeless = false;
   /** @type {FieldSource | undefined} */
@@ -89,17 +104,24 @@ export class FieldPanel {
       h('p', {}, 'This job did not ask for the stress field on the mesh.'),
       h('button', { type: 'button', onclick: wanted }, 'Solve again with it'),
     );
-    this.waiting = h('p', { class: 'empty', role: 'status' }, 'Loading the field of this step…');
+    this.waiting = h('p', { class: 'empty waiting', role: 'status' });
     this.cutter = new CutTool(() => this.#later(false));
     this.controls = this.#controls();
     this.panel = new Panel(
       'field',
       'Field',
-      [this.controls, this.stage, this.readout, this.cutter.element, this.waiting, this.empty],
+      [
+        this.controls,
+        h('div', { class: 'frame' }, this.stage, this.waiting),
+        this.readout,
+        this.cutter.element,
+        this.empty,
+      ],
       {
-        picture: (title) => {
+        picture: async (title) => {
+          await this.settled;
           const canvas = this.canvas(title);
-          return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : Promise.resolve(null);
+          return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : null;
         },
       },
     );
@@ -108,6 +130,8 @@ export class FieldPanel {
       home: () => this.#home(),
       probe: (at) => {
         this.#probe = at;
+        // What could not be read is tried again when the pointer is back.
+        if (!at) this.#reading = undefined;
         this.#later(false);
       },
       line: (from, to) => this.cutter.draw(this.#camera.toWorld(...from), this.#camera.toWorld(...to)),
@@ -124,7 +148,7 @@ export class FieldPanel {
   }
 
   #controls() {
-    this.quantities = h('select', { 'aria-label': 'Shown', onchange: () => this.#choose() });
+    this.quantities = h('select', { 'aria-label': 'Shown', onchange: () => this.#update() });
     const loupe = h(
       'select',
       {
@@ -229,29 +253,32 @@ export class FieldPanel {
    * @param {FieldSource} [source] of fields that are not in the report
    */
   show(report, at, units, anew, source) {
-    const step = report.steps[at];
     this.panel.show(true);
-    this.#wanted = at;
     if (anew) {
       this.#limits.clear();
       this.#shown = undefined;
+      this.#homeless = true;
     }
-    if (this.#source !== source) {
-      this.#source?.close();
-      this.#bodies = [];
-      this.#shown = undefined;
-    }
+    if (this.#source !== source) this.#forget();
     this.#source = source;
-    const fields = step.fields ?? source?.peek(at);
-    const coming = !fields && source !== undefined && step.plasticity !== undefined;
-    this.empty.hidden = Boolean(fields) || coming;
-    this.waiting.hidden = !coming;
-    this.#showParts(Boolean(fields) || (coming && this.#shown !== undefined));
-    this.stage.classList.toggle('stale', coming);
-    if (fields) this.#present(report, at, units, fields);
-    else if (coming) this.#await(report, at, units, /** @type {FieldSource} */ (source));
-    if (anew && fields) this.#home();
-    else if (anew) this.#homeless = true;
+    this.#wanted = { report, at, units };
+    this.#update();
+  }
+
+  /** Before there is anything. */
+  clear() {
+    this.#forget();
+    this.#wanted = undefined;
+    this.panel.show(false);
+  }
+
+  /** Gives back the room of what was shown. */
+  #forget() {
+    this.#turn += 1;
+    this.#source?.close();
+    this.#source = this.#shown = this.#fields = undefined;
+    this.#bodies = [];
+    this.#renderer?.load([]);
   }
 
   /** @param {boolean} shown */
@@ -260,59 +287,91 @@ export class FieldPanel {
     this.cutter.element.hidden = !shown || !this.cutter.on;
   }
 
-  /** Shows the fields of a step when they have come, unless another step is wanted by then. @param {Report} report @param {number} at @param {UnitSet} units @param {FieldSource} source */
-  async #await(report, at, units, source) {
-    const still = () => this.#wanted === at && this.#source === source;
-    const say = (/** @type {string} */ words) => {
-      if (still()) this.waiting.textContent = words;
-    };
-    say('Loading the field of this step…');
+  /** Quantity that is to be drawn. */
+  get #chosen() {
+    return /** @type {Quantity} */ (this.quantities?.value || this.#quantity);
+  }
+
+  /** Draws the step and the quantity that are wanted: at once, or when their arrays have come. */
+  #update() {
+    if (!this.#wanted) return;
+    const turn = ++this.#turn;
+    const [asked, source] = [this.#wanted, this.#source];
+    const step = asked.report.steps[asked.at];
+    const fields = step.fields ?? source?.peek(asked.at, arraysOf(this.#chosen));
+    this.busy = !fields && source !== undefined && step.plasticity !== undefined;
+    this.empty.hidden = Boolean(fields) || this.busy;
+    this.waiting.hidden = !this.busy;
+    this.#showParts(Boolean(fields) || (this.busy && this.#shown !== undefined));
+    this.stage.classList.toggle('stale', this.busy);
+    if (fields) this.#present(asked, fields);
+    else if (this.busy && source) this.settled = this.#await(asked, source, () => turn === this.#turn);
+  }
+
+  /** @param {Asked} asked @param {FieldSource} source @param {() => boolean} still whether this is what is wanted */
+  async #await(asked, source, still) {
+    const same = this.#shown?.at === asked.at && this.#bodies.length > 0;
+    const what = same ? nameOf(this.#chosen, asked.report.analysis) : 'the field of this step';
+    this.waiting.textContent = `Loading ${what}…`;
+    // The room of another step is given back before that of this one is taken.
+    if (!same && !source.whole) this.#bodies = [];
     try {
-      const fields = await source.get(at, (received, total) =>
-        say(`Loading the field of this step, ${loaded(received, total)}`),
-      );
-      if (!still()) return;
-      this.waiting.hidden = true;
-      this.stage.classList.remove('stale');
-      this.#showParts(true);
-      this.#present(report, at, units, fields);
-      if (this.#homeless) this.#home();
-      this.#homeless = false;
+      const fields = await source.get(asked.at, arraysOf(this.#chosen), (received, total) => {
+        if (still()) this.waiting.textContent = `Loading ${what}, ${loaded(received, total)}`;
+      });
+      if (still()) this.#present(asked, fields);
     } catch (error) {
-      say(`The field could not be loaded: ${/** @type {Error} */ (error).message}`);
+      if (!still()) return;
+      this.busy = false;
+      const again = () => still() && this.#update();
+      this.waiting.replaceChildren(
+        `Could not load ${what}: ${/** @type {Error} */ (error).message}. `,
+        h('button', { type: 'button', onclick: again }, 'Try again'),
+      );
+      if (error instanceof Problem && error.status === 0) reconnected().then(again);
     }
   }
 
-  /** @param {Report} report @param {number} at @param {UnitSet} units @param {Fields} fields */
-  #present(report, at, units, fields) {
+  /** @param {Asked} asked @param {Fields} fields with the arrays of the chosen quantity */
+  #present(asked, fields) {
+    const { report, at } = asked;
     const step = report.steps[at];
-    this.#shown = { report, at, units };
-    if (this.#source) this.#source.shown = at;
-    performance.mark('field-received');
-    this.#lifts = lifts(fields.upper, fields.lower, step);
-    this.#bodies = bodiesOf(step, fields).map((body) => ({
-      ...body,
-      polygons: carried(
-        step.plasticity?.[body.name]?.outline ?? [],
-        body.mesh,
-        body.name === 'upper' ? 1 : -1,
-        report.mesh.symmetric,
-      ),
-    }));
-    this.#place();
+    this.#shown = asked;
+    this.busy = false;
+    this.waiting.hidden = true;
+    this.stage.classList.remove('stale');
+    this.#showParts(true);
     this.#nameQuantities(report.analysis);
-    this.#load();
+    if (this.#fields === fields && this.#bodies.length) this.#choose();
+    else {
+      performance.mark('field-received');
+      this.#fields = fields;
+      this.#lifts = lifts(fields.upper, fields.lower, step);
+      this.#bodies = bodiesOf(step, fields).map((body) => ({
+        ...body,
+        polygons: carried(
+          step.plasticity?.[body.name]?.outline ?? [],
+          body.mesh,
+          body.name === 'upper' ? 1 : -1,
+          report.mesh.symmetric,
+        ),
+      }));
+      this.#place();
+      this.#load();
+    }
     this.#fit();
-    this.#survey(report, fields);
+    if (this.#homeless) this.#home();
+    this.#homeless = false;
+    this.#survey(report);
   }
 
-  /** Looks at the other steps, so that colours are the same over all of them: where they all can be kept. @param {Report} report @param {Fields} fields */
-  async #survey(report, fields) {
+  /** Looks at the other steps, so that colours are the same over all of them: where they all can be kept. @param {Report} report */
+  async #survey(report) {
     const source = this.#source;
-    if (!source?.holds(report.steps.length, fields) || this.#surveyed === source) return;
+    if (!source?.whole || this.#surveyed === source) return;
     this.#surveyed = source;
     for (const step of report.steps.keys()) {
-      const failed = await source.get(step).then(
+      const failed = await source.get(step, []).then(
         () => false,
         () => true,
       );
@@ -323,11 +382,14 @@ export class FieldPanel {
 
   /** @param {string} analysis */
   #nameQuantities(analysis) {
-    this.quantities?.replaceChildren(
-      ...Object.keys(QUANTITIES).map((value) =>
-        h('option', { value, selected: value === this.#quantity }, nameOf(/** @type {Quantity} */ (value), analysis)),
-      ),
-    );
+    const chosen = this.#chosen;
+    if (this.#named !== analysis)
+      this.quantities?.replaceChildren(
+        ...Object.keys(QUANTITIES).map((value) =>
+          h('option', { value, selected: value === chosen }, nameOf(/** @type {Quantity} */ (value), analysis)),
+        ),
+      );
+    this.#named = analysis;
     if (this.ranges) {
       const single = this.#shown?.report.steps.length === 1;
       /** @type {HTMLOptionElement} */ (this.ranges.options[1]).hidden = single;
@@ -344,7 +406,7 @@ export class FieldPanel {
   /** @param {string} [title] @param {(name: string) => string} [colours] of the page, or of paper @returns {HTMLCanvasElement | null} the field with its scale of colours */
   canvas(title = this.panel.caption, colours = colour) {
     const step = this.#step();
-    if (!this.#renderer || !step || this.stage.hidden) return null;
+    if (!this.#renderer || !step || this.stage.hidden || this.stage.classList.contains('stale')) return null;
     this.#draw();
     const { unit: name } = this.#scale();
     return compose([this.surface, this.over], this.#bands, {
@@ -369,7 +431,7 @@ export class FieldPanel {
 
   /** Puts the values of the chosen quantity on the meshes. */
   #choose() {
-    const chosen = /** @type {Quantity} */ (this.quantities?.value || this.#quantity);
+    const chosen = this.#chosen;
     if (chosen !== this.#quantity && this.#ranged === 'fixed' && this.ranges) {
       this.#ranged = this.#shown && this.#shown.report.steps.length > 1 ? 'steps' : 'step';
       this.ranges.value = this.#ranged;
@@ -404,7 +466,7 @@ export class FieldPanel {
     let [low, high] = [Infinity, -Infinity];
     report.steps.forEach((step, k) => {
       const key = `${this.#quantity} ${k}`;
-      const fields = step.fields ?? (this.#limits.has(key) ? undefined : this.#source?.peek(k));
+      const fields = step.fields ?? this.#source?.peek(k, arraysOf(this.#quantity));
       if (fields && !this.#limits.has(key)) {
         const found = extremes(bodiesOf(step, fields), this.#quantity, report.mesh.symmetric);
         this.#limits.set(key, [found.low, found.high]);
@@ -461,11 +523,11 @@ export class FieldPanel {
     this.#camera.scale *= width / this.#camera.width;
     Object.assign(this.#camera, { width, height });
     const [pixels, lines] = [width, height].map((size) => Math.round(size * devicePixelRatio));
-    // A canvas that is given its size is made anew, and empty.
-    for (const canvas of [this.surface, this.over])
-      if (canvas.width !== pixels || canvas.height !== lines) Object.assign(canvas, { width: pixels, height: lines });
     if (first) this.#home();
-    else this.#draw();
+    if (this.surface.width === pixels && this.surface.height === lines) return;
+    // A canvas that is given its size is made anew, and empty.
+    for (const canvas of [this.surface, this.over]) Object.assign(canvas, { width: pixels, height: lines });
+    if (!first) this.#draw();
   }
 
   /** @param {boolean} [meshes] whether more has changed than what lies over them */
@@ -479,7 +541,7 @@ export class FieldPanel {
 
   #draw(meshes = true) {
     const step = this.#step();
-    if (!this.#renderer || !step || !this.#shown || this.stage.hidden) return;
+    if (!this.#renderer || !step || !this.#shown || !this.#bodies.length || this.stage.hidden) return;
     const { report } = this.#shown;
     const scales = this.#scales();
     const { factor: times, unit: name } = this.#scale();
@@ -538,6 +600,23 @@ export class FieldPanel {
     this.readout.textContent = this.#probe
       ? readout(this.#bodies, this.#quantity, scales, this.#deformation, this.#camera.toWorld(...this.#probe))
       : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}. White line: plastic zone.`;
+    if (this.#probe) this.#fetchRead();
+  }
+
+  /** Fetches the arrays of the shown step that a reading is made of. */
+  async #fetchRead() {
+    const [source, shown, fields] = [this.#source, this.#shown, this.#fields];
+    if (!source || !shown || this.#wanted?.at !== shown.at || source.peek(shown.at, READ)) return;
+    if (this.#reading === fields) return;
+    this.#reading = fields;
+    const arrived = await source.get(shown.at, READ).catch((error) => error);
+    if (this.#fields !== fields) return;
+    if (!(arrived instanceof Error)) return this.#later(false);
+    this.readout.textContent += ` · the others could not be loaded: ${arrived.message}`;
+    if (!(arrived instanceof Problem) || arrived.status !== 0) return;
+    await reconnected();
+    if (this.#reading === fields) this.#reading = undefined;
+    this.#later(false);
   }
 }
 

@@ -1,6 +1,7 @@
 /** What can be shown on the meshes: nodal stresses as they come, and what follows from them. */
 
 /** @typedef {import('../types.js').Mesh} Mesh */
+/** @typedef {import('../types.js').Scalar} Scalar */
 /** @typedef {'von_mises' | 'equivalent_plastic_strain' | 'tau_max' | 'sigma_1' | 'sigma_2' | 'sigma_3' | 'mean_stress' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy' | 'displacement_x' | 'displacement_y'} Quantity */
 /** @typedef {{name: string, round?: string, kind: 'stress' | 'length' | 'strain', signed?: boolean, odd?: boolean}} Kind `round`: its name in axisymmetry; `odd`: changes its sign across the axis */
 
@@ -27,52 +28,69 @@ export const nameOf = (quantity, analysis) => {
   return analysis === 'axisymmetric' ? (round ?? name) : name;
 };
 
-/** @param {Mesh} mesh @param {(x: number, y: number, z: number, xy: number) => number} of @returns {Float32Array} at every node */
-function everywhere({ sigma_x, sigma_y, sigma_z, tau_xy }, of) {
-  return sigma_x.map((x, k) => of(x, sigma_y[k], sigma_z[k], tau_xy[k]));
-}
-
 /** Both principal stresses in the plane, the larger first. @param {number} x @param {number} y @param {number} xy @returns {[number, number]} */
 function inPlane(x, y, xy) {
   const [middle, radius] = [(x + y) / 2, Math.hypot((x - y) / 2, xy)];
   return [middle + radius, middle - radius];
 }
 
-/** @type {Partial<Record<Quantity, (mesh: Mesh, lift: number) => Float32Array>>} */
-const DERIVED = {
-  sigma_1: (mesh) => everywhere(mesh, (x, y, z, xy) => Math.max(inPlane(x, y, xy)[0], z)),
-  sigma_3: (mesh) => everywhere(mesh, (x, y, z, xy) => Math.min(inPlane(x, y, xy)[1], z)),
-  sigma_2: (mesh) =>
-    everywhere(mesh, (x, y, z, xy) => {
-      const [most, least] = inPlane(x, y, xy);
-      return Math.max(Math.min(most, z), Math.min(Math.max(most, z), least));
-    }),
-  tau_max: (mesh) =>
-    everywhere(mesh, (x, y, z, xy) => {
-      const [most, least] = inPlane(x, y, xy);
-      return (Math.max(most, z) - Math.min(least, z)) / 2;
-    }),
-  mean_stress: (mesh) => everywhere(mesh, (x, y, z) => (x + y + z) / 3),
-  displacement_x: ({ displacement }) =>
-    Float32Array.from({ length: displacement.length / 2 }, (_, k) => displacement[2 * k]),
-  displacement_y: ({ displacement }, moved) =>
-    Float32Array.from({ length: displacement.length / 2 }, (_, k) => displacement[2 * k + 1] + moved),
+/** What follows from the stresses at a point. @type {Partial<Record<Quantity, (x: number, y: number, z: number, xy: number) => number>>} */
+const OF_STRESSES = {
+  sigma_1: (x, y, z, xy) => Math.max(inPlane(x, y, xy)[0], z),
+  sigma_3: (x, y, z, xy) => Math.min(inPlane(x, y, xy)[1], z),
+  sigma_2: (x, y, z, xy) => {
+    const [most, least] = inPlane(x, y, xy);
+    return Math.max(Math.min(most, z), Math.min(Math.max(most, z), least));
+  },
+  tau_max: (x, y, z, xy) => {
+    const [most, least] = inPlane(x, y, xy);
+    return (Math.max(most, z) - Math.min(least, z)) / 2;
+  },
+  mean_stress: (x, y, z) => (x + y + z) / 3,
 };
+/** @type {Scalar[]} */
+const STRESSES = ['sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
 
-const made = /** @type {WeakMap<Mesh, Map<Quantity, Float32Array>>} */ (new WeakMap());
+/** @param {Quantity} quantity @returns {Scalar[]} arrays that it is made of, besides displacements */
+export function arraysOf(quantity) {
+  if (quantity in OF_STRESSES) return STRESSES;
+  return quantity === 'displacement_x' || quantity === 'displacement_y' ? [] : [/** @type {Scalar} */ (quantity)];
+}
 
 /**
- * @param {Mesh} mesh
+ * @param {Mesh} mesh with the arrays that the quantity is made of
+ * @param {Quantity} quantity
+ * @param {number} moved how far the body's support moves up, the lower one's being at rest
+ * @returns {(node: number) => number} its value at a node
+ */
+export function valueOf(mesh, quantity, moved) {
+  const { displacement } = mesh;
+  if (quantity === 'displacement_x') return (node) => displacement[2 * node];
+  if (quantity === 'displacement_y') return (node) => displacement[2 * node + 1] + moved;
+  const arrays = arraysOf(quantity).map((name) => mesh[name]);
+  if (!arrays.every((array) => array !== undefined)) throw new Error(`${quantity} has not been fetched`);
+  const of = OF_STRESSES[quantity];
+  const [first, second, third, last] = arrays;
+  return of ? (node) => of(first[node], second[node], third[node], last[node]) : (node) => first[node];
+}
+
+/** What was made last of a mesh: more of it would be as large as the mesh itself. */
+const made = /** @type {WeakMap<Mesh, {quantity: Quantity, values: Float32Array}>} */ (new WeakMap());
+
+/**
+ * @param {Mesh} mesh with the arrays that the quantity is made of
  * @param {Quantity} quantity
  * @param {number} moved how far the body's support moves up, the lower one's being at rest
  * @returns {Float32Array} at every node
  */
 export function valuesOf(mesh, quantity, moved) {
-  const derive = DERIVED[quantity];
-  if (!derive) return /** @type {any} */ (mesh)[quantity];
-  const kept = made.get(mesh) ?? new Map();
-  made.set(mesh, kept);
-  const values = kept.get(quantity) ?? derive(mesh, moved);
-  kept.set(quantity, values);
+  const there = /** @type {any} */ (mesh)[quantity];
+  if (there) return there;
+  const kept = made.get(mesh);
+  if (kept?.quantity === quantity) return kept.values;
+  const value = valueOf(mesh, quantity, moved);
+  const values = new Float32Array(mesh.nodes.length / 2);
+  for (let node = 0; node < values.length; node++) values[node] = value(node);
+  made.set(mesh, { quantity, values });
   return values;
 }

@@ -3,7 +3,7 @@
 import { h } from '../lib/dom.js';
 import { figure, plain, unit } from '../lib/units.js';
 import { locate, valueAt, vectorAt } from './locate.js';
-import { QUANTITIES, nameOf, valuesOf } from './quantities.js';
+import { QUANTITIES, arraysOf, nameOf, valueOf, valuesOf } from './quantities.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('./quantities.js').Quantity} Quantity */
@@ -71,8 +71,16 @@ export function scaleOf(quantity, { units, length, stress }) {
     : { factor: stress, unit: unit('stress', units) };
 }
 
+/** Stresses that are read out. @type {Quantity[]} */
+const STRESSES = ['von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy', 'tau_max'];
+/** Arrays that a reading is made of. */
+export const READ = [
+  ...new Set([...STRESSES, /** @type {Quantity} */ ('equivalent_plastic_strain')].flatMap(arraysOf)),
+];
+
 /**
- * What is at a point of the picture, in words: the place is that of the undeformed body.
+ * What is at a point of the picture, in words: the place is that of the undeformed body. Of quantities whose arrays have not been
+ * fetched nothing is said.
  * @param {Body[]} bodies
  * @param {Quantity} shown
  * @param {Scales} scales
@@ -87,20 +95,24 @@ export function readout(bodies, shown, scales, deformation, [x, y]) {
     const place = locate(mesh, deformation, lift, side * x, y);
     if (!place) continue;
     const [px, py] = vectorAt(place, mesh.nodes).map((value) => value * scales.length);
+    const there = (/** @type {Quantity} */ quantity) => arraysOf(quantity).every((name) => mesh[name]);
     const say = (/** @type {Quantity} */ quantity) => {
       const { factor } = scaleOf(quantity, scales);
-      const value = valueAt(place, valuesOf(mesh, quantity, moved)) * (QUANTITIES[quantity].odd ? side : 1);
+      const value = valueAt(place, valueOf(mesh, quantity, moved)) * (QUANTITIES[quantity].odd ? side : 1);
       return `${nameOf(quantity, scales.analysis)
         .replace(' stress', '')
         .replace(/^.* (?=[στ])/, '')} ${figure(factor * value, 4)}`;
     };
-    const stresses = /** @type {Quantity[]} */ (['von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy', 'tau_max']);
     const where = `${name} body, ${across} ${figure(across === 'r' ? Math.abs(px) : side * px, 3)}, ${up} ${figure(py, 3)} ${unit('length', scales.units)}`;
-    const others =
-      stresses.includes(shown) || shown === 'equivalent_plastic_strain'
-        ? ''
-        : ` · ${say(shown)} ${scaleOf(shown, scales).unit}`;
-    return `${where}:  ${stresses.map(say).join(' · ')} ${unit('stress', scales.units)} · ${say('equivalent_plastic_strain')} %${others}`;
+    const stresses = STRESSES.filter(there);
+    const others = /** @type {Quantity[]} */ ([...new Set(['equivalent_plastic_strain', shown])]);
+    const parts = [
+      stresses.length && `${stresses.map(say).join(' · ')} ${unit('stress', scales.units)}`,
+      ...others
+        .filter((one) => there(one) && !STRESSES.includes(one))
+        .map((one) => `${say(one)} ${scaleOf(one, scales).unit}`),
+    ];
+    return `${where}:  ${parts.filter(Boolean).join(' · ')}`;
   }
   return 'outside the bodies';
 }

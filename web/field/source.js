@@ -1,92 +1,103 @@
-/** The fields of a job, fetched step by step as they are looked at, of which only so many are kept. */
+/**
+ * The fields of a job, fetched as they are looked at. Where those of all steps can be kept, every step is fetched whole, once. Else
+ * one step is kept, of it the arrays that something on the page is made of, and its room is given back before that of another is
+ * taken: a step on a fine mesh is tens of megabytes.
+ */
 
-import { fetchFields, giveBack } from '../api/result.js';
+import { fetchFields } from '../api/result.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
+/** @typedef {import('../types.js').Scalar} Scalar */
 /** @typedef {{upper: Mesh | null, lower: Mesh | null}} Fields */
+/** @typedef {{fields?: Fields, last: Promise<unknown>, stop: AbortController}} Kept `last`: what was asked for last */
 
-/** Most bytes that are kept. */
+/** Most bytes of the fields of all steps that are kept. */
 const KEPT = 24e6;
+/** Arrays without which there is no picture. */
+const SHAPE = ['nodes', 'elements', 'displacement'];
+/** @type {Scalar[]} */
+const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
+/** Bytes of a node: two pairs, a number of each scalar, and the four corners of an element. */
+const PER_NODE = 4 * (4 + SCALARS.length + 4);
 
 export class FieldSource {
-  /** By step, those that were looked at last at the end. @type {Map<number, Fields>} */
-  #kept = new Map();
-  /** @type {Map<number, Promise<Fields>>} */
-  #coming = new Map();
+  /** By step. @type {Map<number, Kept>} */
+  #steps = new Map();
 
-  /** Step that is looked at, whose fields stay. */
-  shown = -1;
-
-  /** @param {string} id of a job */
-  constructor(id) {
+  /** @param {string} id of a job @param {import('../types.js').Report} report */
+  constructor(id, { steps, mesh }) {
     this.id = id;
+    /** Whether every step is kept. */
+    this.whole = steps.length * mesh.nodes * PER_NODE < KEPT;
   }
 
-  /** @param {number} step counted from 0 @returns {Fields | undefined} if they are here */
-  peek(step) {
-    const fields = this.#kept.get(step);
-    if (fields) {
-      this.#kept.delete(step);
-      this.#kept.set(step, fields);
-    }
-    return fields;
+  /** @param {number} step counted from 0 @param {Scalar[]} [names] @returns {Fields | undefined} if all of these are here */
+  peek(step, names = []) {
+    const fields = this.#steps.get(step)?.fields;
+    return fields && missing(fields, names).length === 0 ? fields : undefined;
   }
 
   /**
    * @param {number} step counted from 0
+   * @param {Scalar[]} names
    * @param {(received: number, total: number) => void} [progress] in bytes
-   * @returns {Promise<Fields>}
+   * @returns {Promise<Fields>} with these scalars at least
    */
-  get(step, progress) {
-    const there = this.peek(step);
-    if (there) return Promise.resolve(there);
-    const coming = this.#coming.get(step) ?? fetchFields(this.id, step, progress);
-    this.#coming.set(step, coming);
-    return coming.then(
-      (fields) => {
-        this.#coming.delete(step);
-        this.#kept.set(step, fields);
-        this.#forget();
-        return fields;
-      },
-      (error) => {
-        this.#coming.delete(step);
-        throw error;
-      },
-    );
+  get(step, names, progress) {
+    if (!this.whole) for (const other of this.#steps.keys()) if (other !== step) this.#drop(other);
+    const kept = this.#steps.get(step) ?? { last: Promise.resolve(), stop: new AbortController() };
+    this.#steps.set(step, kept);
+    // One after the other: what comes for one may be what the next one wants.
+    const next = kept.last.catch(() => {}).then(() => this.#fetch(step, kept, this.whole ? SCALARS : names, progress));
+    kept.last = next;
+    return next;
   }
 
-  /** Whether the fields of so many steps like those of this one can all be kept. @param {number} steps @param {Fields} fields */
-  holds(steps, fields) {
-    return steps * bytesOf(fields) < KEPT;
+  /** @param {number} step @param {Kept} kept @param {Scalar[]} names @param {(received: number, total: number) => void} [progress] */
+  async #fetch(step, kept, names, progress) {
+    const { signal } = kept.stop;
+    signal.throwIfAborted();
+    const wanted = kept.fields ? missing(kept.fields, names) : [...SHAPE, ...names];
+    if (kept.fields && wanted.length === 0) return kept.fields;
+    const came = /** @type {Fields} */ (await fetchFields(this.id, step, wanted, { signal, progress }));
+    if (signal.aborted) free(came);
+    signal.throwIfAborted();
+    if (!kept.fields) kept.fields = came;
+    else for (const body of BODIES) Object.assign(kept.fields[body] ?? {}, came[body]);
+    return kept.fields;
   }
 
-  #forget() {
-    const newest = [...this.#kept.keys()].at(-1);
-    let sum = 0;
-    for (const [step, fields] of [...this.#kept].reverse()) {
-      sum += bytesOf(fields);
-      if (sum <= KEPT || step === newest || step === this.shown) continue;
-      this.#kept.delete(step);
-      free(fields);
-    }
+  /** @param {number} step */
+  #drop(step) {
+    const kept = this.#steps.get(step);
+    kept?.stop.abort();
+    if (kept?.fields) free(kept.fields);
+    this.#steps.delete(step);
   }
 
-  /** Gives back what is kept, when another job is looked at. */
+  /** Gives everything back, when another job is looked at. */
   close() {
-    for (const fields of this.#kept.values()) free(fields);
-    this.#kept.clear();
+    for (const step of this.#steps.keys()) this.#drop(step);
   }
 }
 
-/** @param {Fields} fields */
-const free = ({ upper, lower }) =>
-  giveBack(
-    [upper, lower].flatMap((mesh) =>
-      Object.values(mesh ?? {}).map(({ buffer }) => /** @type {ArrayBuffer} */ (buffer)),
-    ),
-  );
+const BODIES = /** @type {const} */ (['upper', 'lower']);
 
-/** @param {Fields} fields */
-const bytesOf = ({ upper, lower }) =>
-  [upper, lower].flatMap((mesh) => (mesh ? Object.values(mesh) : [])).reduce((sum, array) => sum + array.byteLength, 0);
+/** @param {Fields} fields @param {Scalar[]} names @returns {Scalar[]} those of them that are not in every body */
+const missing = (fields, names) => names.filter((name) => BODIES.some((body) => fields[body] && !fields[body][name]));
+
+/**
+ * Gives back the room of arrays at once, where a collector lets hundreds of megabytes pass before it looks for some: they are sent
+ * to where nobody takes them.
+ * @param {Fields} fields
+ */
+function free(fields) {
+  const arrays = BODIES.flatMap((body) => Object.values(fields[body] ?? {}));
+  const { port1, port2 } = new MessageChannel();
+  port2.close();
+  port1.postMessage(
+    null,
+    arrays.map(({ buffer }) => /** @type {ArrayBuffer} */ (buffer)),
+  );
+  port1.close();
+}

@@ -1,6 +1,6 @@
 /** A framed part of the result: title, controls, content, and a picture to save where there is one. */
 
-import { h } from '../lib/dom.js';
+import { h, toast } from '../lib/dom.js';
 import { svgFile } from './chart-svg.js';
 import { save } from './downloads.js';
 
@@ -23,6 +23,7 @@ export class Panel {
           onclick: async () => {
             const blob = await make(this.caption);
             if (blob) save(blob, `${id}.${kind.toLowerCase()}`);
+            else toast('There is no picture of it yet');
           },
         },
         kind,

@@ -11,9 +11,10 @@ export class Steps {
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #timer;
 
-  /** @param {(step: number) => void} choose */
-  constructor(choose) {
+  /** @param {(step: number) => void} choose @param {() => boolean} ready whether the step that was chosen is shown: the next one waits for it */
+  constructor(choose, ready) {
     this.choose = choose;
+    this.ready = ready;
     this.label = h('output');
     this.slider = h('input', {
       type: 'range',
@@ -60,7 +61,7 @@ export class Steps {
     this.button.setAttribute('aria-label', 'Stop playing');
     if (this.#at === this.#many - 1) this.choose(0);
     this.#timer = setInterval(() => {
-      if (document.hidden) return;
+      if (document.hidden || !this.ready()) return;
       if (this.#at < this.#many - 1) this.choose(this.#at + 1);
       if (this.#at === this.#many - 1) this.stop();
     }, PACE);

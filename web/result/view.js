@@ -41,7 +41,10 @@ export class View {
     this.figures = new FiguresPanel((step) => this.#go(step));
     this.differences = new DifferencesPanel();
     this.history = new HistoryPanel();
-    this.steps = new Steps((step) => this.#go(step));
+    this.steps = new Steps(
+      (step) => this.#go(step),
+      () => !this.field.busy,
+    );
     this.units = new DisplayUnits(() => this.#again());
     const report = h('button', { type: 'button', id: 'report', onclick: () => this.report() }, 'Report');
     this.tools = h('div', { class: 'bar view-tools', hidden: true }, this.steps.element, report, this.units.element);
@@ -78,7 +81,6 @@ export class View {
       this.sweep,
       this.dent,
       this.pressure,
-      this.field,
       this.depth,
       this.convergence,
       this.figures,
@@ -86,6 +88,7 @@ export class View {
       this.history,
     ])
       panel.show(false);
+    this.field.clear();
     byId('headline').replaceChildren(content);
   }
 
@@ -117,10 +120,16 @@ export class View {
 
   /** The sheet of what is shown, to be printed. */
   report() {
-    this.#sheet();
-    document.documentElement.dataset.view = 'sheet';
-    byId('sheet').querySelector('button')?.focus();
+    const { dataset } = document.documentElement;
+    const open = () => {
+      this.#sheet();
+      byId('sheet').querySelector('button')?.focus();
+    };
+    open();
+    dataset.view = 'sheet';
     scrollTo(0, 0);
+    // The field may be on its way.
+    if (this.field.busy) this.field.settled.then(() => dataset.view === 'sheet' && open());
   }
 
   #sheet() {

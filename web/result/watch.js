@@ -3,7 +3,7 @@
 import { Problem, ask, post } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
 import { follow } from '../api/events.js';
-import { fetchResult } from '../api/result.js';
+import { fetchResult, prepare } from '../api/result.js';
 import { byId, copy, h, toast } from '../lib/dom.js';
 import { duration, loaded } from '../lib/units.js';
 import { inWords } from '../setup/words.js';
@@ -61,6 +61,7 @@ export class Watch {
   async start(id) {
     this.#running?.abort();
     const { signal } = (this.#running = new AbortController());
+    prepare();
     try {
       const last = await this.#follow(id, signal);
       if (signal.aborted || !last) return;

@@ -10,6 +10,7 @@ use axum::response::Response;
 use futures_util::{Stream, stream};
 
 use crate::http::job_path::JobPath;
+use crate::http::query::{Arrays, ArraysQuery};
 use crate::http::result_body::{Fields, no_result};
 use crate::http::{HttpState, Problem, ProblemType, result_body};
 use crate::jobs::{JobId, StoreError};
@@ -24,6 +25,7 @@ use brinell_solver::report::FieldPiece;
     params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         ("step" = usize, Path, description = "The step, counted from 1.", minimum = 1, example = 1),
+        ArraysQuery,
         ("Range" = Option<String>, Header, description = "One range of bytes (RFC 9110).", example = "bytes=0-1023"),
     ),
     responses(
@@ -40,6 +42,7 @@ pub(in crate::http) async fn get_fields(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     Path((_, step)): Path<(String, String)>,
+    wanted: Arrays,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let no_step = || Problem::new(ProblemType::StepNotFound, format!("the result has no step {step}"));
@@ -52,10 +55,10 @@ pub(in crate::http) async fn get_fields(
         let detail = "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
     };
-    let arrays =
-        fields.layout().single_precision().map_err(|error| StoreError::damaged(error.to_string()))?;
+    let arrays = fields.layout().single_precision(wanted.0.as_deref());
+    let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
     let length = arrays.iter().filter_map(FieldPiece::length).sum();
-    let tag = format!("\"{id}-{}-{step}-f32\"", head.attempt);
+    let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
     let body = |range| Body::from_stream(Sent::new(state, fields, arrays, range).stream());
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }

@@ -61,21 +61,6 @@ test('arrays of both precisions are read in whatever pieces they come', () => {
   }
 });
 
-test('room of other arrays is used again where it fits', () => {
-  const bytes = encode(GIVEN);
-  const spare = [40, 1000, 12, 17].map((size) => new ArrayBuffer(size));
-  const [nodes, , sigma, elements] = spare;
-  const { lower } = inPieces(new FieldReader(spare), bytes, 11);
-  for (const [array, room] of [
-    [lower.nodes, nodes],
-    [lower.sigma_x, sigma],
-    [lower.elements, elements],
-  ])
-    assert.ok(array.buffer === room);
-  assert.deepEqual([[...lower.nodes], [...lower.elements], [...lower.sigma_x]], [NODES, [0, 1, 2, 3], [5, 6, 7]]);
-  assert.equal(spare.length, 1, 'what is far too large stays');
-});
-
 test('what is no fields, or half of them, is refused', () => {
   const bytes = encode(GIVEN);
   assert.throws(

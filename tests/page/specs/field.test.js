@@ -123,8 +123,7 @@ service.test('stresses that follow from the others are right', async (page) => {
     const { valuesOf } = await import(/** @type {any} */ ('/web/field/quantities.js'));
     const report = await (await fetch(`v1/jobs/${id}/result`)).json();
     const mesh = report.steps[0].fields.upper;
-    for (const [key, list] of Object.entries(mesh))
-      if (typeof list[0] === 'number') mesh[key] = Float32Array.from(list);
+    for (const [key, list] of Object.entries(mesh)) mesh[key] = Float32Array.from(list.flat());
     const at = (/** @type {string} */ name) => valuesOf(mesh, name, 0);
     const [one, two, three, shear, mean] = ['sigma_1', 'sigma_2', 'sigma_3', 'tau_max', 'mean_stress'].map(at);
     let worst = 0;
@@ -252,13 +251,16 @@ service.test('figures are on the page before any field, and fields come a step a
   const held = new Promise((resolve) => {
     letGo = () => resolve(undefined);
   });
-  await page.route('**/v1/jobs/*/fields/*', async (route) => {
-    asked.push(new URL(route.request().url()).pathname.split('/').at(-1) ?? '');
+  const step = (/** @type {string} */ url) => /\/fields\/(\d+)/.exec(url)?.[1];
+  page.on('request', (request) => asked.push(...[step(request.url()) ?? []].flat()));
+  await page.route('**/fields/**', async (route) => {
     await held;
     await route.continue();
   });
   const id = await solved(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
+  const first = page.waitForRequest((request) => step(request.url()) !== undefined);
   await follow(page, `job=${id}`);
+  await first;
   await page.locator('#headline').getByText('612.00').waitFor();
   await page.getByText('Loading the field of this step').waitFor();
   assert.equal(await page.locator('[data-status=running]').count(), 0, 'nothing runs any more');

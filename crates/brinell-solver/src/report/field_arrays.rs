@@ -170,6 +170,19 @@ pub struct FieldArrays<B> {
     layout: FieldLayout,
 }
 
+/// The names of the arrays of a body, in their order.
+pub const FIELD_NAMES: [&str; 9] = [
+    "nodes",
+    "elements",
+    "displacement",
+    "sigma_x",
+    "sigma_y",
+    "sigma_z",
+    "tau_xy",
+    "von_mises",
+    "equivalent_plastic_strain",
+];
+
 /// Writes arrays one after the other.
 #[derive(Default)]
 struct Encoder {
@@ -334,14 +347,15 @@ impl FieldLayout {
         pieces
     }
 
-    /// The same fields in single precision.
+    /// The same fields in single precision: the arrays of these names, or all of them.
     ///
     /// # Errors
     /// [`FieldArraysError::Malformed`].
-    pub fn single_precision(&self) -> Result<Vec<FieldPiece>, FieldArraysError> {
+    pub fn single_precision(&self, names: Option<&[&str]>) -> Result<Vec<FieldPiece>, FieldArraysError> {
         let (mut singles, mut pieces, mut end): (Vec<Array>, _, usize) = (Vec::new(), Vec::new(), 0);
         let pad = |end: usize| FieldPiece::Text(vec![0; end.next_multiple_of(ALIGNMENT) - end]);
-        for array in &self.arrays {
+        let is_wanted = |array: &&Array| names.is_none_or(|names| names.contains(&array.name.as_str()));
+        for array in self.arrays.iter().filter(is_wanted) {
             pieces.push(pad(end));
             let number = if array.number == Number::F64 { Number::F32 } else { array.number };
             let single = Array { number, offset: end.next_multiple_of(ALIGNMENT), ..array.clone() };
@@ -530,7 +544,7 @@ mod tests {
     #[test]
     fn single_precision_is_half_as_long_and_aligned() {
         let written = FieldArrays::encode(&fields()).unwrap();
-        let pieces = FieldLayout::read(&written).unwrap().single_precision().unwrap();
+        let pieces = FieldLayout::read(&written).unwrap().single_precision(None).unwrap();
         let length: Option<usize> = pieces.iter().map(FieldPiece::length).sum();
         let single = made(&written, pieces);
         assert_eq!(length, Some(single.len()));
@@ -542,6 +556,24 @@ mod tests {
         let third = read.displacement[2][0];
         let error = (3.0 * third - 1.0).abs();
         assert!(error > 1e-12 && error < 1e-7, "{third}");
+    }
+
+    #[test]
+    fn arrays_are_chosen_by_their_names() {
+        let written = FieldArrays::encode(&fields()).unwrap();
+        let layout = FieldLayout::read(&written).unwrap();
+        assert_eq!(layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(), FIELD_NAMES);
+        let all = FieldArrays::read(made(&written, layout.single_precision(None).unwrap())).unwrap();
+        for names in [&["von_mises", "elements"][..], &["nodes"], &[]] {
+            let some = made(&written, layout.single_precision(Some(names)).unwrap());
+            let some = FieldArrays::read(some).unwrap();
+            assert_eq!(some.layout.arrays.len(), names.len());
+            for array in &some.layout.arrays {
+                assert!(names.contains(&array.name.as_str()));
+                let same = all.find(array.body, &array.name, array.components).unwrap();
+                assert_eq!(some.data(array), all.data(same));
+            }
+        }
     }
 
     #[test]

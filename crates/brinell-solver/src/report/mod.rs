@@ -22,7 +22,7 @@ pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::ErrorEstimate;
 pub use field_arrays::{
-    FieldArrays, FieldArraysError, FieldLayout, FieldPiece, NumbersPiece, Side as FieldSide,
+    FIELD_NAMES, FieldArrays, FieldArraysError, FieldLayout, FieldPiece, NumbersPiece, Side as FieldSide,
 };
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
