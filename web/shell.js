@@ -52,8 +52,11 @@ export function startKeys() {
     if (!dialog.open) dialog.showModal();
   };
   const kept = 'It is kept until this tab is closed.';
+  let declined = false;
   onKeyWanted((refused) => {
     byId('api-key').hidden = false;
+    // Every change of the form asks the service: who has said no is not asked again at each.
+    if (declined) return;
     show(
       refused
         ? `The service does not know this key. Enter another one. ${kept}`
@@ -62,7 +65,8 @@ export function startKeys() {
   });
   byId('api-key').addEventListener('click', () => show(`The key that is used for this service. ${kept}`));
   dialog.addEventListener('close', () => {
-    if (dialog.returnValue !== 'save') return;
+    declined = dialog.returnValue !== 'save';
+    if (declined) return;
     useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim());
     location.reload();
   });

@@ -1,6 +1,5 @@
 /** What lies over the field: outline of the plastic zones, ends of the contact, a scale, the cross of the probe. */
 
-import { colour } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
 
 /**
@@ -13,6 +12,7 @@ import { plain } from '../lib/units.js';
  * @property {{x: number, y: number, u: number, v: number, lift: number, text: string} | undefined} most where the quantity is largest
  * @property {[[number, number], [number, number]] | null} line of the cut
  * @property {[number, number] | null} cross in pixels
+ * @property {(name: string) => string} colours by name, of the page or of paper
  * @property {string} length unit
  * @property {number} factor from lengths of the job to those shown
  */
@@ -20,7 +20,7 @@ import { plain } from '../lib/units.js';
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
 export function drawOverlay(
   canvas,
-  { camera, deformation, zones, ends, height, most, line: cut, cross, length, factor },
+  { camera, deformation, zones, ends, height, most, line: cut, cross, colours, length, factor },
 ) {
   const context = canvas.getContext('2d');
   if (!context) return;
@@ -29,8 +29,8 @@ export function drawOverlay(
   context.clearRect(0, 0, camera.width, camera.height);
   for (const { polygons, lift } of zones) outline(context, camera, polygons, deformation, lift);
   context.font = '11px system-ui, sans-serif';
-  scale(context, camera, length, factor);
-  context.strokeStyle = colour('--ink');
+  scale(context, camera, colours, length, factor);
+  context.strokeStyle = colours('--ink');
   context.lineWidth = 1;
   for (const x of ends) {
     const [px, py] = camera.toScreen(x, height);
@@ -47,9 +47,9 @@ export function drawOverlay(
       context.lineWidth = width;
       line(context, from[0], from[1], to[0], to[1]);
     }
-    context.strokeStyle = colour('--ink');
-    context.lineWidth = 1;
   }
+  context.strokeStyle = colours('--ink');
+  context.lineWidth = 1;
   if (cross) {
     line(context, cross[0] - 8, cross[1], cross[0] + 8, cross[1]);
     line(context, cross[0], cross[1] - 8, cross[0], cross[1] + 8);
@@ -94,22 +94,20 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation) {
   context.strokeText(text, px + 9, py + 4);
   context.fillStyle = '#fff';
   context.fillText(text, px + 9, py + 4);
-  context.strokeStyle = colour('--ink');
-  context.lineWidth = 1;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {string} unit @param {number} factor */
-function scale(context, camera, unit, factor) {
+/** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {Over['colours']} colours @param {string} unit @param {number} factor */
+function scale(context, camera, colours, unit, factor) {
   const rough = (70 / camera.scale) * factor;
   const power = 10 ** Math.floor(Math.log10(rough));
   const size = power * ([5, 2, 1].find((step) => step * power <= rough) ?? 1);
   const [x, y, width] = [12, camera.height - 12, (size / factor) * camera.scale];
   const text = `${plain(size)} ${unit}`;
-  context.fillStyle = colour('--panel');
+  context.fillStyle = colours('--panel');
   context.globalAlpha = 0.85;
   context.fillRect(x - 6, y - 20, Math.max(width, context.measureText(text).width) + 12, 27);
   context.globalAlpha = 1;
-  context.strokeStyle = context.fillStyle = colour('--ink');
+  context.strokeStyle = context.fillStyle = colours('--ink');
   context.lineWidth = 1.5;
   context.beginPath();
   context.moveTo(x, y - 4);

@@ -407,7 +407,9 @@ export class FieldPanel {
   canvas(title = this.panel.caption, colours = colour) {
     const step = this.#step();
     if (!this.#renderer || !step || this.stage.hidden || this.stage.classList.contains('stale')) return null;
-    this.#draw();
+    this.#draw(true, colours);
+    // The page has its own colours again.
+    this.#later();
     const { unit: name } = this.#scale();
     return compose([this.surface, this.over], this.#bands, {
       title,
@@ -539,13 +541,13 @@ export class FieldPanel {
     });
   }
 
-  #draw(meshes = true) {
+  #draw(meshes = true, colours = colour) {
     const step = this.#step();
     if (!this.#renderer || !step || !this.#shown || !this.#bodies.length || this.stage.hidden) return;
     const { report } = this.#shown;
     const scales = this.#scales();
     const { factor: times, unit: name } = this.#scale();
-    if (meshes) this.#drawMeshes(this.#renderer, report);
+    if (meshes) this.#drawMeshes(this.#renderer, report, colours);
     drawOverlay(this.over, {
       camera: this.#camera,
       deformation: this.#deformation,
@@ -563,6 +565,7 @@ export class FieldPanel {
         text: `max ${figure(this.#most.value * times, 4)} ${name}`,
       },
       line: this.cutter.line,
+      colours,
       length: unit('length', scales.units),
       factor: scales.length,
     });
@@ -576,22 +579,22 @@ export class FieldPanel {
     performance.mark('field-drawn');
   }
 
-  /** @param {Renderer} renderer @param {Report} report */
-  #drawMeshes(renderer, report) {
+  /** @param {Renderer} renderer @param {Report} report @param {(name: string) => string} colours */
+  #drawMeshes(renderer, report, colours) {
     this.#stale = false;
     const strain = this.#quantity === 'equivalent_plastic_strain';
     const { factor: times } = this.#scale();
-    const { low, step, colours } = this.#bands;
+    const { low, step, colours: swatches } = this.#bands;
     renderer.draw({
       camera: this.#camera,
-      bands: { low: low / times, step: step / times, colours },
+      bands: { low: low / times, step: step / times, colours: swatches },
       deformation: this.#deformation,
       mirrored: report.mesh.symmetric,
       odd: QUANTITIES[this.#quantity].odd ?? false,
       lines: this.#lines,
       isolines: this.#isolines,
-      floor: strain ? (PLAIN * (low + step * colours.length)) / times : -Infinity,
-      plain: rgb(colour('--metal')),
+      floor: strain ? (PLAIN * (low + step * swatches.length)) / times : -Infinity,
+      plain: rgb(colours('--metal')),
     });
   }
 

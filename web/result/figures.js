@@ -24,7 +24,7 @@ export const FIGURES = [
   { title: 'half-width', quantity: () => 'length', value: ({ contact }) => contact.half_width, error: 'half_width' },
   { title: 'mean pressure', quantity: () => 'stress', value: ({ contact }) => contact.mean_pressure },
   { title: 'plastic strain', quantity: () => 'percent', value: (step) => 100 * strainOf(step) },
-  { title: 'dP/dα', quantity: stiffnessOf, value: ({ contact_stiffness: slope }) => slope },
+  { title: 'dP/dα', quantity: stiffnessOf, value: ({ contact_stiffness: slope }) => slope, error: 'contact_stiffness' },
   { title: 'Hertz peak', quantity: () => 'stress', value: ({ hertz }) => hertz?.peak_pressure },
 ];
 

@@ -125,8 +125,8 @@ export class View {
       this.#sheet();
       byId('sheet').querySelector('button')?.focus();
     };
-    open();
     dataset.view = 'sheet';
+    open();
     scrollTo(0, 0);
     // The field may be on its way.
     if (this.field.busy) this.field.settled.then(() => dataset.view === 'sheet' && open());

@@ -116,3 +116,52 @@ service.test('write the job, undo, move a slider', async (page) => {
   await page.locator('[data-status=live]').waitFor();
   assert.notEqual(await force.inputValue(), '612.6106');
 });
+
+service.test('open points from a file', async (page) => {
+  await type(page, /^Hardening/, 'Table');
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), press(page, /^Open CSV…$/, 'Enter')]);
+  const buffer = Buffer.from('strain;stress [MPa]\n0;500\n0,01;600\n0,1;750\n');
+  await chooser.setFiles({ name: 'points.csv', mimeType: 'text/csv', buffer });
+  await page.waitForFunction(
+    () => JSON.parse(sessionStorage.getItem('draft') ?? 'null')?.upper.material.plasticity.points?.length === 3,
+  );
+  const { plasticity } = (await draft(page)).upper.material;
+  assert.deepEqual(plasticity.points.map(Object.values), [
+    [0, 500],
+    [0.01, 600],
+    [0.1, 750],
+  ]);
+});
+
+service.test(
+  'copy links',
+  async (page) => {
+    await press(page, /^Link$/, 'Enter');
+    await page.getByText('Link to this definition copied').waitFor();
+    const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
+    assert.match(await clipboard(), /#draft=./);
+    await press(page, /^Solve$/, 'Enter');
+    await page.locator(SOLVED).waitFor();
+    await press(page, /^Copy link$/, 'Enter');
+    await page.getByText('Link copied').waitFor();
+    assert.equal(await clipboard(), page.url());
+  },
+  { permissions: ['clipboard-read', 'clipboard-write'] },
+);
+
+service.test(
+  'give a key, or leave the question by Escape and ask for it again',
+  async (page) => {
+    const dialog = page.getByRole('dialog');
+    await dialog.waitFor();
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+    await press(page, /^API key$/, 'Enter');
+    await dialog.waitFor();
+    await tabTo(page, /^Key$/);
+    await page.keyboard.type('not-a-key');
+    await page.keyboard.press('Enter');
+    await dialog.getByText('The service does not know this key').waitFor();
+  },
+  { own: ['--require-api-key'], amiss: true },
+);
