@@ -409,8 +409,8 @@ impl Arrays {
     /// What it is called in the tag of an answer.
     pub(super) fn name(&self) -> String {
         let Some(names) = &self.0 else { return String::new() };
-        let wanted = FIELD_NAMES.into_iter().filter(|name| names.contains(name));
-        wanted.map(|name| format!("-{name}")).collect()
+        let wanted: Vec<_> = FIELD_NAMES.into_iter().filter(|name| names.contains(name)).collect();
+        format!("-{}", wanted.join("+"))
     }
 }
 
