@@ -13,7 +13,10 @@ const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
 
 /** @param {Page} page */
 const drawn = async (page) => {
-  await page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 1);
+  await page.waitForFunction(
+    () =>
+      performance.getEntriesByName('field-drawn').length > 0 && !document.querySelector('.stage')?.matches('.stale'),
+  );
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 };
 

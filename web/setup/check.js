@@ -137,7 +137,12 @@ function figures(job, hertz) {
     /** @type {Hertz['steps'][0] | undefined} */ (undefined),
   );
   const row = (/** @type {string} */ name, /** @type {number | null} */ value, /** @type {string} */ unit) =>
-    h('div', {}, h('dt', {}, name), h('dd', {}, figure(value), ' ', h('span', { class: 'unit' }, unit)));
+    h(
+      'div',
+      {},
+      h('dt', {}, name),
+      h('dd', {}, figure(value), ' ', h('span', { class: 'unit' }, value === null ? '' : unit)),
+    );
   const onset = hertz.yield_onset_force;
   const verdict =
     at && onset

@@ -1,0 +1,71 @@
+/** The narrowest phones: everything that is wider than the page scrolls by itself. */
+
+import assert from 'node:assert/strict';
+import { PHONE, suite } from '../browser.js';
+import { drawn, shown } from '../jobs.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const service = suite();
+const WIDTH = 320;
+const NARROW = { ...PHONE, viewport: { width: WIDTH, height: 700 } };
+
+/** What goes beyond the page, by its class: a page that is too wide is made narrower by the browser as a whole. @param {Page} page */
+const beyond = (page) =>
+  page.evaluate(
+    (width) => [
+      ...(document.documentElement.scrollWidth > width
+        ? [`the page is ${document.documentElement.scrollWidth} wide`]
+        : []),
+      ...[...document.querySelectorAll('body *')]
+        .filter((one) => {
+          if (!one.checkVisibility() || one.getBoundingClientRect().right <= width + 0.5) return false;
+          for (let at = one.parentElement; at; at = at.parentElement)
+            if (getComputedStyle(at).overflowX !== 'visible') return false;
+          return true;
+        })
+        .map((one) => `${one.tagName} ${one.className} ${one.textContent?.slice(0, 40)}`),
+    ],
+    WIDTH,
+  );
+
+service.test(
+  'every shape and curve in the form',
+  async (page) => {
+    const shapes = page.getByLabel('Shape').first();
+    const values = await shapes
+      .locator('option')
+      .evaluateAll((all) => all.map((one) => /** @type {HTMLOptionElement} */ (one).value));
+    assert.ok(values.length > 6, values.join());
+    for (const value of values) {
+      await shapes.selectOption(value);
+      assert.deepEqual(await beyond(page), [], value);
+    }
+    await shapes.selectOption('cylinder');
+    await page.getByLabel('Hardening').first().selectOption('table');
+    await page.getByLabel('Strength over depth').first().selectOption({ index: 1 });
+    await page.getByLabel('Initial stress').first().selectOption('given');
+    await page.getByText('Mesh, solver, output, tags').click();
+    assert.deepEqual(await beyond(page), []);
+  },
+  NARROW,
+);
+
+service.test(
+  'a result, its cut, jobs and report',
+  async (page) => {
+    await shown(page, { load: { forces: [100, 300, 612] }, output: { fields: true } });
+    await drawn(page);
+    await page.getByLabel('Cut', { exact: true }).check();
+    for (const part of ['JSON', 'Jobs']) await page.getByRole('button', { name: part, exact: true }).click();
+    await page.locator('#jobs-list .load').first().waitFor();
+    await page.getByText('Units shown').click();
+    await page.locator('#headline summary').last().click();
+    assert.deepEqual(await beyond(page), []);
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Report' }).click();
+    await page.getByRole('button', { name: 'Print or save as PDF' }).waitFor();
+    assert.deepEqual(await beyond(page), []);
+  },
+  NARROW,
+);
