@@ -123,6 +123,8 @@ function refuse(words) {
 
 async function solve() {
   const button = /** @type {HTMLButtonElement} */ (byId('solve'));
+  // A key that is held down, or a second click, makes no second job.
+  if (button.disabled) return;
   const damaged = readJson();
   if (damaged) return refuse(`The JSON beside is not a job: ${damaged}`);
   button.disabled = true;
@@ -213,43 +215,56 @@ async function open(id) {
   }
 }
 
+/** Jobs that were chosen in the list, which may be on their way. @type {Set<string>} */
+const chosen = new Set();
+
 /** @param {string} id @param {boolean} on */
 async function compare(id, on) {
-  if (on) await layOver(id);
-  else compared.delete(id);
+  const job = current?.id;
+  if (on) {
+    chosen.add(id);
+    await layOver(id, () => current?.id === job && chosen.has(id));
+  } else {
+    chosen.delete(id);
+    compared.delete(id);
+  }
   const others = [...compared.keys()].filter((one) => one !== current?.id);
   if (current) history.replaceState(null, '', link.jobFragment(current.id, others));
   show();
   list.show();
 }
 
-/** Fetches a job to be compared. @param {string} id */
-async function layOver(id) {
+/** Fetches a job to be compared. @param {string} id @param {() => boolean} still whether it is wanted when it is here */
+async function layOver(id, still) {
   const used = new Set([...compared.values()].map(({ colour }) => colour));
   const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
   if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
   try {
     const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
-    compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
+    if (still()) compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
   } catch (error) {
-    toast(/** @type {Error} */ (error).message);
+    if (still()) toast(/** @type {Error} */ (error).message);
   }
 }
 
-/** Lays over the job what the address names, and nothing else. @param {string[]} wanted */
-async function compareOnly(wanted) {
+/** Lays over the job what the address names, and nothing else. @param {string[]} wanted @param {() => boolean} still whether it names them */
+async function compareOnly(wanted, still) {
+  if (!still()) return;
   for (const id of compared.keys()) if (!wanted.includes(id)) compared.delete(id);
-  for (const id of wanted) if (!compared.has(id)) await layOver(id);
+  for (const id of wanted) if (still() && !compared.has(id)) await layOver(id, still);
+  if (!still()) return;
   show();
   list.show();
 }
 
 /** Does what the address says. */
 async function applyAddress() {
+  view.closeReport();
+  const address = location.hash;
   const { job, compared: others, draft: packed } = link.read();
   if (job) {
     await open(job);
-    return compareOnly(others);
+    return compareOnly(others, () => location.hash === address);
   }
   wanted = '';
   if (packed) {
@@ -279,12 +294,16 @@ async function begin() {
   addEventListener('hashchange', applyAddress);
 }
 
+byId('solve').addEventListener('click', (event) => {
+  if (event.detail > 1) event.preventDefault();
+});
 byId('form').addEventListener('submit', (event) => {
   event.preventDefault();
   solve();
 });
 addEventListener('keydown', (event) => {
-  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+  if (event.key === 'Escape') view.closeReport();
+  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.repeat) {
     event.preventDefault();
     solve();
   }

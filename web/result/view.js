@@ -13,7 +13,7 @@ import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
 import { PressurePanel } from './pressure.js';
-import { showSheet } from './sheet.js';
+import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
 import { SweepPanel } from './sweep.js';
 
@@ -130,6 +130,11 @@ export class View {
     scrollTo(0, 0);
     // The field may be on its way.
     if (this.field.busy) this.field.settled.then(() => dataset.view === 'sheet' && open());
+  }
+
+  /** Back to the page, from the sheet. */
+  closeReport() {
+    if (document.documentElement.dataset.view === 'sheet') close();
   }
 
   #sheet() {
