@@ -150,8 +150,9 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             },
         );
     }
-    for message in coarse_mesh(step, half_width) {
-        say("coarse_mesh", message);
+    let coarse = coarse_mesh(step, half_width);
+    if !coarse.is_empty() {
+        say("coarse_mesh", coarse.join(" "));
     }
     for (code, message) in strength::remarks(job, step) {
         say(code, message);

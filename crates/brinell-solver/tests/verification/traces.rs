@@ -108,3 +108,21 @@ fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
     );
     assert!(refused.to_string().contains("elements of"), "{refused}");
 }
+
+/// Teeth that a mesh of the density asked for has one element for are resolved, or said to be too fine for it.
+#[test]
+fn teeth_are_resolved_or_said() {
+    let teeth: Vec<[f64; 2]> = (-100..=100)
+        .map(|k| {
+            let x = 0.1 * f64::from(k);
+            [x, if k % 2 == 0 { 0.0 } else { 1e-3 } - x * x / 200.0]
+        })
+        .collect();
+    let on = |elements: u32| step(&with_interpolation(on_block(&teeth, 1000.0, elements), "smooth"));
+    let [coarse, fine, finer] = [5, 20, 30].map(on);
+    let says = |step: &StepReport| step.validity.iter().any(|note| note.code == "coarse_mesh");
+    assert!(coarse.contact.peak_pressure < 0.7 * fine.contact.peak_pressure && says(&coarse));
+    let bar = fine.estimated_error.unwrap().peak_pressure;
+    assert_within(fine.contact.peak_pressure, finer.contact.peak_pressure, bar);
+    assert!(bar < 0.05 && fine.contact.patches.len() == finer.contact.patches.len(), "{bar}");
+}

@@ -116,7 +116,7 @@ impl<'a> LoadStepper<'a> {
         solution.passes += pass.meshes;
         // Before the stresses are handed over.
         let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
-        let tolerance = request.solver.tolerance.get();
+        let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
         let mut step = final_check::finish(
             self.problem,
             &mut pass,
@@ -127,7 +127,9 @@ impl<'a> LoadStepper<'a> {
             observer,
         );
         step.coarse = figures;
-        step.unresolved = found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing());
+        let elastic_force = (!yields).then(|| step.force());
+        step.unresolved =
+            found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing(), elastic_force);
         let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
@@ -200,7 +202,9 @@ impl<'a> LoadStepper<'a> {
         if final_check::has_collapsed(pass) {
             return found;
         }
-        found.refined(self.problem, self.job.mesh.elements_per_half_width as usize)
+        let found = found.refined(self.problem, self.job.mesh.elements_per_half_width as usize);
+        // Where summits yield they grow together.
+        if pass.yields() { found } else { found.with_parts(self.problem, pass.all_figures().force) }
     }
 
     fn solve_auxiliary(

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::rough::{self, LEAST_PART};
+use super::rough::{self, LEAST_PART, Touching};
 use super::trace::resolving_spacing;
 use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
@@ -40,6 +40,8 @@ const WIDER_THAN_CLOSED_FORM: f64 = 1.25;
 const TRACE_POINTS: usize = 5;
 /// Pairs over a half-width with which parts are looked for.
 const PAIRS_OF_PARTS: f64 = 90.0;
+/// Elements over the half-width of a part of the contact with which its pressure is known at all.
+const LEAST_ELEMENTS_OF_PART: f64 = 2.0;
 /// A part of the contact is resolved by its own width down to this part of the whole width.
 const MAX_PART_RATIO: f64 = 6.0;
 
@@ -245,22 +247,39 @@ impl ContactSizeEstimate {
     /// would, and in parts that meshes resolve.
     pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
         let ContactLoad::Force(force) = load else { return self };
-        let contact = |spacing: f64| rough::contact(problem, force, self.centre, self.half_width, spacing);
         if self.refinement > 1.0 {
-            let Some(found) = contact(self.spacing(elements)) else { return self };
+            let spacing = self.spacing(elements);
+            let found = rough::contact(problem, force, self.centre, self.half_width, spacing);
+            let Some(found) = found else { return self };
             let half_width = found.half_width();
             return Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements);
         }
-        let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
-        if problem.has_arcs() || problem.knots_within(left, right).len() < TRACE_POINTS {
-            return self;
-        }
-        match contact(self.half_width / PAIRS_OF_PARTS) {
-            Some(found) if found.smallest_part < 0.5 * found.half_width() => {
+        match self.half_planes(problem, force) {
+            Some(found) => {
                 Self { half_width: found.half_width(), smallest_part: found.smallest_part, ..self }
             }
-            _ => self,
+            None => self,
         }
+    }
+
+    /// The extent of a contact that a mesh has found under a force, with parts that it may have been too coarse to tell apart.
+    pub fn with_parts(self, problem: &Problem, force: f64) -> Self {
+        if self.refinement > 1.0 {
+            return self;
+        }
+        let parts = self.half_planes(problem, force).map_or(f64::INFINITY, |found| found.smallest_part);
+        Self { smallest_part: self.smallest_part.min(parts), ..self }
+    }
+
+    /// Where half-planes with the surfaces of a trace touch, if that is in several parts.
+    fn half_planes(&self, problem: &Problem, force: f64) -> Option<Touching> {
+        let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
+        if problem.has_arcs() || problem.knots_within(left, right).len() < TRACE_POINTS {
+            return None;
+        }
+        let spacing = self.half_width / PAIRS_OF_PARTS;
+        rough::contact(problem, force, self.centre, self.half_width, spacing)
+            .filter(|found| found.smallest_part < 0.5 * found.half_width())
     }
 
     /// The same for a contact that a mesh has found, without becoming much finer than was expected and estimated.
@@ -271,9 +290,12 @@ impl ContactSizeEstimate {
         Self { refinement: refinement.min(MORE_THAN_EXPECTED * self.refinement), ..self }
     }
 
-    /// Element size that the surfaces within the contact need, where it is smaller than a given one \[mm\].
-    pub fn unresolved(&self, problem: &Problem, spacing: f64) -> Option<f64> {
-        let needed = resolving_spacing(problem, self.centre, self.half_width, spacing);
+    /// Element size that the surfaces within the contact need, where it is smaller than a given one \[mm\]; `force` is that of an
+    /// elastic contact, whose parts have a size.
+    pub fn unresolved(&self, problem: &Problem, spacing: f64, force: Option<f64>) -> Option<f64> {
+        let details = resolving_spacing(problem, self.centre, self.half_width, spacing);
+        let parts = force.and_then(|force| self.half_planes(problem, force));
+        let needed = parts.map_or(details, |parts| details.min(parts.smallest_part / LEAST_ELEMENTS_OF_PART));
         (!problem.has_arcs() && needed < spacing).then_some(needed)
     }
 
