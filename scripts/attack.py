@@ -145,6 +145,21 @@ def solvers(service):
     service.over = over
 
 
+def checks(service):
+    """Sweeps of a thousand loads that are checked and not solved, on 32 connections."""
+    over = threading.Event()
+    sweep = {**JOB, "load": {"forces": [400 + step for step in range(1000)]}}
+
+    def ask():
+        connection = service.connect(30)
+        while not over.is_set():
+            service.ask("POST", "/v1/validate", sweep, connection)
+
+    for _ in range(32):
+        threading.Thread(target=quiet(ask), daemon=True).start()
+    service.over = over
+
+
 def requests_without_answers(service):
     """Thousands of requests on one connection, no answer of which is read."""
     for _ in range(200):
@@ -153,7 +168,7 @@ def requests_without_answers(service):
 
 ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams,
            "deaf readers of results": deaf_readers("/result"), "deaf readers of arrays": deaf_readers("/fields/1"),
-           "deaf readers of VTK files": deaf_readers("/field.vtu"), "ranges": ranges, "solvers": solvers,
+           "deaf readers of VTK files": deaf_readers("/field.vtu"), "ranges": ranges, "solvers": solvers, "checks": checks,
            "requests without answers": requests_without_answers}
 
 

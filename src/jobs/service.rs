@@ -12,11 +12,13 @@ use tokio::time::{Instant, timeout_at};
 
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
+use uuid::Uuid;
 
 use super::{
     ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, FieldsReader,
     Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore,
-    KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, read_token,
+    KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
+    read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -115,6 +117,8 @@ pub struct JobService {
     closed: AtomicBool,
     waits_end: CancellationToken,
     decoders: Arc<Semaphore>,
+    /// Of checks and estimates: those of one key never hold more than one thread of the runtime.
+    checks: Turns,
     /// Damage was found in the file of the store.
     damaged: AtomicBool,
     /// Until when the store is taken to be well.
@@ -147,16 +151,27 @@ impl JobService {
             closed: AtomicBool::new(false),
             waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
+            checks: Turns::new(1),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
         }
     }
 
-    /// Checks a job without queueing it, and estimates its cost.
+    /// Checks a job without queueing it, and estimates its cost. A sweep of many loads takes milliseconds: a key waits for its turn.
     ///
     /// # Errors
     /// [`Rejection`] with every fault.
-    pub fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Rejection> {
+    pub async fn validate(&self, request: &[u8], key: Option<KeyId>) -> Result<JobEstimate, Rejection> {
+        let _turn = self.check_turn(key).await;
+        Ok(self.check(request)?.1)
+    }
+
+    /// Waits for the turn of a key to have a job checked. Those without a key take theirs together.
+    async fn check_turn(&self, key: Option<KeyId>) -> Option<OwnedSemaphorePermit> {
+        self.checks.take(key.or(Some(KeyId::from(Uuid::nil())))).await
+    }
+
+    fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Rejection> {
         let job = Job::from_json(request)?;
         let estimate = self.solver.estimate(&job).map_err(JobError::Fields)?;
         if estimate.bytes > self.limits.job_bytes {
@@ -182,7 +197,8 @@ impl JobService {
     ///
     /// # Errors
     /// [`Rejection`] with every fault, also where the theory does not apply.
-    pub fn closed_form(&self, request: &[u8]) -> Result<ClosedForm, Rejection> {
+    pub async fn closed_form(&self, request: &[u8], key: Option<KeyId>) -> Result<ClosedForm, Rejection> {
+        let _turn = self.check_turn(key).await;
         let job = Job::from_json(request)?;
         Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
     }
@@ -196,7 +212,10 @@ impl JobService {
             return Err(SubmitError::Closed);
         }
         let key = submission.submitter;
-        let enqueued = self.store.enqueue(self.new_job(submission)?).await?;
+        let turn = self.check_turn(key).await;
+        let job = self.new_job(submission)?;
+        drop(turn);
+        let enqueued = self.store.enqueue(job).await?;
         log_queued(&enqueued, key);
         Ok(enqueued)
     }
@@ -213,12 +232,14 @@ impl JobService {
             return Err(SubmitError::Closed);
         }
         let keys: Vec<Option<KeyId>> = submissions.iter().map(|submission| submission.submitter).collect();
+        let turn = self.check_turn(keys.first().copied().flatten()).await;
         let mut checked = Vec::with_capacity(submissions.len());
         for submission in submissions {
             checked.push(self.new_job(submission));
             // Others are answered in between.
             yield_now().await;
         }
+        drop(turn);
         let jobs = checked.iter().flatten().cloned().collect();
         let mut taken = self.store.enqueue_all(jobs).await?.into_iter();
         let of = |job: Result<NewJob, Rejection>| -> Result<Enqueued, SubmitError> {

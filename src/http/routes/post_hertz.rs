@@ -3,6 +3,7 @@
 use axum::Json;
 use axum::extract::State;
 
+use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::{HttpState, Problem};
 use crate::jobs::ClosedForm;
@@ -18,7 +19,8 @@ use crate::jobs::ClosedForm;
 )]
 pub(in crate::http) async fn post_hertz(
     State(state): State<HttpState>,
+    caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Json<ClosedForm>, Problem> {
-    Ok(Json(state.jobs.closed_form(&text)?))
+    Ok(Json(state.jobs.closed_form(&text, caller.key()).await?))
 }

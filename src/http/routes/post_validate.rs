@@ -3,6 +3,7 @@
 use axum::Json;
 use axum::extract::State;
 
+use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::wire::Validation;
 use crate::http::{HttpState, Problem};
@@ -16,8 +17,9 @@ use crate::http::{HttpState, Problem};
 )]
 pub(in crate::http) async fn post_validate(
     State(state): State<HttpState>,
+    caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Json<Validation>, Problem> {
-    let (_, estimate) = state.jobs.check(&text)?;
+    let estimate = state.jobs.validate(&text, caller.key()).await?;
     Ok(Json(Validation { valid: true, estimate }))
 }
