@@ -377,12 +377,11 @@ impl ContactSizeEstimate {
         let symmetric = problem.is_symmetric();
         let spacing = spacing.min(ZONE * self.half_width / LEAST_COLUMNS);
         let mut columns = (ZONE * self.half_width / spacing).round().max(LEAST_COLUMNS);
-        let mut half = columns * spacing;
-        if problem.conforming.is_some() && half > problem.span().1 {
-            // All there is, for a contact that reaches far round.
-            half = problem.span().1;
-            columns = (half / spacing).ceil();
+        if problem.conforming.is_some() {
+            // As much as there is of whole elements, for a contact that reaches far round.
+            columns = columns.min((problem.span().1 / spacing).floor());
         }
+        let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small and positive")]
         let columns = columns as usize;
