@@ -151,6 +151,7 @@ export function figure(value, digits = 5) {
  * @param {number} value
  */
 export function plain(value) {
+  if (!Number.isFinite(value)) return '—';
   const short = Number(value.toPrecision(6));
   const size = Math.abs(short);
   if (size === 0 || (size >= 1e-4 && size < 1e6)) return String(short).replace('-', '−');

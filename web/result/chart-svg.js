@@ -136,9 +136,10 @@ function path(curve, x, y) {
     }
   });
   const dots = curve.points
-    ? curve.x.map((value, k) =>
-        svg('circle', { cx: x.at(value), cy: y.at(curve.y[k] ?? NaN), r: 2.2, fill: ink(curve.colour) }),
-      )
+    ? curve.x.flatMap((value, k) => {
+        const cy = y.at(curve.y[k] ?? NaN);
+        return Number.isFinite(cy) ? [svg('circle', { cx: x.at(value), cy, r: 2.2, fill: ink(curve.colour) })] : [];
+      })
     : [];
   return svg(
     'g',

@@ -145,12 +145,10 @@ function load(job, upper, scale) {
   const kind = loadOf(job.load);
   const value = job.load?.[kind];
   const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
-  const figures =
-    kind === 'history'
-      ? writeHistory(value)
-      : Array.isArray(value)
-        ? `${plain(Math.min(...value))}–${plain(Math.max(...value))}`
-        : plain(Number(value));
+  /** @type {number[]} */
+  const list = [value].flat().filter((one) => Number.isFinite(one));
+  const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : plain(list[0]);
+  const figures = kind === 'history' ? writeHistory(value) : range;
   const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
   const text =
     kind === 'onset' || kind === 'target'

@@ -27,6 +27,9 @@ service.test('jobs of any form are shown as far as they go', async (page) => {
     { upper: { ...base.upper, material: { ...steel, initial_stress: 5 } } },
     { upper: { ...base.upper, material: { ...steel, initial_stress: [null, { depth: 'x' }, 7] } } },
     { upper: { ...base.upper, shape: { type: 'cylinder', radius: 1e308 } }, load: { force: -1e308 } },
+    { load: { force: 'x' } },
+    { load: { forces: [] } },
+    { load: { approaches: ['x', null] } },
   ]) {
     const changed = { ...base, ...change };
     await text.fill(JSON.stringify(changed));
@@ -36,6 +39,8 @@ service.test('jobs of any form are shown as far as they go', async (page) => {
     );
     await page.getByLabel('Units').first().selectOption('SI');
     await page.locator('#form .error:visible, #check .error').first().waitFor();
+    const sketch = page.locator('#sketch');
+    assert.doesNotMatch((await sketch.textContent()) ?? '', /NaN|Infinity|undefined/, JSON.stringify(change));
   }
   await text.fill(JSON.stringify(base));
   await page.getByText('1500.0 MPa').waitFor();
