@@ -107,6 +107,8 @@ const range = (values) => [Math.min(...values), Math.max(...values)];
  * @param {Point[]} [dashed]
  */
 function drawing(points, xs, ys, name, kind, dashed) {
+  // Figures may be beyond all that can be drawn.
+  if (![xs, ys, ...points, ...(dashed ?? [])].flat().every(Number.isFinite)) return null;
   const at = (/** @type {Point} */ [x, y]) => [
     LEFT + ((x - xs[0]) / (xs[1] - xs[0] || 1)) * (WIDTH - LEFT - 8),
     HEIGHT - BOTTOM - ((y - ys[0]) / (ys[1] - ys[0] || 1)) * (HEIGHT - BOTTOM - TOP),
