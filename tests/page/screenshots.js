@@ -70,8 +70,19 @@ async function form(page) {
   await page.locator('#example').selectOption({ label: 'Crowned face from measured points' });
   await page.getByLabel('Hardening').first().selectOption('table');
   await page.locator('[data-preview=upper-curve] svg').waitFor();
+  await page.locator('#cost').getByText('equations').waitFor();
   await page.setViewportSize({ width: 1440, height: 1700 });
 }
+
+/** @param {string} example @returns {(page: Page) => Promise<void>} */
+const part = (example) => async (page) => {
+  await page.locator('#example').selectOption({ label: example });
+  await page.locator('#cost').getByText('equations').waitFor();
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('[data-status=succeeded]').waitFor();
+  await drawn(page);
+  await page.setViewportSize({ width: 1440, height: 1900 });
+};
 
 /** @param {Page} page */
 async function report(page) {
@@ -89,6 +100,9 @@ const OF_DOCUMENTS = [
 /** @type {typeof OF_DOCUMENTS} */
 const OTHERS = [
   ['form', WIDE, form, true],
+  ['hole', WIDE, part('Pin in a hole'), true],
+  ['peened', WIDE, part('Shot-peened roller on a ground block'), true],
+  ['steps', WIDE, part('Rigid roller on bronze, pressed in by steps'), true],
   ['sweep', WIDE, sweep, true],
   ['sweep-phone', PHONE, sweep, true],
   ['compared', DARK, compared, true],

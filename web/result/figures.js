@@ -13,7 +13,7 @@ import { Panel } from './panel.js';
 
 /** @type {{title: string, quantity: (report: Report) => Quantity | 'percent', value: (step: Step) => number | null | undefined, error?: keyof NonNullable<Step['estimated_error']>}[]} */
 export const FIGURES = [
-  { title: 'force', quantity: forceOf, value: ({ contact }) => contact.force },
+  { title: 'force', quantity: forceOf, value: ({ contact }) => contact.force, error: 'force' },
   { title: 'approach', quantity: () => 'length', value: ({ approach }) => approach, error: 'approach' },
   {
     title: 'peak pressure',
@@ -28,6 +28,12 @@ export const FIGURES = [
   { title: 'Hertz peak', quantity: () => 'stress', value: ({ hertz }) => hertz?.peak_pressure },
 ];
 
+/**
+ * The bound of the error of a figure: none of what the job prescribes, and none of a state that is not the answer.
+ * @param {Step} step @param {keyof NonNullable<Step['estimated_error']>} name
+ */
+export const barOf = ({ status, estimated_error: bars }, name) => (status === 'converged' && bars?.[name]) || undefined;
+
 /** Largest equivalent plastic strain of both bodies. @param {Step} step */
 export const strainOf = ({ plasticity }) =>
   Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
@@ -39,10 +45,14 @@ export const strainOf = ({ plasticity }) =>
 export function figuresTable(shown) {
   const [{ report }] = shown;
   const several = shown.length > 1;
+  const figures = FIGURES.map(({ error, ...figure }) => {
+    const hasBars = error && shown.some(({ report }) => report.steps.some((step) => barOf(step, error)));
+    return { ...figure, error: hasBars ? error : undefined };
+  });
   const columns = [
     ...(several ? [{ title: 'job' }] : []),
     { title: 'step' },
-    ...FIGURES.flatMap(({ title, quantity, error }) => {
+    ...figures.flatMap(({ title, quantity, error }) => {
       const kind = quantity(report);
       return [
         { title, unit: kind === 'percent' ? '%' : unit(kind, report.units) },
@@ -55,8 +65,8 @@ export function figuresTable(shown) {
     report.steps.map((step, k) => [
       ...(several ? [label] : []),
       k + 1,
-      ...FIGURES.flatMap(({ value, error }) => {
-        const bar = error && step.status === 'converged' ? step.estimated_error?.[error] : undefined;
+      ...figures.flatMap(({ value, error }) => {
+        const bar = error && barOf(step, error);
         return [value(step) ?? null, ...(error ? [bar === undefined ? null : 100 * bar] : [])];
       }),
       step.status.replaceAll('_', ' '),

@@ -28,7 +28,7 @@ import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
 import { writeValue } from '../jobs/names.js';
 import { targetWords } from './headline.js';
-import { FIGURES, figuresTable, tableElements } from './figures.js';
+import { FIGURES, barOf, figuresTable, tableElements } from './figures.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -258,7 +258,7 @@ function answers({ report }, at) {
   const rows = FIGURES.filter(({ title }) => title !== 'Hertz peak').map(({ title, quantity, value, error }) => {
     const kind = quantity(report);
     const figures = value(step);
-    const bar = error && step.status === 'converged' ? step.estimated_error?.[error] : undefined;
+    const bar = error && barOf(step, error);
     const beside = elastic[title];
     return h(
       'tr',

@@ -214,3 +214,21 @@ service.test('in axisymmetry directions are r, θ and z', async (page) => {
   const chips = await page.locator('#panel-depth .chips label').allTextContents();
   assert.deepEqual(chips.slice(2, 5), ['σr', 'σz', 'σθ']);
 });
+
+service.test('what is found has an error bar, what is prescribed has none', async (page) => {
+  const barred = async () => {
+    const cards = page.locator('#headline dl.figures > div', { has: page.locator('.bar-of-error') });
+    return cards.locator('dt').allTextContents();
+  };
+  const columns = async () => {
+    const head = await page.locator('#panel-figures thead th').allTextContents();
+    return head.filter((_, k) => head[k + 1]?.startsWith('±'));
+  };
+  await shown(page, { load: { approach: 0.01 } });
+  assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Force', 'Contact stiffness']);
+  assert.match((await columns()).join(), /^force N\/mm,peak pressure MPa,half-width mm,dP/);
+  assert.match((await page.locator('#headline .remarks').textContent()) ?? '', /within ± .* for the force\. /);
+  await shown(page, { load: { force: 300 } });
+  assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Approach', 'Contact stiffness']);
+  assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
+});
