@@ -108,11 +108,12 @@ impl Page {
             }
         };
         let (count, style) = (step.history.len(), self.style);
+        let count = format!("{count} iteration{}", if count == 1 { "" } else { "s" });
         let status = match step.status {
-            SolveStatus::Converged => style.green(&format!("converged in {count} iterations")),
-            SolveStatus::NotConverged => style.red(&format!("NOT CONVERGED after {count} iterations")),
-            SolveStatus::Cancelled => style.yellow(&format!("cancelled after {count} iterations")),
-            SolveStatus::TimedOut => style.yellow(&format!("timed out after {count} iterations")),
+            SolveStatus::Converged => style.green(&format!("converged in {count}")),
+            SolveStatus::NotConverged => style.red(&format!("NOT CONVERGED after {count}")),
+            SolveStatus::Cancelled => style.yellow(&format!("cancelled after {count}")),
+            SolveStatus::TimedOut => style.yellow(&format!("timed out after {count}")),
         };
         self.line(&format!("{load} · {status}"));
         self.line("");
