@@ -17,7 +17,7 @@ use uuid::Uuid;
 use super::{
     ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, FieldsReader,
     Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore,
-    KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
+    KeyId, KeyStore, NewJob, Refusals, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
     read_token,
 };
 use crate::telemetry::AUDIT;
@@ -119,6 +119,8 @@ pub struct JobService {
     decoders: Arc<Semaphore>,
     /// Of checks and estimates: those of one key never hold more than one thread of the runtime.
     checks: Turns,
+    /// Keys that had no place left in the queue a moment ago.
+    refusals: Refusals,
     /// Damage was found in the file of the store.
     damaged: AtomicBool,
     /// Until when the store is taken to be well.
@@ -152,6 +154,7 @@ impl JobService {
             waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
             checks: Turns::new(1),
+            refusals: Refusals::default(),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
         }
@@ -215,7 +218,7 @@ impl JobService {
         let turn = self.check_turn(key).await;
         let job = self.new_job(submission)?;
         drop(turn);
-        let enqueued = self.store.enqueue(job).await?;
+        let enqueued = self.store.enqueue(job).await.inspect_err(|error| self.refusals.note(key, error))?;
         log_queued(&enqueued, key);
         Ok(enqueued)
     }
@@ -242,22 +245,28 @@ impl JobService {
         drop(turn);
         let jobs = checked.iter().flatten().cloned().collect();
         let mut taken = self.store.enqueue_all(jobs).await?.into_iter();
-        let of = |job: Result<NewJob, Rejection>| -> Result<Enqueued, SubmitError> {
+        let of = |job: Result<NewJob, SubmitError>| -> Result<Enqueued, SubmitError> {
             job?;
             let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
             Ok(taken.next().unwrap_or_else(|| Err(missing()))?)
         };
         let ended: Vec<_> = checked.into_iter().map(of).collect();
         for (ended, key) in ended.iter().zip(keys) {
-            if let Ok(enqueued) = ended {
-                log_queued(enqueued, key);
+            match ended {
+                Ok(enqueued) => log_queued(enqueued, key),
+                Err(SubmitError::Store(error)) => self.refusals.note(key, error),
+                Err(_) => {}
             }
         }
         Ok(ended)
     }
 
     /// A job that is in order, as it goes into the store.
-    fn new_job(&self, submission: Submission) -> Result<NewJob, Rejection> {
+    fn new_job(&self, submission: Submission) -> Result<NewJob, SubmitError> {
+        // A job that came before may be asked for again although there is no place for another.
+        if submission.idempotency_key.is_none() {
+            self.refusals.check(submission.submitter)?;
+        }
         let (job, estimate) = self.check(&submission.request)?;
         let digest = |text: &[u8]| Sha256::digest(text).into();
         let idempotency =

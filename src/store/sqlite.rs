@@ -191,6 +191,12 @@ fn lock_directory(directory: &Path) -> Result<File, SqliteError> {
     }
 }
 
+/// What the connections to a file and to memory share. Every statement has its index: one that SQLite makes for it alone would go
+/// through the whole table.
+fn connect_options() -> SqliteConnectOptions {
+    SqliteConnectOptions::new().foreign_keys(true).pragma("automatic_index", "off")
+}
+
 impl SqliteDatabase {
     async fn open(
         path: &Path,
@@ -198,13 +204,12 @@ impl SqliteDatabase {
         lock: Option<File>,
         min_free_bytes: u64,
     ) -> Result<Self, sqlx::Error> {
-        let options = SqliteConnectOptions::new()
+        let options = connect_options()
             .filename(path)
             .create_if_missing(true)
             .journal_mode(SqliteJournalMode::Wal)
             .synchronous(SqliteSynchronous::Normal)
             .pragma("journal_size_limit", WAL_BYTES)
-            .foreign_keys(true)
             .busy_timeout(BUSY_TIMEOUT);
         let writer = writer_pool().connect_with(options.clone()).await?;
         migration::run(STEPS, &writer).await?;
@@ -220,10 +225,8 @@ impl SqliteDatabase {
     }
 
     async fn in_memory(bytes: u64, clock: Arc<dyn Clock>) -> Result<Self, sqlx::Error> {
-        let options = SqliteConnectOptions::new()
-            .in_memory(true)
-            .foreign_keys(true)
-            .pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
+        let options =
+            connect_options().in_memory(true).pragma("max_page_count", (bytes / PAGE_BYTES).to_string());
         let writer = writer_pool().connect_with(options).await?;
         migration::run(STEPS, &writer).await?;
         Ok(Self {
@@ -343,5 +346,30 @@ impl WriteTransaction for SqliteTransaction {
     async fn commit(mut self) -> Result<(), StoreError> {
         sqlx::query("COMMIT").execute(&mut *self.0).await?;
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use sqlx::Row as _;
+
+    use super::*;
+    use crate::jobs::SystemClock;
+    use crate::store::sql::SQLITE_HEADS;
+
+    /// The writer waits for no claim however many jobs wait.
+    #[tokio::test]
+    async fn a_claim_looks_the_heads_of_the_queues_up() {
+        let store = SqliteDatabase::in_memory(1 << 20, Arc::new(SystemClock)).await.unwrap();
+        for head in SQLITE_HEADS {
+            let plan = sqlx::query(sqlx::AssertSqlSafe(format!("EXPLAIN QUERY PLAN {head}")));
+            let plan = plan.fetch_all(&store.readers).await.unwrap();
+            let steps: Vec<String> = plan.iter().map(|step| step.get("detail")).collect();
+            for table in ["j", "q", "w"] {
+                let of_table = |step: &&String| step.split(' ').nth(1) == Some(table);
+                let step = steps.iter().find(of_table).unwrap();
+                assert!(step.contains("(flow=?)") || step.contains("id=?"), "{step}");
+            }
+        }
     }
 }

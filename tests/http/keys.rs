@@ -3,6 +3,7 @@
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::process::Command;
+use std::time::Instant;
 
 use crate::curl::{Answer, curl, curl_with_input};
 use crate::server::{DEADLINE, Scratch, Server, example};
@@ -41,6 +42,18 @@ impl Guarded {
         let (header, url) = (format!("Authorization: Bearer {token}"), self.url(path));
         let args = ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
         curl_with_input(&args, example().to_string().into())
+    }
+
+    /// Asks until a solve is refused for a reason: the last refusal stands for a moment.
+    fn refuses(&self, token: &str, reason: &str) {
+        let deadline = Instant::now() + DEADLINE;
+        loop {
+            let problem = self.post(token, "/v1/solve").problem(429, "quota-exceeded");
+            if problem["detail"].as_str().unwrap().starts_with(reason) {
+                return;
+            }
+            assert!(Instant::now() < deadline, "{problem}");
+        }
     }
 
     fn url(&self, path: &str) -> String {
@@ -103,18 +116,17 @@ fn jobs_are_visible_to_their_key_and_to_administrators() {
 fn a_key_has_quotas_and_an_end() {
     let guarded = Guarded::start();
     let token = guarded.key(&["create", "press", "--max-queued", "0", "--max-priority", "3"]);
-    let problem = guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
-    assert_eq!(problem["detail"], "this API key may have 0 jobs waiting, and has them");
-    assert_eq!(problem["quota"], "queued_jobs");
     let problem = guarded.post(&token, "/v1/jobs?priority=4").problem(429, "quota-exceeded");
     assert_eq!(problem["detail"], "jobs of this API key may have priority 3 at most");
     assert_eq!(problem["quota"], "priority");
+    let problem = guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
+    assert_eq!(problem["detail"], "this API key may have 0 jobs waiting, and has them");
+    assert_eq!(problem["quota"], "queued_jobs");
     let listed = guarded.key(&["list"]);
     assert!(listed.ends_with("press, queued <= 0, priority <= 3"), "{listed}");
     let id = listed.split(' ').next().unwrap();
     guarded.key(&["limit", id, "--max-stored", "0"]);
-    let problem = guarded.post(&token, "/v1/solve").problem(429, "quota-exceeded");
-    assert!(problem["detail"].as_str().unwrap().starts_with("the results of this API key may take 0 bytes"));
+    guarded.refuses(&token, "the results of this API key may take 0 bytes");
 
     let next = guarded.key(&["rotate", id]);
     for token in [&token, &next] {
@@ -134,6 +146,23 @@ fn a_key_has_quotas_and_an_end() {
     let admin = guarded.key(&["create", "admin", "--scope", "admin"]);
     let finished = format!("{}?wait=30", job.header("location").unwrap());
     assert_eq!(guarded.ask(&admin, "GET", &finished).json()["status"], "succeeded");
+}
+
+#[test]
+fn a_key_without_places_is_refused_before_its_job_is_read() {
+    let guarded = Guarded::start();
+    let token = guarded.key(&["create", "flood", "--max-queued", "0"]);
+    let (header, url) = (format!("Authorization: Bearer {token}"), guarded.url("/v1/jobs"));
+    let args = ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
+    let was_not_read = (0..100).any(|_| {
+        guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
+        curl_with_input(&args, "{}".into()).status == 429
+    });
+    assert!(was_not_read, "whoever is refused and asks again within a quarter of a second is not looked at");
+    let deadline = Instant::now() + DEADLINE;
+    while curl_with_input(&args, "{}".into()).status != 422 {
+        assert!(Instant::now() < deadline, "a refusal does not stand for ever");
+    }
 }
 
 #[test]

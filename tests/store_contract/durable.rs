@@ -60,7 +60,9 @@ async fn what_one_process_does_another_hears() {
     let heard = async { while !at_worker.changed().await.cancel_requested {} };
     timeout(DEADLINE, heard).await.expect("the wish to stop is heard of");
     there.finish(&lease, SolveStatus::Cancelled).await.unwrap();
-    timeout(DEADLINE, at_client.finished()).await.expect("the end is heard of");
+    while !here.get(id).await.state.is_finished() {
+        timeout(DEADLINE, at_client.changed()).await.expect("the end is heard of");
+    }
     assert_eq!(here.head(id).await, HEAD);
 }
 

@@ -243,28 +243,34 @@ macro_rules! claiming {
 
 /// The job that goes next: the first of the flow whose virtual time is the least. A flow that has had nothing to do does not
 /// make up for it: its time is that of the job handed out last. A key with as many jobs running as it may is passed over.
+///
+/// SQLite joins crossed tables as they are written: flows are few and the head of each is looked up. Left to itself it goes through all that wait.
 macro_rules! head_of_queue {
     ($which:literal, $lock:literal) => {
         concat!(
             "SELECT f.id, f.interactive,
-                 EXISTS (SELECT 1 FROM flows g JOIN jobs w ON w.flow = g.id AND w.state = 'queued'
-                     WHERE g.submitter = f.submitter AND g.id <> f.id),
+                 EXISTS (SELECT 1 FROM flows g CROSS JOIN jobs w
+                     WHERE g.submitter = f.submitter AND g.id <> f.id AND w.flow = g.id AND w.state = 'queued'),
                  CASE WHEN f.virtual_time > s.virtual_time THEN f.virtual_time ELSE s.virtual_time END,
                  j.id, j.memory, j.losses - 1, j.work
-             FROM scheduler s CROSS JOIN flows f
-             JOIN jobs j ON j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1",
+             FROM scheduler s CROSS JOIN flows f CROSS JOIN jobs j
+             WHERE j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1",
             $which,
             "    ORDER BY q.priority DESC, q.id LIMIT 1) AND j.state = 'queued'
-             WHERE f.submitter = $3
-                 OR (SELECT count(*) FROM jobs r JOIN flows g ON g.id = r.flow WHERE r.state = 'running' AND g.submitter = f.submitter)
-                     < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = f.submitter), $2)
+                 AND (f.submitter = $3
+                     OR (SELECT count(*) FROM jobs r JOIN flows g ON g.id = r.flow WHERE r.state = 'running' AND g.submitter = f.submitter)
+                         < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = f.submitter), $2))
              ORDER BY 4, j.id LIMIT 1",
             $lock
         )
     };
 }
 
-claiming!(Sqlite, SqliteConnection, "", "", head_of_queue!("", ""), head_of_queue!(" AND q.short", ""));
+/// Of SQLite, of any job and of a short one.
+pub(in crate::store) const SQLITE_HEADS: [&str; 2] =
+    [head_of_queue!("", ""), head_of_queue!(" AND q.short", "")];
+
+claiming!(Sqlite, SqliteConnection, "", "", SQLITE_HEADS[0], SQLITE_HEADS[1]);
 // Claims of several workers take turns on the one row of `scheduler`; a job that is just being cancelled is passed over.
 claiming!(
     Postgres,

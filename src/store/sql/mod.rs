@@ -30,6 +30,8 @@ use crate::jobs::{
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
 use claiming::Claiming;
+#[cfg(test)]
+pub(super) use claiming::SQLITE_HEADS;
 use deliveries::Deliveries;
 use intake::{Intake, Savepoint};
 use leasing::Leasing;
