@@ -22,6 +22,9 @@ const HEAD: usize = 13;
 /// An empty block that is marked as the last, with fixed codes.
 const LAST_BLOCK: [u8; 2] = [3, 0];
 
+/// End of the empty block by which a flush is marked.
+const FLUSHED: [u8; 4] = [0, 0, 0xff, 0xff];
+
 /// The head of a gzip stream: deflate, no name, no time, unknown system.
 const GZIP_HEAD: [u8; 10] = [0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 255];
 
@@ -46,22 +49,19 @@ impl Deflated {
     /// # Errors
     /// [`DeflateError`] if the compressor fails, which it does not.
     pub fn compress(text: &[u8]) -> Result<Self, DeflateError> {
-        let mut packed = Vec::with_capacity(HEAD + text.len() / 3 + 64);
+        // In one call: a compressor that ran out of room in a flush does not end it without more text.
+        let mut packed = Vec::with_capacity(HEAD + longest(text.len()));
         head_of(text, &mut packed);
         let mut compress = Compress::new(Compression::fast(), false);
-        loop {
-            packed.reserve(text.len() / 8 + 1024);
-            let read = usize::try_from(compress.total_in()).map_err(|_| DeflateError("too long"))?;
-            let rest = text.get(read..).unwrap_or_default();
-            compress
-                .compress_vec(rest, &mut packed, FlushCompress::Full)
-                .map_err(|_| DeflateError("the compressor failed"))?;
-            // A flush is complete when the output was not filled.
-            let all_read = compress.total_in() == text.len() as u64;
-            if all_read && packed.len() < packed.capacity() {
-                return Ok(Self(packed.into()));
-            }
+        compress
+            .compress_vec(text, &mut packed, FlushCompress::Full)
+            .map_err(|_| DeflateError("the compressor failed"))?;
+        let is_whole = compress.total_in() == text.len() as u64 && packed.ends_with(&FLUSHED);
+        if !is_whole {
+            return Err(DeflateError("the compressor did not come to an end"));
         }
+        packed.shrink_to_fit();
+        Ok(Self(packed.into()))
     }
 
     /// A short text as it is, for what stands between two compressed ones.
@@ -129,6 +129,11 @@ impl Deflated {
     }
 }
 
+/// Bytes to which a text of this length is compressed at most: codes have nine bits where the text has eight.
+const fn longest(length: usize) -> usize {
+    length + length / 8 + 1024
+}
+
 fn head_of(text: &[u8], packed: &mut Vec<u8>) {
     packed.push(VERSION);
     packed.extend(crc32fast::hash(text).to_le_bytes());
@@ -186,6 +191,28 @@ mod tests {
         }
         assert!(Deflated::compress(&vec![b' '; 200_000]).unwrap().into_bytes().len() < 2000);
         assert_eq!(Deflated::stored(b",").text().unwrap(), ",");
+    }
+
+    /// Where a compressor has no more room is not the same for texts of different lengths.
+    #[test]
+    fn texts_of_any_length_are_read_back() {
+        let figures = texts().pop().unwrap();
+        for length in (40_000..120_000).step_by(331) {
+            let text = &figures[..length];
+            assert!(Deflated::compress(text).unwrap().text().unwrap() == text, "{length} bytes");
+        }
+        // Nothing to compress.
+        let mut seed = 1_u32;
+        let noise: Vec<u8> = std::iter::repeat_with(|| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            seed.to_be_bytes()[0]
+        })
+        .take(300_000)
+        .collect();
+        for length in (0..noise.len()).step_by(7919) {
+            let text = &noise[..length];
+            assert!(Deflated::compress(text).unwrap().text().unwrap() == text, "{length} bytes of noise");
+        }
     }
 
     #[test]
