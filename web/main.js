@@ -6,7 +6,7 @@ import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
 import { isObject, kept } from './lib/kept.js';
 import { same } from './lib/pointer.js';
-import { duration } from './lib/units.js';
+import { duration, forceOf } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
 import { showTitle, startKeys, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
@@ -29,7 +29,9 @@ import { Watch } from './result/watch.js';
 const COLOURS = ['--curve-1', '--curve-2', '--curve-3', '--curve-4', '--curve-5', '--curve-6'];
 /** Their dashes, for eyes and paper that do not tell colours apart. */
 const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2, 2]];
-const KEPT = 'draft';
+/** What this tab keeps of the draft: the job, and the address at which it was changed last. */
+const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
+const WELCOME = 'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 startTheme();
 const draft = new Draft();
@@ -104,8 +106,22 @@ const list = new JobList({
   current: () => current?.id,
 });
 
+/** Leaves out of the comparison what has another kind of force: whole in axisymmetry, for each length otherwise. */
+function leaveUnlike() {
+  const unlike = [...compared.values()].filter(({ job }) => first && forceOf(job) !== forceOf(first.job));
+  for (const { id } of unlike) {
+    compared.delete(id);
+    chosen.delete(id);
+  }
+  if (unlike.length > 0)
+    toast(
+      'An axisymmetric job and a plane one are not compared: the force of one is whole, that of the other per length',
+    );
+}
+
 function show() {
   if (!first) return;
+  leaveUnlike();
   const shown = [first, ...[...compared.values()].filter(({ id }) => id !== first?.id)];
   const labels = names(shown);
   view.show(shown.map((one, k) => ({ ...one, label: labels[k] })));
@@ -129,17 +145,18 @@ async function solve() {
   if (damaged) return refuse(`The JSON beside is not a job: ${damaged}`);
   button.disabled = true;
   draft.settle();
+  const job = structuredClone(draft.job);
   try {
-    const job = structuredClone(draft.job);
     const { id } = await post('v1/jobs', job);
     refuse('');
     live.stop();
     current = { id, job };
-    history.pushState(null, '', `#job=${id}`);
+    history.pushState(null, '', link.jobFragment(id, [...compared.keys()]));
+    keep();
     follow(id);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
-    if (error.status === 422 || error.status === 400) check.refuse(error);
+    if (error.status === 422 || error.status === 400) check.refuse(error, job);
     form.focusFault();
     refuse(refusal(error));
   } finally {
@@ -183,27 +200,41 @@ function follow(id) {
   compareWithDraft();
 }
 
+/** Shows no job. @param {string} words that say why */
+function leave(words) {
+  watch.stop();
+  live.stop();
+  first = undefined;
+  current = undefined;
+  compareWithDraft();
+  showTitle();
+  nothing(words);
+  list.refresh();
+}
+
+/** Keeps the draft for when this tab is loaded again. */
+function keep() {
+  sessionStorage.setItem(KEPT, JSON.stringify(draft.job));
+  sessionStorage.setItem(KEPT_AT, location.hash);
+}
+
 /** The job that was asked for last: answers may overtake each other. */
 let wanted = '';
 
-/** Shows a job that somebody made. @param {string} id */
-async function open(id) {
+/** Shows a job that somebody made. @param {string} id @param {boolean} edited whether the draft has been changed since it was shown */
+async function open(id, edited) {
   wanted = id;
   if (current?.id === id) return;
   try {
     const job = await ask(`v1/jobs/${id}/request`);
     if (wanted !== id) return;
     current = { id, job };
-    draft.replace(job, 'link');
+    if (!edited) draft.replace(job, 'link');
     follow(id);
   } catch (error) {
     if (wanted !== id) return;
     const { status, message } = error instanceof Problem ? error : { status: -1, message: String(error) };
-    watch.stop();
-    first = undefined;
-    current = undefined;
-    showTitle();
-    nothing(
+    leave(
       status === 404
         ? 'This link leads to a job that is not here: removed after its time, or made on another service.'
         : status === 401
@@ -228,9 +259,14 @@ async function compare(id, on) {
     chosen.delete(id);
     compared.delete(id);
   }
-  const others = [...compared.keys()].filter((one) => one !== current?.id);
-  if (current) history.replaceState(null, '', link.jobFragment(current.id, others));
   show();
+  nameCompared();
+}
+
+/** Writes into the address, and into the list, what is compared. */
+function nameCompared() {
+  const others = [...compared.keys()].filter((one) => one !== current?.id);
+  if (current?.id) history.replaceState(null, '', link.jobFragment(current.id, others));
   list.show();
 }
 
@@ -257,26 +293,32 @@ async function compareOnly(wanted, still) {
   list.show();
 }
 
-/** Does what the address says. */
-async function applyAddress() {
+/** Does what the address says. @param {boolean} [edited] whether the draft has been changed at this address */
+async function applyAddress(edited = false) {
   view.closeReport();
   const address = location.hash;
   const { job, compared: others, draft: packed } = link.read();
   if (job) {
-    await open(job);
+    await open(job, edited);
     return compareOnly(others, () => location.hash === address);
   }
   wanted = '';
-  if (packed) {
-    const definition = await link.unpack(packed).catch(() => undefined);
-    if (isObject(definition)) return draft.replace(definition, 'link');
-    toast('The link is damaged');
+  if (packed === undefined || edited) {
+    if (current?.id) leave(WELCOME);
+    return view.preview(check.hertz, draft.job);
   }
+  const definition = await link.unpack(packed).catch(() => undefined);
+  if (location.hash !== address) return;
+  leave(isObject(definition) ? WELCOME : 'This link is damaged: it does not carry a whole definition.');
+  draft.replace(isObject(definition) ? definition : (examples[0]?.job ?? {}), 'link');
 }
+
+/** Jobs to begin with. @type {{title: string, job: import('./types.js').Job}[]} */
+let examples = [];
 
 async function begin() {
   const served = await ask('v1/examples').catch(() => ({ examples: [] }));
-  const examples = examplesOf(served.examples);
+  examples = examplesOf(served.examples);
   const choice = /** @type {HTMLSelectElement} */ (byId('example'));
   choice.append(...examples.map(({ title }) => h('option', { value: title }, title)));
   choice.addEventListener('change', () => {
@@ -288,10 +330,10 @@ async function begin() {
   });
   const before = kept(sessionStorage, KEPT, (job) => (isObject(job) ? job : undefined));
   draft.replace(before ?? examples[0]?.job ?? {}, before ? 'kept' : 'example');
-  nothing('Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.');
-  draft.addEventListener('change', () => sessionStorage.setItem(KEPT, JSON.stringify(draft.job)));
-  await applyAddress();
-  addEventListener('hashchange', applyAddress);
+  nothing(WELCOME);
+  draft.addEventListener('change', keep);
+  await applyAddress(before !== undefined && sessionStorage.getItem(KEPT_AT) === location.hash);
+  addEventListener('hashchange', () => applyAddress());
 }
 
 byId('solve').addEventListener('click', (event) => {
@@ -330,7 +372,8 @@ addEventListener('keydown', (event) => {
 });
 onReconnect(() => {
   refuse('');
-  applyAddress();
+  // A definition that the address carries has come, and may have been changed since.
+  if (link.read().job) applyAddress();
   list.refresh();
 });
 byId('restore').addEventListener('click', () => {

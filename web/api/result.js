@@ -97,5 +97,14 @@ function start() {
     if (data.status === 401) keyWanted();
     asker?.reject(new Problem(data.status, data.problem.detail ?? 'the service does not answer', data.problem));
   });
+  // Its program did not come: the next question starts another.
+  started.addEventListener('error', () => {
+    if (worker !== started) return;
+    worker = undefined;
+    const askers = [...waiting.values()];
+    waiting.clear();
+    reportLost();
+    for (const { reject } of askers) reject(new Problem(0, 'the service does not answer', {}));
+  });
   return started;
 }

@@ -17,6 +17,9 @@ import { plain } from '../lib/units.js';
  * @property {number} factor from lengths of the job to those shown
  */
 
+/** Width that the scale of colours takes. */
+const SCALE = 84;
+
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
 export function drawOverlay(
   canvas,
@@ -91,9 +94,12 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation) {
   context.lineJoin = 'round';
   context.lineWidth = 3;
   context.strokeStyle = '#000';
-  context.strokeText(text, px + 9, py + 4);
+  // Beside the scale of colours there is no room.
+  const { width } = context.measureText(text);
+  const at = px + 9 + width > camera.width - SCALE && px - 9 - width > 0 ? px - 9 - width : px + 9;
+  context.strokeText(text, at, py + 4);
   context.fillStyle = '#fff';
-  context.fillText(text, px + 9, py + 4);
+  context.fillText(text, at, py + 4);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {Over['colours']} colours @param {string} unit @param {number} factor */

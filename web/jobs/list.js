@@ -4,7 +4,7 @@ import { ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
-import { writeHistory } from '../setup/history.js';
+import { historyWords } from '../setup/history.js';
 import { NAMES, finished } from '../result/watch.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
@@ -167,7 +167,7 @@ function loadWords(job) {
   const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
   const figures =
     kind === 'history'
-      ? writeHistory(value)
+      ? historyWords(value)
       : Array.isArray(value)
         ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
         : plain(Number(value));

@@ -1,16 +1,19 @@
 /** What jobs differ in, and names for them that say it. */
 
-import { allFields } from '../setup/fields.js';
-import { plain } from '../lib/units.js';
-import { writeHistory } from '../setup/history.js';
+import { jobIn } from '../setup/draft.js';
+import { DEFAULTS, allFields } from '../setup/fields.js';
+import { forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { historyWords } from '../setup/history.js';
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{pointer: string, label: string, symbol: string, values: unknown[]}} Difference */
+/** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[]}} Difference */
 
 const FIELDS = new Map(allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]));
 const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
+/** What holds where a job says nothing. */
+const USUAL = /** @type {Record<string, unknown>} */ (DEFAULTS);
 /** Parts that change no answer. */
-const LEFT = new Set(['tags', 'output']);
+const LEFT = new Set(['tags', 'output', 'units']);
 
 /** Every figure and word of a job. @param {any} part @param {string} pointer @returns {Generator<[string, unknown]>} */
 function* leaves(part, pointer = '') {
@@ -20,16 +23,26 @@ function* leaves(part, pointer = '') {
       if (pointer !== '' || !LEFT.has(key)) yield* leaves(one, `${pointer}/${key}`);
 }
 
-/** @param {Job[]} jobs @returns {Difference[]} */
+/** @param {Job[]} jobs @returns {Difference[]} with figures in the units of the first */
 export function differences(jobs) {
-  const maps = jobs.map((job) => new Map(leaves(job)));
+  const [first] = jobs;
+  const units = unitsOf(first);
+  const alike = jobs.map((job) => (unitsOf(job) === units ? job : jobIn(job, units)));
+  const maps = alike.map((job) => new Map(leaves(job)));
   const all = [...new Set(maps.flatMap((map) => [...map.keys()]))];
   // A force and a sweep of forces are both the load of their job.
   const loads = all.filter((pointer) => pointer.startsWith('/load/'));
   const pointers = loads.length > 1 ? ['/load', ...all.filter((pointer) => !loads.includes(pointer))] : all;
-  for (const map of maps) map.set('/load', map.get(loads.find((pointer) => map.has(pointer)) ?? ''));
+  for (const map of maps) {
+    const load = loads.find((pointer) => map.has(pointer)) ?? '';
+    map.set('/load', load === '/load/onset' ? 'onset of yield' : map.get(load));
+  }
   return pointers
-    .map((pointer) => ({ pointer, ...nameOf(pointer), values: maps.map((map) => map.get(pointer)) }))
+    .map((pointer) => ({
+      pointer,
+      ...nameOf(pointer, first),
+      values: maps.map((map) => map.get(pointer) ?? USUAL[pointer]),
+    }))
     .filter(({ values }) => new Set(values.map((value) => JSON.stringify(value))).size > 1)
     .sort((a, b) => rank(a.pointer) - rank(b.pointer));
 }
@@ -37,15 +50,20 @@ export function differences(jobs) {
 /** Loads tell most, then what bodies are; settings of the solver least. @param {string} pointer */
 const rank = (pointer) => (pointer.startsWith('/load') ? 0 : /^\/(upper|lower)/.test(pointer) ? 1 : 2);
 
-/** @param {string} pointer */
-function nameOf(pointer) {
-  if (pointer === '/load') return { label: 'Load', symbol: 'P' };
+/** @param {string} pointer @param {Job} job of whose units it is */
+function nameOf(pointer, job) {
+  if (pointer === '/load') return { label: 'Load', symbol: 'P', unit: '' };
   const parts = pointer.split('/').slice(1);
   const key = parts[parts.length - 1];
   const field = FIELDS.get(key);
   const body = BODIES[parts[0]];
   const label = field?.label ?? key.replaceAll('_', ' ');
-  return { label: body ? `${body} ${label.toLowerCase()}` : label, symbol: field?.symbol ?? label.toLowerCase() };
+  const quantity = field?.quantity === 'load' ? forceOf(job) : field?.quantity;
+  return {
+    label: body ? `${body} ${label.toLowerCase()}` : label,
+    symbol: field?.symbol ?? label.toLowerCase(),
+    unit: quantity ? unit(quantity, unitsOf(job)) : '',
+  };
 }
 
 /** @param {unknown} value */
@@ -54,14 +72,32 @@ export function writeValue(value) {
   if (typeof value === 'number') return plain(value);
   if (Array.isArray(value) && value[0]?.modulus !== undefined)
     return value.map(({ modulus, rate }) => `${plain(modulus)}, ${plain(rate)}`).join('; ');
-  if (Array.isArray(value) && value[0]?.depth !== undefined) return `${value.length} points`;
-  if (Array.isArray(value) && typeof value[0] === 'object' && !Array.isArray(value[0])) return writeHistory(value);
+  if (Array.isArray(value) && isHistory(value)) return historyWords(value);
   if (Array.isArray(value))
-    return value.every((one) => typeof one === 'number')
-      ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
+    return value.every(isNumber)
+      ? [...new Set([value[0], value[value.length - 1]])].map(plain).join(' … ')
       : `${value.length} points`;
   return String(value).replaceAll('_', ' ');
 }
+
+/** Numbers, loads or rows that are written out in a report. */
+const MOST = 60;
+
+/** The same, with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
+export function writeWhole(value) {
+  if (!Array.isArray(value) || value[0]?.modulus !== undefined) return writeValue(value);
+  if (value.length > MOST)
+    return value.every(isNumber) ? `${writeValue(value)}, ${value.length} in all` : writeValue(value);
+  if (value.every(isNumber)) return value.map(plain).join(' ');
+  if (isHistory(value)) return historyWords(value, MOST);
+  return value.map((row) => Object.values(row).map(plain).join(' ')).join('; ');
+}
+
+/** @param {unknown} value */
+const isNumber = (value) => typeof value === 'number';
+
+/** @param {any[]} value */
+const isHistory = ([first]) => first?.force !== undefined || first?.approach !== undefined;
 
 /**
  * A short name for each of the jobs: by its tag if tags tell them apart, else by what they differ in.

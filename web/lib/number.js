@@ -29,7 +29,7 @@ export function commas(text) {
  */
 export function readNumber(text, meaning) {
   const plain = tidy(text);
-  if (NUMBER.test(plain)) return { value: Number(plain) };
+  if (NUMBER.test(plain)) return valueOf(plain, text);
   const means = meaning ?? commas(plain);
   if (means === null) {
     const [whole, part] = plain.split(',');
@@ -37,8 +37,23 @@ export function readNumber(text, meaning) {
   }
   const converted =
     means === 'decimal' ? plain.replaceAll('.', '').replace(',', '.') : means ? plain.replaceAll(',', '') : '';
-  if (NUMBER.test(converted)) return { value: Number(converted) };
+  if (NUMBER.test(converted)) return valueOf(converted, text);
   return { problem: `“${text.trim()}” is not a number` };
+}
+
+/** @param {string} plain @param {string} text as it was typed @returns {Reading} */
+function valueOf(plain, text) {
+  const value = Number(plain);
+  if (!Number.isFinite(value)) return { problem: `“${text.trim()}” is too large for a number` };
+  const vanishes = value === 0 && /[1-9]/.test(plain.replace(/e.*/i, ''));
+  return vanishes ? { problem: `“${text.trim()}” is too close to 0 for a number` } : { value };
+}
+
+/** What stands before the unit, and the unit, where there is one. @param {string} text @returns {{digits: string, name: string}} */
+export function parted(text) {
+  const [, digits = text.trim(), name = ''] =
+    /^\s*([+\-−–]?[\d.,\s'’]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(text) ?? [];
+  return { digits, name };
 }
 
 /**
@@ -46,16 +61,23 @@ export function readNumber(text, meaning) {
  * @param {string} text
  * @param {Quantity | undefined} quantity
  * @param {Units} units
+ * @param {{unit?: string, meaning?: 'decimal' | 'thousands'}} [given] a unit where none stands behind the number; the meaning of commas
  * @returns {Reading}
  */
-export function readQuantity(text, quantity, units) {
-  const [, digits, name] = /^\s*([+\-−]?[\d.,\s]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(text) ?? [];
-  if (!name || !quantity) return readNumber(text);
-  const reading = readNumber(digits);
+export function readQuantity(text, quantity, units, { unit = '', meaning } = {}) {
+  const { digits, name } = parted(text);
+  if (!(name || unit) || !quantity) return readNumber(text, meaning);
+  const reading = readNumber(digits, meaning);
   if ('problem' in reading) return reading;
-  const value = inJobUnits(reading.value, name, quantity, units);
-  return value === undefined ? { problem: `“${name}” is no unit known here for this figure` } : { value };
+  const value = inJobUnits(reading.value, name || unit, quantity, units);
+  return value === undefined ? { problem: `“${name || unit}” is no unit known here for this figure` } : { value };
 }
+
+/** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
+export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
+
+/** Without the spaces that do not break, and the apostrophes, that group digits. @param {string} text */
+export const groupsJoined = (text) => text.replace(/(?<=\d)[\u00a0\u2009\u202f'’](?=\d{3}(?!\d))/g, '');
 
 /** Without spaces that group digits, with a plain minus. @param {string} text */
 const tidy = (text) =>

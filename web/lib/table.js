@@ -1,6 +1,6 @@
 /** Tables of points as spreadsheets and instruments write them. */
 
-import { commas, readNumber } from './number.js';
+import { commas, groupsJoined, parted, readQuantity } from './number.js';
 import { inJobUnits } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
@@ -10,29 +10,41 @@ import { inJobUnits } from './units.js';
 
 /**
  * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
- * headers; a unit that they name is converted.
+ * headers; a unit that they name, or that stands behind a number, is converted.
  * @param {string} text
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
  * @returns {Table} `problem` names the first line at fault
  */
 export function readTable(text, quantities, units) {
-  const lines = text.split(/\r\n?|\n/);
+  const lines = groupsJoined(text).split(/\r\n?|\n/);
   const separator = separatorOf(lines);
   const rows = lines
     .map((line, k) => ({ number: k + 1, cells: cellsOf(line, separator) }))
     .filter(({ cells }) => cells.length);
   const first = rows.findIndex(({ cells }) => cells.some((cell) => /^[+\-−–]?[.,]?\d/.test(cell)));
   const [headers, body] = first < 0 ? [[], rows] : [rows.slice(0, first), rows.slice(first)];
-  const meanings = new Set(body.flatMap(({ cells }) => cells.map(commas)));
+  const meanings = new Set(body.flatMap(({ cells }) => cells.map((cell) => commas(parted(cell).digits))));
   if (meanings.has('decimal') && meanings.has('thousands'))
     return { problem: 'Commas are decimal in some lines and group thousands in others' };
   const meaning = meanings.has('decimal') ? 'decimal' : meanings.has('thousands') ? 'thousands' : undefined;
+  const named = quantities.map((quantity, axis) =>
+    headers
+      .map(({ cells }) => unitIn(cells[axis] ?? ''))
+      .find((found) => found !== undefined && inJobUnits(1, found, quantity, units)),
+  );
+  const counted = quantities.map((_, axis) => body.some(({ cells }) => parted(cells[axis] ?? '').name));
+  const lacking = (/** @type {string[]} */ cells) => {
+    const bare = cells.find((cell, axis) => counted[axis] && !named[axis] && !parted(cell).name && /[1-9]/.test(cell));
+    return bare && { problem: `“${bare}” has no unit, and others of its column have one` };
+  };
   const points = /** @type {number[][]} */ ([]);
   const problems = [];
   for (const { number, cells } of body) {
-    const readings = cells.map((cell) => readNumber(cell, meaning));
-    const fault = readings.find((reading) => 'problem' in reading);
+    const readings = cells.map((cell, axis) =>
+      readQuantity(cell, quantities[axis], units, { unit: named[axis], meaning }),
+    );
+    const fault = readings.find((reading) => 'problem' in reading) ?? lacking(cells);
     if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
     else if (cells.length !== quantities.length)
       problems.push(
@@ -43,15 +55,9 @@ export function readTable(text, quantities, units) {
   if (problems.length) return { problem: problems[0] + more(problems.length - 1) };
   const notes = headers.length ? [`${headers.length} header line${headers.length === 1 ? '' : 's'} skipped`] : [];
   if (meaning === 'decimal') notes.push('decimal commas read');
-  for (const axis of quantities.keys()) {
-    const name = headers
-      .map(({ cells }) => unitIn(cells[axis] ?? ''))
-      .find((found) => found !== undefined && inJobUnits(1, found, quantities[axis], units));
-    const factor = name === undefined ? 1 : (inJobUnits(1, name, quantities[axis], units) ?? 1);
-    if (factor === 1) continue;
-    for (const point of points) point[axis] = Number((point[axis] * factor).toPrecision(12));
-    notes.push(`column ${axis + 1} converted from ${name}`);
-  }
+  for (const [axis, name] of named.entries())
+    if (name && inJobUnits(1, name, quantities[axis], units) !== 1)
+      notes.push(`column ${axis + 1} converted from ${name}`);
   return { points, notes };
 }
 

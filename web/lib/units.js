@@ -81,7 +81,7 @@ export function factor(quantity, from, to) {
  * @returns {number | undefined} in these; `undefined` if the unit is none of this quantity
  */
 export function inJobUnits(value, name, quantity, units) {
-  const given = NAMES[quantity]?.[name.replace('μ', 'µ')];
+  const given = NAMES[quantity]?.[name.replace('μ', 'µ').replace(/\s/g, '')];
   if (given === undefined) return undefined;
   const own = inSi(quantity, SETS[units]);
   return given === own ? value : Number(((value * given) / own).toPrecision(15));

@@ -3,6 +3,7 @@
 import { svg } from '../lib/dom.js';
 import { colour, paper } from '../lib/theme.js';
 import { plain } from '../lib/units.js';
+import { placeWords } from './labels.js';
 
 /** @typedef {import('./chart.js').Plot} Plot */
 /** @typedef {import('./chart.js').Curve} Curve */
@@ -85,7 +86,7 @@ function drawing(plot, title, width, height, colours) {
       { 'clip-path': `url(#${clip})`, fill: 'none' },
       plot.curves.map((curve) => path(curve, x, curve.right ? yr : y)),
     ),
-    ...(plot.marks ?? []).flatMap((mark) => markOf(mark, x, y, box)),
+    ...marksOf(plot, x, y, yr, box),
   );
   return root;
 }
@@ -157,31 +158,41 @@ function path(curve, x, y) {
 /** @param {Curve} curve @returns {number[] | undefined} */
 export const dashOf = (curve) => curve.dash ?? (curve.dashed ? [5, 4] : undefined);
 
-/** @param {import('./chart.js').Mark} mark @param {Axis} x @param {Axis} y @param {{left: number, right: number, top: number, bottom: number}} box */
-function markOf(mark, x, y, box) {
-  const upright = mark.across === 'x';
-  const at = upright ? x.at(mark.at) : y.at(mark.at);
-  const [from, to] = upright ? [box.left, box.right] : [box.top, box.bottom];
-  if (!(at >= from - 0.5 && at <= to + 0.5)) return [];
-  const stroke = ink(mark.colour ?? '--quiet');
-  const d = upright ? `M${at} ${box.top}V${box.bottom}` : `M${box.left} ${at}H${box.right}`;
-  const last = upright ? at + mark.text.length * LETTER + 6 > box.right : !mark.left;
-  const place = upright
-    ? { x: at + (last ? -4 : 4), y: box.top + 12 }
-    : { x: last ? box.right - 4 : box.left + 4, y: at - 4 };
+/** @param {Plot} plot @param {Axis} x @param {Axis} y @param {Axis} yr @param {import('./labels.js').Box} box */
+function marksOf(plot, x, y, yr, box) {
+  const seen = (plot.marks ?? []).flatMap((mark) => {
+    const at = mark.across === 'x' ? x.at(mark.at) : y.at(mark.at);
+    const [from, to] = mark.across === 'x' ? [box.left, box.right] : [box.top, box.bottom];
+    return at >= from - 0.5 && at <= to + 0.5 ? [{ ...mark, at, width: mark.text.length * LETTER }] : [];
+  });
+  const curves = plot.curves.map((curve) =>
+    curve.x.flatMap((value, k) => {
+      const height = curve.y[k];
+      return height === null
+        ? []
+        : [/** @type {[number, number]} */ ([x.at(value), (curve.right ? yr : y).at(height)])];
+    }),
+  );
   return [
-    svg('path', { d, stroke, 'stroke-dasharray': '2 3' }),
-    svg(
-      'text',
-      {
-        ...place,
-        fill: stroke,
-        'text-anchor': last ? 'end' : 'start',
-        stroke: ink('--panel'),
-        'stroke-width': 3,
-        'paint-order': 'stroke',
-      },
-      mark.text,
+    ...seen.map(({ across, at, colour: name }) =>
+      svg('path', {
+        d: across === 'x' ? `M${at} ${box.top}V${box.bottom}` : `M${box.left} ${at}H${box.right}`,
+        stroke: ink(name ?? '--quiet'),
+        'stroke-dasharray': '2 3',
+      }),
+    ),
+    ...placeWords(seen, curves, box).map((place, k) =>
+      svg(
+        'text',
+        {
+          ...place,
+          fill: ink(seen[k].colour ?? '--quiet'),
+          stroke: ink('--panel'),
+          'stroke-width': 3,
+          'paint-order': 'stroke',
+        },
+        seen[k].text,
+      ),
     ),
   ];
 }

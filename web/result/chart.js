@@ -4,6 +4,7 @@ import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { figure, plain } from '../lib/units.js';
 import { bareChart, chartSvg, dashOf } from './chart-svg.js';
+import { placeWords } from './labels.js';
 
 /** @typedef {any} uPlot */
 /**
@@ -207,7 +208,7 @@ export class Chart {
         })),
       ],
       hooks: {
-        draw: [(/** @type {uPlot} */ u) => drawMarks(u, this.#plot?.marks ?? [])],
+        draw: [(/** @type {uPlot} */ u) => drawMarks(u, this.#plot)],
         setCursor: [(/** @type {uPlot} */ u) => this.#read(u.cursor.idx)],
       },
     };
@@ -301,40 +302,46 @@ const decades = (_, splits) => {
   return splits.map((value) => (isDecade(value) && Math.round(Math.log10(value ?? 1)) % every === 0 ? value : null));
 };
 
-/** @param {uPlot} u @param {Mark[]} marks */
-function drawMarks(u, marks) {
+/** @param {uPlot} u @param {Plot | undefined} plot */
+function drawMarks(u, plot) {
   const { ctx, bbox } = u;
   const ratio = devicePixelRatio;
+  const box = { left: bbox.left, right: bbox.left + bbox.width, top: bbox.top, bottom: bbox.top + bbox.height };
   ctx.save();
   ctx.lineWidth = ratio;
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'alphabetic';
   ctx.setLineDash([2 * ratio, 3 * ratio]);
   ctx.font = `${11 * ratio}px system-ui, sans-serif`;
-  for (const mark of marks) {
+  const seen = (plot?.marks ?? []).flatMap((mark) => {
     const at = Math.round(u.valToPos(mark.at, mark.across, true));
-    const [from, to] = mark.across === 'x' ? [bbox.left, bbox.left + bbox.width] : [bbox.top, bbox.top + bbox.height];
-    if (!(at >= from && at <= to)) continue;
-    ctx.strokeStyle = ctx.fillStyle = colour(mark.colour ?? '--quiet');
+    const [from, to] = mark.across === 'x' ? [box.left, box.right] : [box.top, box.bottom];
+    return at >= from && at <= to ? [{ ...mark, at, width: ctx.measureText(mark.text).width }] : [];
+  });
+  for (const { across, at, colour: name } of seen) {
+    ctx.strokeStyle = colour(name ?? '--quiet');
     ctx.beginPath();
-    if (mark.across === 'x') {
-      ctx.moveTo(at, bbox.top);
-      ctx.lineTo(at, bbox.top + bbox.height);
-    } else {
-      ctx.moveTo(bbox.left, at);
-      ctx.lineTo(bbox.left + bbox.width, at);
-    }
+    ctx.moveTo(...(across === 'x' ? /** @type {const} */ ([at, box.top]) : /** @type {const} */ ([box.left, at])));
+    ctx.lineTo(...(across === 'x' ? /** @type {const} */ ([at, box.bottom]) : /** @type {const} */ ([box.right, at])));
     ctx.stroke();
-    const right =
-      mark.across === 'y' ? !mark.left : at + ctx.measureText(mark.text).width + 8 * ratio > bbox.left + bbox.width;
-    const x = mark.across === 'x' ? at : right ? bbox.left + bbox.width : bbox.left;
-    ctx.textAlign = right ? 'right' : 'left';
-    label(
-      ctx,
-      mark.text,
-      x + (right ? -4 : 4) * ratio,
-      mark.across === 'x' ? bbox.top + 12 * ratio : at - 5 * ratio,
-      ratio,
-    );
   }
+  const curves = (plot?.curves ?? []).map(({ x, y, right }) =>
+    x.flatMap((value, k) => {
+      const height = y[k];
+      return height === null
+        ? []
+        : [
+            /** @type {[number, number]} */ ([
+              u.valToPos(value, 'x', true),
+              u.valToPos(height, right ? 'right' : 'y', true),
+            ]),
+          ];
+    }),
+  );
+  placeWords(seen, curves, box, ratio).forEach(({ x, y }, k) => {
+    ctx.fillStyle = colour(seen[k].colour ?? '--quiet');
+    label(ctx, seen[k].text, x, y, ratio);
+  });
   ctx.restore();
 }
 
@@ -349,10 +356,9 @@ function drawMarks(u, marks) {
 function label(ctx, text, x, y, ratio) {
   if (!text) return;
   const { width } = ctx.measureText(text);
-  const left = ctx.textAlign === 'right' ? x - width : x;
   const ink = ctx.fillStyle;
   ctx.fillStyle = colour('--panel');
-  ctx.fillRect(left - 2 * ratio, y - 10 * ratio, width + 4 * ratio, 13 * ratio);
+  ctx.fillRect(x - 2 * ratio, y - 10 * ratio, width + 4 * ratio, 13 * ratio);
   ctx.fillStyle = ink;
   ctx.fillText(text, x, y);
 }

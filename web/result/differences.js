@@ -26,7 +26,7 @@ export class DifferencesPanel {
     this.#content = {
       columns: [{ title: 'in the set-up' }, ...shown.map(({ label }) => ({ title: label }))],
       rows: found.length
-        ? found.map(({ label, values }) => [label, ...values.map(writeValue)])
+        ? found.map(({ label, unit, values }) => [unit ? `${label} [${unit}]` : label, ...values.map(writeValue)])
         : [['nothing: the jobs ask the same', ...shown.map(() => '')]],
       write: String,
     };

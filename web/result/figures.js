@@ -45,7 +45,9 @@ export const strainOf = ({ plasticity }) =>
 export function figuresTable(shown) {
   const [{ report }] = shown;
   const several = shown.length > 1;
-  const figures = FIGURES.map(({ error, ...figure }) => {
+  const figures = FIGURES.filter(({ value }) =>
+    shown.some(({ report }) => report.steps.some((step) => value(step) != null)),
+  ).map(({ error, ...figure }) => {
     const hasBars = error && shown.some(({ report }) => report.steps.some((step) => barOf(step, error)));
     return { ...figure, error: hasBars ? error : undefined };
   });
@@ -56,7 +58,7 @@ export function figuresTable(shown) {
       const kind = quantity(report);
       return [
         { title, unit: kind === 'percent' ? '%' : unit(kind, report.units) },
-        ...(error ? [{ title: '±', unit: '%' }] : []),
+        ...(error ? [{ title: '±', of: title, unit: '%' }] : []),
       ];
     }),
     { title: 'state' },

@@ -11,11 +11,28 @@ import { barOf } from './figures.js';
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 
+/** Why a stiffness is 0. */
+const APART = 'without load the bodies are apart, and nothing resists';
+
 /** @param {Shown} shown @param {number} at */
 export function showHeadline({ job, report }, at) {
   const step = report.steps[at];
-  byId('headline').replaceChildren(h('dl', { class: 'figures' }, figures(job, report, step)), remarks(report, step));
+  const cards = h('dl', { class: 'figures' }, figures(job, report, step));
+  byId('headline').replaceChildren(cards, remarks(report, step));
+  rows.disconnect();
+  rows.observe(cards);
 }
+
+/** Least width of a card. */
+const CARD = 150;
+
+/** Cards in rows of about the same length, so that none stands alone. */
+const rows = new ResizeObserver(([{ target, contentRect }]) => {
+  const many = target.children.length;
+  const fit = Math.max(2, Math.floor(contentRect.width / CARD));
+  const columns = Math.ceil(many / Math.ceil(many / fit));
+  /** @type {HTMLElement} */ (target).style.setProperty('--columns', String(columns));
+});
 
 /** @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {Step} step */
 function figures(job, report, step) {
@@ -77,7 +94,7 @@ function figures(job, report, step) {
       step.contact_stiffness,
       unit(stiffnessOf(report), units),
       barOf(step, 'contact_stiffness'),
-      'dP/dα, slope of load over approach',
+      contact.force > 0 ? 'dP/dα, slope of load over approach' : APART,
     ),
     ...(step.flow
       ? [
@@ -86,7 +103,7 @@ function figures(job, report, step) {
             step.flow.unloading_stiffness,
             unit(stiffnessOf(report), units),
             undefined,
-            'dP/dα where the load begins to fall',
+            contact.force > 0 ? 'dP/dα where the load begins to fall' : APART,
           ),
         ]
       : []),

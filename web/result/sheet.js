@@ -21,12 +21,13 @@ import {
   lawOf,
   loadOf,
   overDepthOf,
+  shapeLabel,
   targetOf,
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
-import { writeValue } from '../jobs/names.js';
+import { writeValue, writeWhole } from '../jobs/names.js';
 import { targetWords } from './headline.js';
 import { FIGURES, barOf, figuresTable, tableElements } from './figures.js';
 
@@ -43,7 +44,7 @@ import { FIGURES, barOf, figuresTable, tableElements } from './figures.js';
 export function showSheet({ shown, at, drawings, field }) {
   const [{ id, job, report, label }] = shown;
   const step = report.steps[at];
-  const bodies = `${nameOf(job, 'upper')} on ${nameOf(job, 'lower')}`;
+  const bodies = pairOf(job);
   const many = report.steps.length;
   const sketch = h(
     'figure',
@@ -123,12 +124,11 @@ export function close() {
   byId('report').focus();
 }
 
-/** @param {Job} job @param {'upper' | 'lower'} body */
-function nameOf(job, body) {
-  const type = job[body]?.shape?.type;
-  return type === 'cylinder' && job.analysis === 'axisymmetric'
-    ? 'sphere'
-    : (SHAPES[type]?.label ?? 'body').toLowerCase();
+/** What is in contact with what. @param {Job} job */
+function pairOf({ analysis, upper, lower }) {
+  const [above, below] = [upper, lower].map((body) => body?.shape?.type);
+  if (above === 'hole' || below === 'hole') return analysis === 'axisymmetric' ? 'ball in socket' : 'pin in hole';
+  return `${shapeLabel(above, analysis)} on ${shapeLabel(below, analysis)}`.toLowerCase();
 }
 
 /** A length in the units of the job again. @param {number} length @param {Shown} shown */
@@ -150,7 +150,7 @@ function inputs(job) {
       'tr',
       {},
       h('th', { scope: 'row' }, name, mark ? [' ', h('i', {}, symbol(mark))] : null),
-      values.map((value) => h('td', {}, value === undefined ? '—' : writeValue(value))),
+      values.map((value) => h('td', {}, value === undefined ? '—' : writeWhole(value))),
       h('td', { class: 'unit' }, of),
     );
   const bodies = [job.upper, job.lower];
@@ -191,9 +191,7 @@ function inputs(job) {
       row(
         'Shape',
         '',
-        bodies.map((body) =>
-          body?.shape?.type === 'cylinder' && job.analysis === 'axisymmetric' ? 'sphere' : body?.shape?.type,
-        ),
+        bodies.map((body) => shapeLabel(body?.shape?.type, job.analysis).toLowerCase()),
         '',
       ),
       fieldsOf(
@@ -228,7 +226,7 @@ function inputs(job) {
       whole(
         load ? [`${load.label} `, h('i', {}, load.symbol ?? '')] : 'Load',
         load
-          ? writeValue(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
+          ? writeWhole(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
           : 'onset of yield',
         load ? unit(load.quantity === 'load' ? forceOf(job) : (load.quantity ?? 'number'), units) : '',
       ),
@@ -247,7 +245,8 @@ function inputs(job) {
 /** The figures of one step, error bar and elastic theory beside them. @param {Shown} shown @param {number} at */
 function answers({ report }, at) {
   const step = report.steps[at];
-  const { hertz } = step;
+  // Without load there is no contact for Hertz's theory to tell of.
+  const hertz = step.contact.force > 0 ? step.hertz : undefined;
   const elastic = /** @type {Record<string, number | undefined>} */ ({
     'peak pressure': hertz?.peak_pressure,
     'half-width': hertz?.half_width,
@@ -255,6 +254,7 @@ function answers({ report }, at) {
       ? hertz.peak_pressure * (report.analysis === 'axisymmetric' ? 2 / 3 : Math.PI / 4)
       : undefined,
   });
+  const hasBars = FIGURES.some(({ error }) => error && barOf(step, error));
   const rows = FIGURES.filter(({ title }) => title !== 'Hertz peak').map(({ title, quantity, value, error }) => {
     const kind = quantity(report);
     const figures = value(step);
@@ -266,13 +266,15 @@ function answers({ report }, at) {
       h('th', { scope: 'row' }, title.startsWith('dP') ? title : title[0].toUpperCase() + title.slice(1)),
       h('td', {}, figure(figures)),
       h('td', { class: 'unit' }, kind === 'percent' ? '%' : unit(kind, report.units)),
-      h('td', {}, bar === undefined ? '' : `± ${percent(bar)}`),
-      h('td', {}, beside ? figure(beside) : ''),
-      h('td', {}, beside && figures ? figure(figures / beside, 3) : ''),
+      hasBars && h('td', {}, bar ? `± ${percent(bar)}` : ''),
+      hertz && [
+        h('td', {}, beside ? figure(beside) : ''),
+        h('td', {}, beside && figures ? figure(figures / beside, 3) : ''),
+      ],
     );
   });
-  const head = ['', '', '', 'error of mesh', 'Hertz, elastic', 'ratio'].map((text) =>
-    text ? h('th', { scope: 'col' }, text) : h('td'),
+  const head = ['', '', '', ...(hasBars ? ['error of mesh'] : []), ...(hertz ? ['Hertz, elastic', 'ratio'] : [])].map(
+    (text) => (text ? h('th', { scope: 'col' }, text) : h('td')),
   );
   return h('table', { class: 'answers' }, h('thead', {}, h('tr', {}, head)), h('tbody', {}, rows));
 }

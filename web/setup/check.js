@@ -60,18 +60,18 @@ export class Check {
     }
   }
 
-  /** @param {Problem} problem a refusal of the job as a whole or in parts */
-  refuse(problem) {
+  /** @param {Problem} problem a refusal of the job as a whole or in parts @param {import('../types.js').Job} job */
+  refuse(problem, job) {
     delete document.body.dataset.check;
     this.valid = false;
-    const others = this.form.showError(problem.errors);
+    const others = this.form.showError(problem.errors, job);
     const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, inWords(problem.message))] : [];
     const rest = others.map(({ pointer, detail }) =>
       h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
     );
     byId('check').replaceChildren(...whole, ...rest);
     const { estimate } = problem.body;
-    byId('cost').textContent = estimate ? cost(estimate, this.draft.job) : '';
+    byId('cost').textContent = estimate ? cost(estimate, job) : '';
   }
 
   /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation */
@@ -80,7 +80,7 @@ export class Check {
     if (problem?.status === 0) return;
     delete document.body.dataset.check;
     if (problem) {
-      this.refuse(problem);
+      this.refuse(problem, job);
     } else {
       this.valid = true;
       this.form.showError([]);

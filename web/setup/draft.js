@@ -1,6 +1,6 @@
 /** The job being set up: one document that the form, the JSON and the sketch show and change. */
 
-import { convert, forceOf } from '../lib/units.js';
+import { convert, forceOf, unitsOf } from '../lib/units.js';
 import * as pointer from '../lib/pointer.js';
 import {
   BACKSTRESS,
@@ -96,17 +96,21 @@ export class Draft extends EventTarget {
 
   /** The same physics in other units. @param {Units} units @param {string} source */
   changeUnits(units, source) {
-    const from = this.job.units === 'SI' ? 'SI' : 'mm_N_MPa';
-    const job = structuredClone(this.job);
-    convertAll(job, from, units);
-    job.units = units;
-    this.replace(job, source);
+    this.replace(jobIn(this.job, units), source);
   }
 
   /** @param {string} source */
   #changed(source) {
     this.dispatchEvent(new CustomEvent('change', { detail: source }));
   }
+}
+
+/** @param {Job} given @param {Units} units @returns {Job} the same physics in other units */
+export function jobIn(given, units) {
+  const job = structuredClone(given);
+  convertAll(job, unitsOf(given), units);
+  job.units = units;
+  return job;
 }
 
 /** @param {Job} job whose figures are changed @param {Units} from @param {Units} to */

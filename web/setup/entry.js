@@ -5,6 +5,7 @@ import { readQuantity } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { help } from './help.js';
 import { historyControl } from './history.js';
+import { listControl } from './list.js';
 import { pointsControl, termsControl } from './points.js';
 import { slider } from './slider.js';
 
@@ -170,12 +171,9 @@ function flagControl(id) {
   };
 }
 
-/** @param {string} id @param {'decimal' | 'text'} mode */
-const box = (id, mode) => h('input', { id, type: 'text', inputmode: mode, autocomplete: 'off', spellcheck: 'false' });
-
 /** @param {Field} field @param {string} id @param {Surroundings} surroundings @returns {Control} */
 function numberControl(field, id, { units, quantity }) {
-  const input = box(id, 'decimal');
+  const input = h('input', { id, type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' });
   const reading = (/** @type {string} */ typed) => readQuantity(typed, quantity(field), units());
   // What is no number stays in the draft as it is typed, and is refused there.
   const read = (/** @type {string} */ typed) => {
@@ -191,52 +189,6 @@ function numberControl(field, id, { units, quantity }) {
       return 'problem' in result ? result.problem : '';
     },
   };
-}
-
-/** @param {Field} field @param {string} id @param {Surroundings} surroundings @returns {Control} */
-function listControl(field, id, { units, quantity }) {
-  const input = box(id, 'text');
-  const reading = (/** @type {string} */ part) => readQuantity(part, quantity(field), units());
-  return {
-    input,
-    ...text(
-      input,
-      (typed) => readList(typed, reading),
-      (value) => (Array.isArray(value) ? value.join(' ') : (value ?? '')),
-    ),
-    problem: (value) => {
-      if (!Array.isArray(value)) return '';
-      const faults = value.flatMap((one, k) => {
-        const result = typeof one === 'string' ? reading(one) : { value: one };
-        return 'problem' in result ? [`number ${k + 1}: ${result.problem}`] : [];
-      });
-      return faults.length > 1 ? `${faults[0]} (and ${faults.length - 1} more)` : (faults[0] ?? '');
-    },
-  };
-}
-
-/**
- * @param {string} text numbers, or `first…last/count`
- * @param {(part: string) => import('../lib/number.js').Reading} reading
- * @returns {unknown[]} parts that are no numbers as they stand
- */
-export function readList(text, reading) {
-  const range = /^\s*(\S+?)\s*(?:…|\.\.\.?)\s*(\S+?)\s*\/\s*(\d+)\s*$/.exec(text);
-  if (range) {
-    const [first, last] = [reading(range[1]), reading(range[2])];
-    const many = Math.min(Number(range[3]), 1000);
-    if ('value' in first && 'value' in last) {
-      const step = (last.value - first.value) / Math.max(1, many - 1);
-      return Array.from({ length: many }, (_, k) => Number((first.value + step * k).toPrecision(8)));
-    }
-  }
-  return text
-    .split(/[\s;]+|,\s+/)
-    .filter(Boolean)
-    .map((part) => {
-      const result = reading(part);
-      return 'value' in result ? result.value : part;
-    });
 }
 
 /** @param {string} text */

@@ -1,6 +1,7 @@
 /** What a job is made of: the fields of every shape, hardening law and setting, and sensible values to begin with. */
 
 import { isObject } from '../lib/kept.js';
+import { numberOf } from '../lib/number.js';
 import * as pointer from '../lib/pointer.js';
 import { convert, unitsOf } from '../lib/units.js';
 import * as tables from './tables.js';
@@ -27,6 +28,13 @@ import * as tables from './tables.js';
 
 /** @type {Record<string, Kind>} */
 export const SHAPES = mapValues(tables.SHAPES, withHints);
+
+/** Shapes that have another name when they are turned about the axis. @type {Record<string, string | undefined>} */
+const TURNED = named({ cylinder: 'Sphere', hole: 'Socket' });
+
+/** @param {string} type @param {unknown} analysis @returns {string} what a shape is called */
+export const shapeLabel = (type, analysis) =>
+  (analysis === 'axisymmetric' && TURNED[type]) || SHAPES[type]?.label || 'Body';
 
 /** @type {Record<string, Kind>} */
 export const LAWS = named({
@@ -226,7 +234,7 @@ export const DEFAULTS = {
  * @returns {Record<string, any>}
  */
 export function shapeLike(type, old) {
-  const size = Number(old?.radius ?? old?.depth) || 20;
+  const size = numberOf(old?.radius ?? old?.depth) || 20;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   switch (type) {
     case 'block':
@@ -261,8 +269,8 @@ export function shapeLike(type, old) {
 export function plasticityLike(law, material) {
   if (!LAWS[law]?.fields.length) return undefined;
   const old = material?.plasticity ?? {};
-  const modulus = Number(material?.young_modulus) || 210000;
-  const strength = Number(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
+  const modulus = numberOf(material?.young_modulus) || 210000;
+  const strength = numberOf(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   // Typical figures are those of a steel of 500 MPa; a slope grows with the modulus, a stress with the strength.
   const scaled = (/** @type {any} */ value, /** @type {string | undefined} */ quantity, /** @type {string} */ key) =>

@@ -2,6 +2,7 @@
 
 import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
+import { numberOf } from '../lib/number.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { entry, symbol } from './entry.js';
 import {
@@ -25,6 +26,7 @@ import {
   loadOf,
   overDepthOf,
   plasticityLike,
+  shapeLabel,
   shapeLike,
   targetOf,
   typicalInitialStress,
@@ -39,12 +41,14 @@ import { curvePreview, initialStressPreview, profilePreview } from './preview.js
 /** @typedef {import('../api/client.js').FieldError} FieldError */
 
 const SOURCE = 'form';
+/** Loads [mm, N] where there was none. */
+const TYPICAL = { force: 600, approach: 0.02 };
 
 export class Form {
   /** @type {Map<string, {entry: import('./entry.js').Entry, field: Field}>} by pointer */
   #fields = new Map();
   #shape = '';
-  /** What the service has said of each field. @type {Map<string, string>} */
+  /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
 
   /**
@@ -60,9 +64,10 @@ export class Form {
 
   /**
    * @param {FieldError[]} errors
+   * @param {import('../types.js').Job} [job] that they are of
    * @returns {FieldError[]} those that no field is responsible for
    */
-  showError(errors) {
+  showError(errors, job = this.draft.job) {
     const messages = /** @type {Map<string, string[]>} */ (new Map());
     const others = [];
     for (const error of errors) {
@@ -73,7 +78,7 @@ export class Form {
     this.#reported = new Map(
       [...messages].map(([place, [first, ...more]]) => [
         place,
-        more.length ? `${first} (and ${more.length} more)` : first,
+        { message: more.length ? `${first} (and ${more.length} more)` : first, of: valueIn(job, place) },
       ]),
     );
     this.#showErrors();
@@ -81,7 +86,12 @@ export class Form {
   }
 
   #showErrors() {
-    for (const [place, { entry }] of this.#fields) entry.showError(this.#reported.get(place) ?? '');
+    for (const [place, { entry }] of this.#fields) {
+      const reported = this.#reported.get(place);
+      // A message is of the value that was at fault, not of what stands there since.
+      const holds = reported && pointer.same(reported.of, valueIn(this.draft.job, place));
+      entry.showError(holds ? reported.message : '');
+    }
   }
 
   /** How many fields are wrong. */
@@ -124,7 +134,7 @@ export class Form {
     this.#shape = shape;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
-      entry.show(this.#value(place), /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
+      entry.show(valueIn(job, place), /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
       if (quantity) entry.setUnit(unit(quantity, units));
       if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
@@ -148,18 +158,6 @@ export class Form {
     place('shape')?.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
     place('stress')?.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
     place('curve')?.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
-  }
-
-  /** @param {string} place */
-  #value(place) {
-    if (place.endsWith('/depth_kind'))
-      return overDepthOf(pointer.get(this.draft.job, place.replace('/plasticity/depth_kind', '')));
-    if (place.endsWith('/stress_kind'))
-      return hasInitialStress(pointer.get(this.draft.job, place.replace('/stress_kind', ''))) ? 'given' : 'none';
-    if (place.endsWith('/law')) return lawOf(pointer.get(this.draft.job, place.replace('/law', '')));
-    if (place === '/load/kind') return loadOf(this.draft.job.load);
-    if (place === '/load/target_kind') return targetOf(this.draft.job.load);
-    return pointer.get(this.draft.job, place);
   }
 
   /** @param {string} body */
@@ -217,12 +215,7 @@ export class Form {
       { 'data-preset': body, onchange: (/** @type {Event} */ event) => this.#usePreset(body, event) },
       presetOptions(),
     );
-    const shapes = Object.fromEntries(
-      Object.entries(SHAPES).map(([key, { label }]) => [
-        key,
-        key === 'cylinder' && job.analysis === 'axisymmetric' ? 'Sphere' : label,
-      ]),
-    );
+    const shapes = Object.fromEntries(Object.keys(SHAPES).map((key) => [key, shapeLabel(key, job.analysis)]));
     return h(
       'fieldset',
       {},
@@ -433,26 +426,42 @@ export class Form {
   /** @param {string} kind */
   #useLoad(kind) {
     if (kind === 'target') return this.#useTarget('peak_pressure');
-    const old = this.draft.job.load ?? {};
-    const highest = Math.max(...(old.history ?? []).map((/** @type {any} */ load) => load.force ?? 0));
-    const one = Number(old.force ?? old.forces?.at(-1) ?? highest) || 600;
-    const deep = Number(old.approach ?? old.approaches?.at(-1)) || 0.02;
+    const { job } = this.draft;
+    const { load: old } = job;
+    const units = unitsOf(job);
+    // What is no list yet is text as it was typed.
+    const inTurn = (/** @type {string} */ key) => (Array.isArray(old?.[key]) ? old[key] : []);
+    const last = (/** @type {string} */ key) => numberOf(inTurn(key).at(-1));
+    const highest = Math.max(...inTurn('history').map((load) => numberOf(load?.force) || 0));
+    const one = [numberOf(old?.force), last('forces'), highest].find((force) => force > 0);
+    const deep = [numberOf(old?.approach), last('approaches')].find((approach) => approach > 0);
+    const force = one ?? convert(TYPICAL.force, forceOf(job), 'mm_N_MPa', units);
+    const approach = deep ?? convert(TYPICAL.approach, 'length', 'mm_N_MPa', units);
     const sweep = (/** @type {number} */ end) =>
       Array.from({ length: 10 }, (_, k) => Number(((end * (k + 1)) / 10).toPrecision(6)));
     const loads = /** @type {Record<string, unknown>} */ ({
-      force: one,
-      forces: sweep(one),
-      approach: deep,
-      approaches: sweep(deep),
-      history: [{ force: one }, { force: 0 }],
+      force,
+      forces: sweep(force),
+      approach,
+      approaches: sweep(approach),
+      history: [{ force }, { force: 0 }],
       onset: true,
     });
     // Only flow theory knows what a load leaves behind.
-    const job = structuredClone(this.draft.job);
-    job.load = { [kind]: loads[kind] };
-    if (kind === 'history') job.solver = { ...job.solver, theory: 'flow' };
-    this.draft.replace(job, SOURCE);
+    const solver = kind === 'history' ? { solver: { ...job.solver, theory: 'flow' } } : {};
+    this.draft.replace({ ...job, load: { [kind]: loads[kind] }, ...solver }, SOURCE);
   }
+}
+
+/** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
+function valueIn(job, place) {
+  const within = (/** @type {string} */ end) => pointer.get(job, place.slice(0, -end.length));
+  if (place.endsWith('/plasticity/depth_kind')) return overDepthOf(within('/plasticity/depth_kind'));
+  if (place.endsWith('/stress_kind')) return hasInitialStress(within('/stress_kind')) ? 'given' : 'none';
+  if (place.endsWith('/law')) return lawOf(within('/law'));
+  if (place === '/load/kind') return loadOf(job.load);
+  if (place === '/load/target_kind') return targetOf(job.load);
+  return pointer.get(job, place);
 }
 
 /** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */

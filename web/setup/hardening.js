@@ -1,5 +1,7 @@
 /** Hardening curves: from figures of a tensile test to plastic strain and true stress, and every law as a curve. */
 
+import { numberOf } from '../lib/number.js';
+
 /** @typedef {[number, number]} Point */
 
 /**
@@ -48,7 +50,7 @@ const round = (value) => Number(value.toPrecision(7));
  */
 export function curve(material) {
   const law = material?.plasticity;
-  const E = Number(material?.young_modulus);
+  const E = numberOf(material?.young_modulus);
   if (!law || !(E > 0)) return undefined;
   const y = law.yield_stress;
   const curves = /** @type {Record<string, (p: number) => number>} */ ({

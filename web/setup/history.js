@@ -1,7 +1,9 @@
 /** A field for loads that follow each other: forces, and approaches behind an α. */
 
 import { h } from '../lib/dom.js';
-import { readQuantity } from '../lib/number.js';
+import { numberOf } from '../lib/number.js';
+import { plain } from '../lib/units.js';
+import { partsOf, readParts } from './list.js';
 
 /** @typedef {{force: number} | {approach: number}} HistoryLoad */
 
@@ -13,6 +15,19 @@ export const writeHistory = (history) =>
     ? history.map((load) => (load?.approach === undefined ? String(load?.force) : `α${load.approach}`)).join(' ')
     : String(history ?? '');
 
+/** Loads that are written out where there is little room. */
+const FEW = 4;
+
+/** @param {unknown} history @param {number} [most] loads that are written out @returns {string} as it is read */
+export function historyWords(history, most = FEW) {
+  if (!Array.isArray(history)) return writeHistory(history);
+  const load = (/** @type {any} */ one) =>
+    one?.approach === undefined ? plain(numberOf(one?.force)) : `α ${plain(numberOf(one.approach))}`;
+  if (history.length <= most) return history.map(load).join(' → ');
+  const last = history[history.length - 1];
+  return `${load(history[0])} → … → ${load(last)}, ${history.length} loads`;
+}
+
 /**
  * @param {string} text
  * @param {import('../lib/units.js').Quantity} force
@@ -20,18 +35,15 @@ export const writeHistory = (history) =>
  * @returns {{loads: HistoryLoad[]} | {problem: string}}
  */
 export function readHistory(text, force, units) {
-  const loads = /** @type {HistoryLoad[]} */ ([]);
-  for (const [k, part] of text
-    .replace(/α\s+/g, 'α')
-    .split(/[\s;→]+|,\s+/)
-    .filter(Boolean)
-    .entries()) {
+  const parts = partsOf(text).map((part) => {
     const far = APPROACH.exec(part)?.[1];
-    const reading = readQuantity(far ?? part, far ? 'length' : force, units);
-    if ('problem' in reading) return { problem: `load ${k + 1}: ${reading.problem}` };
-    loads.push(far ? { approach: reading.value } : { force: reading.value });
-  }
-  return { loads };
+    return far
+      ? { text: far, quantity: /** @type {const} */ ('length'), key: 'approach' }
+      : { text: part, quantity: force, key: 'force' };
+  });
+  const readings = readParts(parts, units, 'load');
+  if ('problem' in readings) return readings;
+  return { loads: parts.map(({ key }, k) => /** @type {HistoryLoad} */ ({ [key]: readings.values[k] })) };
 }
 
 /**

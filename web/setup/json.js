@@ -16,7 +16,7 @@ export function startJson(draft) {
     if (!typed) return text.hasAttribute('aria-invalid') ? (state.textContent ?? '') : '';
     typed = false;
     try {
-      const job = JSON.parse(text.value);
+      const job = JSON.parse(text.value, finite);
       if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
       draft.replace(job, SOURCE);
       return '';
@@ -36,6 +36,12 @@ export function startJson(draft) {
     later();
   });
   return read;
+}
+
+/** @param {string} key @param {unknown} value @returns {unknown} the same, unless it is a number that JSON cannot carry on */
+function finite(key, value) {
+  if (typeof value === 'number' && !Number.isFinite(value)) throw new Error(`“${key}” is too large for a number`);
+  return value;
 }
 
 /** Two spaces, with lists of numbers and small objects on one line. @param {unknown} value @returns {string} */

@@ -5,6 +5,7 @@
 
 import { Problem } from '../api/client.js';
 import { solveNow } from '../api/result.js';
+import { numberOf } from '../lib/number.js';
 
 /** Elements per half-width while the slider moves. */
 export const COARSE = 10;
@@ -28,7 +29,7 @@ export class Live {
   /** @param {Job} job @param {boolean} moving whether more is to come */
   ask(job, moving) {
     const copy = structuredClone(job);
-    const elements = Number(job.mesh?.elements_per_half_width ?? 20);
+    const elements = numberOf(job.mesh?.elements_per_half_width ?? 20);
     const solved =
       moving && elements > COARSE ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: COARSE } } : copy;
     this.#next = { job: copy, solved };

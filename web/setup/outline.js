@@ -3,10 +3,12 @@
  * so that the material lies below.
  */
 
+import { numberOf } from '../lib/number.js';
+
 /** @typedef {[number, number]} Point */
 /**
- * @typedef {{surface: Point[], base: number, edge?: Point[]}} Outline the surface from left to right, closed by straight sides to
- * the height `base`; of a body around a hole the whole circle, and its outer edge
+ * @typedef {{surface: Point[], base: number, edge?: Point[], broken?: boolean}} Outline the surface from left to right, closed by straight sides to
+ * the height `base`; of a body around a hole the whole circle, and its outer edge, or `broken` off where that is far away
  */
 
 const STEPS = 48;
@@ -26,12 +28,12 @@ export function outline(shape) {
 
 /** @param {Record<string, any> | undefined} shape @returns {Outline | null} */
 function outlineOf(shape) {
-  const [radius, width, depth] = [shape?.radius, shape?.width, shape?.depth].map(Number);
+  const [radius, width, depth] = [shape?.radius, shape?.width, shape?.depth].map(numberOf);
   switch (shape?.type) {
     case 'cylinder':
       return radius > 0 ? { surface: arc(radius, radius, -1), base: -radius } : null;
     case 'hole':
-      return hole(radius, Number(shape?.outer_radius ?? 0), Number(shape?.width ?? 0));
+      return hole(radius, numberOf(shape?.outer_radius ?? 0), numberOf(shape?.width ?? 0));
     case 'block':
       return width > 0 && depth > 0
         ? {
@@ -53,6 +55,9 @@ function outlineOf(shape) {
   }
 }
 
+/** Part of a body around a hole that is drawn, in radii of the hole. */
+const AROUND = 2;
+
 /**
  * @param {number} radius
  * @param {number} outer radius of its edge, or 0
@@ -60,8 +65,9 @@ function outlineOf(shape) {
  * @returns {Outline | null}
  */
 function hole(radius, outer, width) {
-  const half = outer || width / 2;
-  if (!(radius > 0 && half > radius)) return null;
+  const given = outer || width / 2;
+  if (!(radius > 0 && given > radius)) return null;
+  const half = Math.min(given, AROUND * radius);
   const lift = (/** @type {Point[]} */ points) => points.map(([x, y]) => /** @type {Point} */ ([x, y + radius]));
   const square = /** @type {Point[]} */ ([
     [-half, -half],
@@ -69,7 +75,8 @@ function hole(radius, outer, width) {
     [half, half],
     [-half, half],
   ]);
-  return { surface: lift(circle(radius)), base: radius - half, edge: lift(outer ? circle(half) : square) };
+  const edge = lift(outer ? circle(half) : square);
+  return { surface: lift(circle(radius)), base: radius - half, edge, broken: half < given };
 }
 
 /** @param {number} radius @returns {Outline | null} a cylinder in a hole, whole */
@@ -88,7 +95,7 @@ function circle(radius) {
 
 /** @param {Record<string, any> | undefined} shape @returns {Outline | null} of a shape whose height is a formula */
 function smooth(shape) {
-  const number = (/** @type {string} */ key) => Number(shape?.[key] ?? 0);
+  const number = (/** @type {string} */ key) => numberOf(shape?.[key] ?? 0);
   const [width, depth] = [number('width'), number('depth')];
   const flank = Math.tan((number('angle') * Math.PI) / 180);
   switch (shape?.type) {

@@ -1,6 +1,7 @@
 /** A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of what they make. */
 
 import { h } from '../lib/dom.js';
+import { numberOf } from '../lib/number.js';
 import { columnsInWords, readTable } from '../lib/table.js';
 import { unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
@@ -71,7 +72,7 @@ export function pointsControl(field, id, change, { units, parent }) {
     const result = work(/** @type {Pair[]} */ (points));
     if (!same(result.points, points)) put(result.points, [result.note]);
   };
-  const modulus = () => Number(parent()?.young_modulus);
+  const modulus = () => numberOf(parent()?.young_modulus);
   const shapes = quantities[1] === 'length' ? heights(convert) : [];
   const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : shapes;
   return {

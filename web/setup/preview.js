@@ -1,6 +1,7 @@
 /** Small pictures beside the fields: a profile with its heights exaggerated, a hardening curve. */
 
 import { h, svg } from '../lib/dom.js';
+import { numberOf } from '../lib/number.js';
 import { plain, unit } from '../lib/units.js';
 import { curve } from './hardening.js';
 import { outline } from './outline.js';
@@ -41,7 +42,7 @@ export function profilePreview(shape, units) {
 export function curvePreview(material, units) {
   const stress = curve(material);
   if (!stress) return [];
-  const modulus = Number(material?.young_modulus);
+  const modulus = numberOf(material?.young_modulus);
   const law = material?.plasticity;
   const last = law.law === 'table' ? law.points.at(-1)[0] : 0;
   const reach = Math.max(0.02, Math.min(last, 0.5));

@@ -1,9 +1,10 @@
 /** The two bodies to scale, how they are held, what presses them, and how wide Hertz's contact is. */
 
 import { byId, svg } from '../lib/dom.js';
+import { numberOf } from '../lib/number.js';
 import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from './fields.js';
-import { writeHistory } from './history.js';
+import { historyWords } from './history.js';
 import { outline, pin } from './outline.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
@@ -31,7 +32,7 @@ export function picture(job, hertz) {
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
   const bodies = shapes.map((shape) =>
-    inHole && shape?.type === 'cylinder' && outline(shape) ? pin(Number(shape.radius)) : outline(shape),
+    inHole && shape?.type === 'cylinder' && outline(shape) ? pin(numberOf(shape.radius)) : outline(shape),
   );
   const root = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words(job) });
   const drawn = bodies.filter((body) => body !== null);
@@ -88,11 +89,12 @@ function drawBody(body, up, of, scale, size) {
     const edge = closed(body.edge);
     return [
       svg('path', {
-        class: `body${of?.material?.rigid ? ' rigid' : ''}`,
+        class: `body around${of?.material?.rigid ? ' rigid' : ''}`,
         'fill-rule': 'evenodd',
         d: edge + closed(body.surface),
       }),
-      svg('path', { class: 'held', fill: 'none', d: edge }),
+      svg('path', { class: 'rim', fill: 'none', d: closed(body.surface) }),
+      svg('path', { class: body.broken ? 'broken' : 'held', fill: 'none', d: edge }),
       svg('text', { x: 8, y: scale(0, up * body.base)[1] - up * 8 }, size),
     ];
   }
@@ -113,8 +115,8 @@ function drawBody(body, up, of, scale, size) {
 function sizeWords(of, body, length) {
   const { type, radius } = of?.shape ?? {};
   if (!body) return '';
-  if (type === 'cylinder') return `R ${plain(Number(radius))} ${length}`;
-  if (type === 'groove' || type === 'hole') return `${type} R ${plain(Number(radius))} ${length}`;
+  if (type === 'cylinder') return `R ${plain(numberOf(radius))} ${length}`;
+  if (type === 'groove' || type === 'hole') return `${type} R ${plain(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
   return `${plain(right - left)} × ${plain(-body.base)} ${length}`;
 }
@@ -148,7 +150,7 @@ function load(job, upper, scale) {
   /** @type {number[]} */
   const list = [value].flat().filter((one) => Number.isFinite(one));
   const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : plain(list[0]);
-  const figures = kind === 'history' ? writeHistory(value) : range;
+  const figures = kind === 'history' ? historyWords(value) : range;
   const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
   const text =
     kind === 'onset' || kind === 'target'

@@ -1,6 +1,7 @@
 /** A slider beside a figure, that solves as it moves. */
 
 import { h } from '../lib/dom.js';
+import { numberOf } from '../lib/number.js';
 
 /** Steps from one end to the other. */
 const STEPS = 200;
@@ -43,7 +44,7 @@ export function slider({ name, value, bounds, typical, move }) {
       'aria-pressed': 'false',
       title: `Move ${name.toLowerCase()} by a slider and see it solved at once`,
       onclick: () => {
-        const figure = Number(value() ?? 0);
+        const figure = numberOf(value() ?? 0);
         const open = !element.firstChild && Number.isFinite(figure);
         button.setAttribute('aria-pressed', String(open));
         if (!open) return element.replaceChildren();

@@ -79,7 +79,7 @@ for (const hash of [
     `the link ${hash} says what is wrong with it`,
     async (page) => {
       await page
-        .getByText(/The link is damaged|This link leads to|not an? |must be/)
+        .getByText(/This link is damaged|This link leads to|not an? |must be/)
         .first()
         .waitFor();
       await page.locator('[data-place="/load/force"]').waitFor();

@@ -99,7 +99,7 @@ service.test(
     assert.equal(new Set(dashes).size, dashes.length, dashes.join(' | '));
     assert.equal(await page.locator('#panel-differences tbody tr').count(), 1);
     assert.deepEqual(await page.locator('#panel-differences tbody td').allTextContents(), [
-      'Force',
+      'Force [N/mm]',
       '300',
       '400',
       '500',

@@ -1,0 +1,71 @@
+/** Jobs laid over each other: what they differ in, and which can be compared at all. */
+
+import assert from 'node:assert/strict';
+import { suite } from '../browser.js';
+import { follow, shown, solved } from '../jobs.js';
+
+const service = suite();
+const ROWS = '#panel-differences tbody tr';
+
+/** The reference problem in SI. */
+const SI = {
+  units: 'SI',
+  ...Object.fromEntries(
+    ['upper', 'lower'].map((body) => [
+      body,
+      {
+        shape: { type: 'cylinder', radius: 0.02 },
+        material: {
+          young_modulus: 210e9,
+          poisson_ratio: 0.3,
+          plasticity: { law: 'bilinear', yield_stress: 500e6, tangent_modulus: 10.5e9 },
+        },
+      },
+    ]),
+  ),
+};
+
+service.test('jobs in other units differ in nothing but what they ask, which has its unit', async (page) => {
+  const [mm, si] = [
+    await solved(page, { load: { force: 300 } }),
+    await solved(page, { ...SI, load: { force: 400e3 } }),
+  ];
+  await follow(page, `job=${mm}&with=${si}`);
+  await page.locator(ROWS).first().waitFor();
+  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Force [N/mm]', '300', '400']);
+  await page.locator('#panel-pressure .legend').getByText('P 400', { exact: true }).waitFor();
+  await follow(page, `job=${si}&with=${mm}`);
+  await page.locator(ROWS).getByText('Force [N/m]').waitFor();
+  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Force [N/m]', '400000', '300000']);
+});
+
+service.test('the onset of yield is called so beside a force', async (page) => {
+  const [one, onset] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { onset: true } })];
+  await follow(page, `job=${one}&with=${onset}`);
+  await page.locator(ROWS).first().waitFor();
+  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', '300', 'onset of yield']);
+});
+
+service.test('an axisymmetric job is not laid over a plane one', async (page) => {
+  const other = await solved(page, { analysis: 'axisymmetric', load: { force: 2000 } });
+  const id = await shown(page, { load: { force: 300 } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  const box = page.getByLabel(`Compare ${other.slice(-8)}`);
+  await box.click();
+  await page.getByText('An axisymmetric job and a plane one are not compared').waitFor();
+  assert.equal(await box.isChecked(), false);
+  assert.equal(await page.locator('#panel-figures tbody tr').count(), 1);
+  assert.equal(new URL(page.url()).hash, `#job=${id}`);
+});
+
+service.test('whoever solves again keeps the comparison, and the link has it', async (page) => {
+  const [one, other] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { force: 400 } })];
+  await follow(page, `job=${one}&with=${other}`);
+  await page.locator(ROWS).first().waitFor();
+  await page.getByLabel('Force P').fill('350');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('#headline').getByText('350.00').waitFor();
+  assert.match(new URL(page.url()).hash, new RegExp(`^#job=[-0-9a-f]+&with=${other}$`));
+  await page.reload();
+  await page.locator(`${ROWS} td`).getByText('350').waitFor();
+});

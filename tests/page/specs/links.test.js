@@ -1,0 +1,97 @@
+/** The address says what is seen: damaged links, jobs that are gone, back and forward, loading again. */
+
+import assert from 'node:assert/strict';
+import { suite } from '../browser.js';
+import { draft, follow, shown, solved } from '../jobs.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const service = suite();
+const FORCE = '[data-place="/load/force"] input[type=text]';
+const STALE = 'The set-up has changed since this job was sent.';
+
+/** @param {Page} page @returns {Promise<string>} a link to the definition in the form */
+const definition = (page) =>
+  page.evaluate(async () => {
+    const { draftLink } = await import(/** @type {any} */ ('/web/jobs/link.js'));
+    return draftLink({ ...JSON.parse(sessionStorage.getItem('draft') ?? '{}'), load: { force: 321 } });
+  });
+
+service.test('a damaged link is said to be one, and shows nothing of what was seen before', async (page) => {
+  await page.locator(FORCE).fill('400');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('#headline').getByText('400.00').waitFor();
+  const link = await definition(page);
+  await follow(page, new URL(link.slice(0, -30)).hash);
+  await page.locator('#headline').getByText('This link is damaged').waitFor();
+  assert.equal(await page.locator('#watch *').count(), 0);
+  assert.equal(await page.locator('#panel-figures').isVisible(), false);
+  assert.equal(await page.getByText(STALE).isVisible(), false);
+  assert.equal(await page.locator(FORCE).inputValue(), '612.6106', 'the first example');
+  await page.goBack();
+  await page.locator('#headline').getByText('400.00').waitFor();
+});
+
+service.test('a job that is gone leaves nothing of the one before', async (page) => {
+  await shown(page, { load: { force: 300 } });
+  await page.locator(FORCE).fill('301');
+  await page.getByText(STALE).waitFor();
+  await follow(page, 'job=0197e1f0-0000-7000-8000-000000000000');
+  await page.getByText('This link leads to a job that is not here').waitFor();
+  assert.equal(await page.getByText(STALE).isVisible(), false);
+  assert.equal(await page.locator(FORCE).inputValue(), '301', 'what was set up stays');
+});
+
+service.test('an address without a job shows none', async (page) => {
+  await page.locator(FORCE).fill('400');
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('#headline').getByText('400.00').waitFor();
+  await page.goBack();
+  await page.locator('#headline').getByText('Set up a contact and solve it.').waitFor();
+  await page.locator('#panel-pressure .plot').waitFor();
+  assert.equal(await page.getByRole('button', { name: 'Copy link' }).count(), 0);
+  await page.goForward();
+  await page.locator('#headline').getByText('400.00').waitFor();
+});
+
+service.test('what was changed at an address is kept when it is loaded again', async (page) => {
+  await shown(page, { load: { force: 300 } });
+  await page.locator(FORCE).fill('301');
+  await page.reload();
+  await page.locator('#headline').getByText('300.00').waitFor();
+  await page.getByText(STALE).waitFor();
+  assert.equal(await page.locator(FORCE).inputValue(), '301');
+  const link = await definition(page);
+  await follow(page, new URL(link).hash);
+  await page.waitForFunction(
+    (field) => /** @type {HTMLInputElement} */ (document.querySelector(field))?.value === '321',
+    FORCE,
+  );
+  await page.locator(FORCE).fill('322');
+  await page.reload();
+  await page.getByText('What Hertz').or(page.getByText('Set up a contact')).waitFor();
+  assert.equal((await draft(page)).load.force, 322);
+  assert.equal(await page.locator(FORCE).inputValue(), '322');
+});
+
+service.test('jobs are gone through back and forth in a hurry, and the last one is seen', async (page) => {
+  const forces = [200, 300, 400, 500];
+  for (const force of forces) {
+    const id = await solved(page, { load: { force }, output: { fields: true } });
+    await follow(page, `job=${id}`);
+    await page.locator('#headline').getByText(`${force}.00`).waitFor();
+  }
+  await page.evaluate(async () => {
+    const gone = () => new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
+    for (const step of [-1, -1, -1, 1, -1, 1, 1, -1, -1, 1]) {
+      const there = gone();
+      history.go(step);
+      await there;
+    }
+  });
+  await page.locator('#headline').getByText('300.00').waitFor();
+  assert.equal(await page.locator(FORCE).inputValue(), '300');
+  await page.waitForFunction(() => document.querySelectorAll('#panel-figures tbody tr').length === 1);
+  await page.locator('#panel-figures tbody').getByText('300.00').waitFor();
+  assert.equal(await page.getByText(STALE).isVisible(), false);
+});

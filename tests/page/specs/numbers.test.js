@@ -1,0 +1,137 @@
+/** Figures as people type and paste them: read right, or refused in words; never something else. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { readTable } from '../../../web/lib/table.js';
+import { readHistory } from '../../../web/setup/history.js';
+import { readList } from '../../../web/setup/list.js';
+import { suite } from '../browser.js';
+import { draft } from '../jobs.js';
+
+const service = suite();
+
+test('a list is read as it is meant, or refused', () => {
+  for (const [text, read] of /** @type {[string, number[] | RegExp][]} */ ([
+    ['100 200 300', [100, 200, 300]],
+    ['100, 200 ,300; 400\t500', [100, 200, 300, 400, 500]],
+    ['100,5 200,5', [100.5, 200.5]],
+    ['1’000 2\u202f000 3\u00a0000', [1000, 2000, 3000]],
+    ['100 N/mm; 200 N/mm', [100, 200]],
+    ['0.1 0.2 0.3 kN/mm', [100, 200, 300]],
+    ['100…600/6', [100, 200, 300, 400, 500, 600]],
+    ['0.1 ... 0.3 kN/mm / 3', [100, 200, 300]],
+    ['100,200,300', /^“100,200,300” can be one number or several/],
+    ['1000,500', /^“1000,500” can be one number or two: write 1000\.500, or 1000 500$/],
+    ['1 000 2 000', /^number 2: “1 000” can be one number or two: write 1000 without a space/],
+    ['100,200 300', /^number 1: “100,200” can be read as 100\.200 or as 100200/],
+    ['100 200 N/mm 300', /^write the unit behind each number, or behind the last one for all$/],
+    ['100 0x10', /^number 2: “x10” is no unit/],
+    ['1e400', /^“1e400” is too large for a number$/],
+    ['5 1e-400', /^number 2: “1e-400” is too close to 0/],
+    ['600…100/0', /^a range has 2 to 1000 numbers, not 0$/],
+    ['1…5000/5000', /^a range has 2 to 1000 numbers, not 5000$/],
+    ['100…600', /^a range is written as 100…1200\/12/],
+  ])) {
+    const result = readList(text, 'line_force', 'mm_N_MPa');
+    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    else assert.deepEqual(result, { values: read }, text);
+  }
+});
+
+test('loads in turn are read as they are meant, or refused', () => {
+  for (const [text, read] of /** @type {[string, object[] | RegExp][]} */ ([
+    ['600 → 0 → 600', [{ force: 600 }, { force: 0 }, { force: 600 }]],
+    ['α 0.01 mm, 0', [{ approach: 0.01 }, { force: 0 }]],
+    ['0.6 0 kN/mm α10 α20 µm', [{ force: 600 }, { force: 0 }, { approach: 0.01 }, { approach: 0.02 }]],
+    ['600,0', /^“600,0” can be one number or two: write 600\.0, or 600 0$/],
+    ['100,200,300', /can be one number or several/],
+    ['600 0 x', /^load 2: “x” is no unit known here/],
+  ])) {
+    const result = readHistory(text, 'line_force', 'mm_N_MPa');
+    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    else assert.deepEqual(result, { loads: read }, text);
+  }
+});
+
+test('cells of a table have their units, or those of the header', () => {
+  for (const [text, read] of /** @type {[string, number[][] | RegExp][]} */ ([
+    [
+      '0.1 mm\t5 µm\n0.2 mm\t6 µm',
+      [
+        [0.1, 0.005],
+        [0.2, 0.006],
+      ],
+    ],
+    [
+      'x [mm];h [µm]\n0;0\n1,5;250 nm',
+      [
+        [0, 0],
+        [1.5, 0.00025],
+      ],
+    ],
+    ['1\u202f234,5\t2', [[1234.5, 2]]],
+    ['0\t5 µm\n1\t6', /^line 2: “6” has no unit, and others of its column have one$/],
+    ['0.1 N\t5', /^line 1: “N” is no unit known here/],
+    ['0x10 5', /^line 1: “x10” is no unit known here/],
+    ['0 1e400', /^line 1: “1e400” is too large/],
+  ])) {
+    const result = readTable(text, ['length', 'length'], 'mm_N_MPa');
+    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    else assert.deepEqual('points' in result && result.points, read, text);
+  }
+});
+
+service.test(
+  'a list at fault is refused at its field, stays as it is typed, and may be left for another load',
+  async (page) => {
+    await page.getByLabel('Given').selectOption('forces');
+    const place = page.locator('[data-place="/load/forces"]');
+    await place.locator('input').fill('100,200,300');
+    await place.getByText('“100,200,300” can be one number or several: put spaces between numbers').waitFor();
+    await page.getByRole('button', { name: 'Solve', exact: true }).click();
+    await page.getByText('One field is wrong: the cursor is in it.').waitFor();
+    await page.getByLabel('Radius').first().focus();
+    assert.equal(await place.locator('input').inputValue(), '100,200,300');
+    await place.locator('input').fill('100; 200 N/mm');
+    await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
+    assert.deepEqual((await draft(page)).load.forces, [100, 200]);
+    await page.getByLabel('Given').selectOption('history');
+    await page.locator('[data-place="/load/history"] input').fill('600,0');
+    await page.locator('[data-place="/load/history"]').getByText('can be one number or two').waitFor();
+    await page.getByLabel('Units').selectOption('SI');
+    await page.getByLabel('Given').selectOption('approach');
+    assert.deepEqual((await draft(page)).load, { approach: 2e-5 });
+  },
+);
+
+service.test('what is no figure is not drawn as one, and is no place for a slider', async (page) => {
+  const place = page.locator('[data-place="/upper/shape/radius"]');
+  await place.locator('input').fill('0x10');
+  await place.getByText('“x10” is no unit known here for this figure').waitFor();
+  assert.doesNotMatch((await page.locator('#sketch').textContent()) ?? '', /R 16/);
+  await place.getByRole('button', { name: 'Slider' }).click();
+  assert.equal(await place.getByRole('slider').count(), 0);
+  await page.getByRole('button', { name: 'JSON', exact: true }).click();
+  const text = page.locator('#json-text');
+  await text.fill((await text.inputValue()).replace('612.6106', '1e400'));
+  await page.locator('#json-state').getByText('“force” is too large for a number').waitFor();
+});
+
+service.test('a message goes with the figure that it is about', async (page) => {
+  const place = page.locator('[data-place="/load/force"]');
+  const force = place.locator('input[type=text]');
+  await force.fill('-5');
+  await place.getByText('must be greater than 0').waitFor();
+  let letGo = () => {};
+  const held = new Promise((resolve) => {
+    letGo = () => resolve(undefined);
+  });
+  await page.route('**/v1/validate', async (route) => {
+    await held;
+    await route.continue().catch(() => {});
+  });
+  await force.fill('5');
+  assert.equal(await place.locator('.error').isVisible(), false);
+  assert.equal(await force.getAttribute('aria-invalid'), 'false');
+  letGo();
+});

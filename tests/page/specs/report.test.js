@@ -1,0 +1,92 @@
+/** What the sheet for a report says of each kind of job. */
+
+import assert from 'node:assert/strict';
+import { PHONE, suite } from '../browser.js';
+import { follow, shown, solved } from '../jobs.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const service = suite();
+
+/** @param {Page} page */
+async function sheet(page) {
+  await page.getByRole('button', { name: 'Report' }).click();
+  const place = page.getByRole('main', { name: 'Report' });
+  await place.locator('.answers').waitFor();
+  return place;
+}
+
+service.test('every force of a sweep is written, and every load of a history', async (page) => {
+  await shown(page, { load: { forces: [100, 150, 200, 280, 300] } });
+  await (await sheet(page)).getByRole('row', { name: 'Forces P 100 150 200 280 300 N/mm' }).waitFor();
+  await page.keyboard.press('Escape');
+  const history = [300, 0, 400, 0, 500, 0].map((force) => ({ force }));
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const whole = await sheet(page);
+  await whole.getByRole('row', { name: 'Loads in turn P 300 → 0 → 400 → 0 → 500 → 0 N/mm' }).waitFor();
+});
+
+service.test('a step without load has no columns of Hertz, and says why its stiffness is 0', async (page) => {
+  await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  const stiffness = page.locator('#headline dl > div', { hasText: 'Contact stiffness' });
+  await stiffness.getByText('without load the bodies are apart').waitFor();
+  const place = await sheet(page);
+  assert.equal(await place.locator('.answers').getByText('Hertz').count(), 0);
+  await page.keyboard.press('Escape');
+  await page.getByLabel('Step', { exact: true }).fill('0');
+  await stiffness.getByText('slope of load over approach').waitFor();
+  assert.equal(await (await sheet(page)).locator('.answers').getByText('Hertz').count(), 1);
+});
+
+const HOLE = { type: 'hole', radius: 10.02, outer_radius: 100 };
+const ELASTIC = { young_modulus: 210000, poisson_ratio: 0.3 };
+for (const [analysis, name, force] of /** @type {const} */ ([
+  ['plane_strain', 'pin in hole', 1000],
+  ['axisymmetric', 'ball in socket', 1000],
+]))
+  service.test(`a ${name} is called so, and is seen in the sketch`, async (page) => {
+    await shown(page, {
+      analysis,
+      upper: { shape: { type: 'cylinder', radius: 10 }, material: ELASTIC },
+      lower: { shape: HOLE, material: ELASTIC },
+      load: { force },
+    });
+    // The pin takes a good part of what is drawn around it.
+    await page.waitForFunction(() => {
+      const [pin, around] = ['.body:not(.around)', '.broken'].map(
+        (part) => document.querySelector(`#sketch ${part}`)?.getBoundingClientRect().height,
+      );
+      return pin && around && pin > 0.4 * around;
+    });
+    const place = await sheet(page);
+    assert.equal((await place.getByRole('heading', { level: 1 }).textContent())?.toLowerCase(), name);
+  });
+
+service.test(
+  'a report of jobs compared is no wider than the narrowest phone',
+  async (page) => {
+    const ids = [];
+    for (const force of [300, 400]) ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
+    await follow(page, `job=${ids[0]}&with=${ids[1]}`);
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    await sheet(page);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320);
+    const beyond = await page
+      .locator('#sheet table.inputs :is(td, th)')
+      .evaluateAll((all) => all.filter((one) => one.getBoundingClientRect().right > innerWidth).length);
+    assert.equal(beyond, 0);
+  },
+  { ...PHONE, viewport: { width: 320, height: 700 } },
+);
+
+service.test('cards stand in rows of about the same length', async (page) => {
+  await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  const cards = page.locator('#headline dl.figures > div');
+  for (const width of [1440, 1250, 1100]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForFunction((width) => innerWidth === width, width);
+    const tops = await cards.evaluateAll((all) => all.map((one) => Math.round(one.getBoundingClientRect().top)));
+    const rows = [...new Set(tops)].map((top) => tops.filter((one) => one === top).length);
+    assert.ok(Math.min(...rows) > 1, `${width}: ${rows}`);
+  }
+});

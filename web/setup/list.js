@@ -1,0 +1,119 @@
+/** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
+
+import { h } from '../lib/dom.js';
+import { groupsJoined, parted, readQuantity } from '../lib/number.js';
+import { inJobUnits } from '../lib/units.js';
+
+/** @typedef {import('../lib/units.js').Quantity} Quantity */
+/** @typedef {import('../lib/units.js').Units} Units */
+/** @typedef {{text: string, quantity: Quantity | undefined}} Part one number, a unit behind it */
+/** @typedef {{values: number[]} | {problem: string}} Readings */
+
+/** Most numbers that the service takes. */
+const MOST = 1000;
+
+/** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
+export function partsOf(text) {
+  const parts = /** @type {string[]} */ ([]);
+  for (const part of groupsJoined(text)
+    .replace(/α\s+/g, 'α')
+    .split(/\s*[;→]\s*|\s*,\s+|\s+,\s*|\s+/)
+    .filter(Boolean)) {
+    const isUnit = !/^([αa]=?)?[+\-−–.,]*\d/i.test(part);
+    if (isUnit && parts.length) parts[parts.length - 1] += ` ${part}`;
+    else parts.push(part);
+  }
+  return parts;
+}
+
+/**
+ * Reads each of the parts; the unit behind the last one of a quantity is that of all of them.
+ * @param {Part[]} parts
+ * @param {Units} units of the job
+ * @param {string} name of a part in messages
+ * @returns {Readings}
+ */
+export function readParts(parts, units, name = 'number') {
+  const values = [];
+  const problems = [];
+  for (const [k, { text, quantity }] of parts.entries()) {
+    const alike = parts.filter((part) => part.quantity === quantity).map((part) => parted(part.text).name);
+    const own = alike.slice(0, -1).some(Boolean);
+    if (own && !alike.every(Boolean))
+      return { problem: 'write the unit behind each number, or behind the last one for all' };
+    const problem = severalIn(text, parts.length === 1, parts[k - 1]?.text ?? '');
+    const last = alike[alike.length - 1];
+    const shared = !own && quantity && inJobUnits(1, last, quantity, units) ? last : '';
+    const reading = problem ? { problem } : readQuantity(text, quantity, units, { unit: shared });
+    if ('problem' in reading)
+      problems.push(parts.length > 1 ? `${name} ${k + 1}: ${reading.problem}` : reading.problem);
+    else values.push(reading.value);
+  }
+  const [first, ...more] = problems;
+  return first ? { problem: more.length ? `${first} (and ${more.length} more)` : first } : { values };
+}
+
+/**
+ * What may be one number or several.
+ * @param {string} text
+ * @param {boolean} alone whether it is all there is
+ * @param {string} before the number before it
+ * @returns {string | undefined} what is not clear about it
+ */
+function severalIn(text, alone, before) {
+  const { digits } = parted(text);
+  const commas = digits.match(/\d,(?=\d)/g)?.length ?? 0;
+  if (commas > 1) return `“${digits}” can be one number or several: put spaces between numbers`;
+  if (commas === 1 && alone && !/^\D*0,/.test(digits) && !digits.includes('.')) {
+    const [left, right] = digits.split(',');
+    return `“${digits}” can be one number or two: write ${left}.${right}, or ${left} ${right}`;
+  }
+  return /^[+\-−–]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
+    ? `“${before} ${digits}” can be one number or two: write ${before}${digits} without a space`
+    : undefined;
+}
+
+/**
+ * @param {string} text numbers, or `first…last/count`
+ * @param {Quantity | undefined} quantity
+ * @param {Units} units of the job
+ * @returns {Readings}
+ */
+export function readList(text, quantity, units) {
+  const read = (/** @type {string[]} */ parts) =>
+    readParts(
+      parts.map((part) => ({ text: part, quantity })),
+      units,
+    );
+  if (!/…|\.\./.test(text)) return read(partsOf(text));
+  const [, from, to, count] = /^\s*(.+?)\s*(?:…|\.{2,3})\s*(.+?)\s*\/\s*(\d+)\s*$/.exec(text) ?? [];
+  if (!count) return { problem: 'a range is written as 100…1200/12: from, to, how many' };
+  const many = Number(count);
+  if (many < 2 || many > MOST) return { problem: `a range has 2 to ${MOST} numbers, not ${count}` };
+  const ends = read([from, to].map(groupsJoined));
+  if ('problem' in ends) return ends;
+  const [first, last] = ends.values;
+  const step = (last - first) / (many - 1);
+  return { values: Array.from({ length: many }, (_, k) => Number((first + step * k).toPrecision(8))) };
+}
+
+/** @param {import('./fields.js').Field} field @param {string} id @param {import('./entry.js').Surroundings} surroundings @returns {import('./entry.js').Control} */
+export function listControl(field, id, { units, quantity }) {
+  const input = h('input', { id, type: 'text', inputmode: 'text', autocomplete: 'off', spellcheck: 'false' });
+  const reading = (/** @type {string} */ text) => readList(text, quantity(field), units());
+  return {
+    input,
+    // What is at fault stays in the draft as it is typed, and is refused there.
+    read: () => {
+      const result = reading(input.value);
+      return 'values' in result ? result.values : input.value;
+    },
+    write: (value) => {
+      input.value = Array.isArray(value) ? value.join(' ') : (value ?? '');
+    },
+    problem: (value) => {
+      const result = typeof value === 'string' ? reading(value) : undefined;
+      return result && 'problem' in result ? result.problem : '';
+    },
+  };
+}
