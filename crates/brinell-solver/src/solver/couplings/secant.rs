@@ -4,12 +4,12 @@
 use super::Coupling;
 use crate::contact::ContactProblem;
 use crate::fem::assembly::StressField;
-use crate::solver::SolveError;
-use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::elastic_body::refactor;
 use crate::solver::body_system::system::{Response, total_flexibility};
 use crate::solver::couplings::iteration::{Iteration, Outcome, State};
+use crate::solver::error::checkpoint;
 use crate::solver::phases::Phase;
+use crate::solver::{Interrupt, SolveError};
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
@@ -28,38 +28,55 @@ impl Coupling for SecantStiffness {
 
 fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
-    // The elastic factors are there already.
-    let mut factors: Vec<Cholesky> = system.bodies.iter().map(|body| body.factor.clone()).collect();
-    let mut start = system.zeros();
+    let mut factors = None;
+    let mut previous: Option<Response> = None;
     loop {
-        let response = solve_equilibrium(&mut iteration, &factors)?;
-        let secant = secant_state(&mut iteration, &response);
-        if let Some(status) = iteration.record(&start, &response, secant.plastic_points, secant.residual_norm)
-        {
-            let state = State { response, loads: system.zeros(), factors: Some(factors) };
-            return iteration.finish(state, Some(status));
-        }
-        for ((body, field), factor) in system.bodies.iter().zip(&secant.fields).zip(&mut factors) {
-            let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
-                body.elastic.stiffness_with(|element| field.secant_shear(element))
-            });
-            // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
-            factor.invalidate();
-            let refactored = iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
-                refactor(factor, values, observer)
-            });
-            match refactored {
-                // The iterations so far are kept.
-                Err(SolveError::Interrupted(interrupt)) => {
-                    let state = State { response, loads: system.zeros(), factors: None };
-                    return iteration.finish(state, Some(interrupt.into()));
-                }
-                refactored => refactored?,
+        let (response, secant) = match next_state(&mut iteration, factors.as_deref()) {
+            Err(SolveError::Interrupted(interrupt)) => {
+                return stop(iteration, previous.ok_or(SolveError::Interrupted(interrupt))?, interrupt);
             }
+            state => state?,
+        };
+        let zeros = system.zeros();
+        let start = previous.as_ref().map_or(&zeros, |previous| &previous.displacement);
+        if let Some(status) = iteration.record(start, &response, secant.plastic_points, secant.residual_norm)
+        {
+            return iteration.finish(State { response, loads: zeros, factors }, Some(status));
         }
-        start = response.displacement;
+        // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
+        let empty = || system.bodies.iter().map(|body| Cholesky::empty(body.factor.symbolic())).collect();
+        let factors = factors.get_or_insert_with(empty);
+        match factorize(&mut iteration, &secant.fields, factors) {
+            Err(SolveError::Interrupted(interrupt)) => return stop(iteration, response, interrupt),
+            factorized => factorized?,
+        }
+        previous = Some(response);
         iteration.count_factorizations();
     }
+}
+
+/// Ends with the iterations made so far. The factors may be half done.
+fn stop(iteration: Iteration<'_>, response: Response, interrupt: Interrupt) -> Result<Outcome, SolveError> {
+    let loads = iteration.system.zeros();
+    iteration.finish(State { response, loads, factors: None }, Some(interrupt.into()))
+}
+
+/// Makes the factors those of the secant stiffness of a state.
+fn factorize(
+    iteration: &mut Iteration<'_>,
+    fields: &[StressField],
+    factors: &mut [Cholesky],
+) -> Result<(), SolveError> {
+    for ((body, field), factor) in iteration.system.bodies.iter().zip(fields).zip(factors) {
+        let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
+            body.elastic.stiffness_with(|element| field.secant_shear(element))
+        });
+        factor.invalidate();
+        iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
+            refactor(factor, values, observer)
+        })?;
+    }
+    Ok(())
 }
 
 /// What the plastic law says of a response.
@@ -69,12 +86,23 @@ struct SecantState {
     residual_norm: f64,
 }
 
-fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantState {
+/// Contact and displacements with the present factors, and what the plastic law says of them.
+fn next_state(
+    iteration: &mut Iteration<'_>,
+    factors: Option<&[Cholesky]>,
+) -> Result<(Response, SecantState), SolveError> {
+    let response = solve_equilibrium(iteration, factors)?;
+    let secant = secant_state(iteration, &response)?;
+    Ok((response, secant))
+}
+
+fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> Result<SecantState, SolveError> {
     let system = iteration.system;
     let (mut fields, mut plastic_points, mut squares) = (Vec::new(), 0, 0.0);
     for ((body, x), &copies) in
         system.bodies.iter().zip(&response.displacement).zip(&system.bodies_represented)
     {
+        checkpoint(iteration.observer)?;
         let nodal = body.elastic.nodal(x);
         let field =
             iteration.phases.time(Phase::Plasticity, iteration.observer, || body.stress_field(&nodal));
@@ -83,17 +111,27 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> SecantSta
         fields.push(field);
     }
     iteration.count_update();
-    SecantState { fields, plastic_points, residual_norm: squares.sqrt() }
+    Ok(SecantState { fields, plastic_points, residual_norm: squares.sqrt() })
 }
 
-/// Contact and full displacements with the present factors.
-fn solve_equilibrium(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Result<Response, SolveError> {
+/// Contact and full displacements with the present factors, at first those of the elastic bodies.
+fn solve_equilibrium(
+    iteration: &mut Iteration<'_>,
+    factors: Option<&[Cholesky]>,
+) -> Result<Response, SolveError> {
     let system = iteration.system;
     let n = system.initial_gap.len();
+    let factor_of = |k: usize| factors.map_or(&*system.bodies[k].factor, |factors| &factors[k]);
+    let mut parts: Vec<SymmetricMatrix> = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        checkpoint(iteration.observer)?;
+        parts.push(
+            iteration
+                .phases
+                .time(Phase::Flexibility, iteration.observer, || body.elastic.flexibility(factor_of(k))),
+        );
+    }
     let flexibility = iteration.phases.time(Phase::Flexibility, iteration.observer, || {
-        let bodies = system.bodies.iter().zip(factors);
-        let parts: Vec<SymmetricMatrix> =
-            bodies.map(|(body, factor)| body.elastic.flexibility(factor)).collect();
         total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.bodies_represented)
     });
     let problem = ContactProblem {
@@ -101,14 +139,15 @@ fn solve_equilibrium(iteration: &mut Iteration<'_>, factors: &[Cholesky]) -> Res
         ..system.contact_problem(&system.initial_gap, iteration.controls.load)
     };
     let contact = iteration.solve_contact(&problem)?;
-    let displacement = iteration.phases.time(Phase::Solves, iteration.observer, || {
-        let solve = |(body, factor): (&BodyModel, &Cholesky)| {
+    let mut displacement = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        checkpoint(iteration.observer)?;
+        displacement.push(iteration.phases.time(Phase::Solves, iteration.observer, || {
             let mut x = body.elastic.zeros();
             body.elastic.add_contact_forces(&contact.force, &mut x);
-            factor.solve(&mut x);
+            factor_of(k).solve(&mut x);
             x
-        };
-        system.bodies.iter().zip(factors).map(solve).collect()
-    });
+        }));
+    }
     Ok(Response { displacement, contact })
 }
