@@ -1,6 +1,6 @@
 /** Puts the page together. */
 
-import { Problem, ask, faultsOf, post } from './api/client.js';
+import { Problem, ask, faultsOf, hasKey, post } from './api/client.js';
 import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
@@ -102,7 +102,8 @@ const list = new JobList({
     location.hash = `job=${id}`;
   },
   compare,
-  isCompared: (id) => compared.get(id)?.colour,
+  colourOf: (id) => compared.get(id)?.colour,
+  isChosen: (id) => compared.has(id) || chosen.has(id),
   current: () => current?.id,
 });
 
@@ -172,7 +173,7 @@ function refusal({ status, message, errors }) {
     case 504:
       return 'The service does not answer, nothing was sent. It is asked again until it does.';
     case 401:
-      return 'The service asks for an API key.';
+      return hasKey() ? 'The service does not know this API key, or no longer.' : 'The service asks for an API key.';
     case 429:
       return 'The queue is full. Try again in a moment.';
     case 422:
@@ -255,6 +256,7 @@ async function compare(id, on) {
   if (on) {
     chosen.add(id);
     await layOver(id, () => current?.id === job && chosen.has(id));
+    if (!compared.has(id)) chosen.delete(id);
   } else {
     chosen.delete(id);
     compared.delete(id);
@@ -286,6 +288,7 @@ async function layOver(id, still) {
 /** Lays over the job what the address names, and nothing else. @param {string[]} wanted @param {() => boolean} still whether it names them */
 async function compareOnly(wanted, still) {
   if (!still()) return;
+  chosen.clear();
   for (const id of compared.keys()) if (!wanted.includes(id)) compared.delete(id);
   for (const id of wanted) if (still() && !compared.has(id)) await layOver(id, still);
   if (!still()) return;
@@ -304,7 +307,8 @@ async function applyAddress(edited = false) {
   }
   wanted = '';
   if (packed === undefined || edited) {
-    if (current?.id) leave(WELCOME);
+    // What a slider shows has no address.
+    if (current?.id !== '') leave(WELCOME);
     return view.preview(check.hertz, draft.job);
   }
   const definition = await link.unpack(packed).catch(() => undefined);

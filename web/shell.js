@@ -1,6 +1,6 @@
 /** What stands around the contents: which parts are shown, the API key, menus, the title of the tab. */
 
-import { onKeyWanted, useKey } from './api/client.js';
+import { hasKey, onKeyWanted, useKey } from './api/client.js';
 import { byId } from './lib/dom.js';
 
 const NAME = document.title;
@@ -52,6 +52,7 @@ export function startKeys() {
     if (!dialog.open) dialog.showModal();
   };
   const kept = 'It is kept until this tab is closed.';
+  byId('api-key').hidden = !hasKey();
   let declined = false;
   onKeyWanted((refused) => {
     byId('api-key').hidden = false;

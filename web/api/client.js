@@ -44,6 +44,9 @@ export function keyWanted() {
 /** @param {string} key kept for this tab only */
 export const useKey = (key) => (key ? sessionStorage.setItem(KEY, key) : sessionStorage.removeItem(KEY));
 
+/** Whether this tab has a key. */
+export const hasKey = () => sessionStorage.getItem(KEY) !== null;
+
 /** @returns {Record<string, string>} */
 export function authorization() {
   const key = sessionStorage.getItem(KEY);

@@ -4,10 +4,10 @@ import { Problem } from '../api/client.js';
 import { reconnected } from '../api/connection.js';
 import { h } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
-import { factor, figure, loaded, plain, unit } from '../lib/units.js';
-import { readNumber } from '../lib/number.js';
+import { factor, figure, loaded, unit } from '../lib/units.js';
 import { Panel } from '../result/panel.js';
 import { Camera } from './camera.js';
+import { ColourRange } from './colours.js';
 import { CutTool } from './cut-tool.js';
 import { Renderer } from './gl.js';
 import { lifts } from './lift.js';
@@ -18,6 +18,7 @@ import { compose } from './picture.js';
 import { steer } from './pointer.js';
 import { QUANTITIES, arraysOf, nameOf, valuesOf } from './quantities.js';
 import { READ, colourBar, extremes, readout, scaleOf } from './read.js';
+import { fieldTools } from './tools.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Report} Report */
@@ -30,8 +31,6 @@ import { READ, colourBar, extremes, readout, scaleOf } from './read.js';
 
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
-const LOUPE = [0, 1, 2, 5, 10, 20];
-const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 
 export class FieldPanel {
   /** @type {Body[]} */
@@ -67,12 +66,6 @@ export class FieldPanel {
   #renderer;
   /** In the units shown. @type {import('./palette.js').Bands} */
   #bands = bands(0, 1);
-  /** @type {keyof typeof RANGES} */
-  #ranged = 'steps';
-  /** Limits that are held, in the units shown. @type {[number, number]} */
-  #fixed = [0, 1];
-  /** Least and largest values of steps that were here, by quantity and step. @type {Map<string, [number, number]>} */
-  #limits = new Map();
   /** Whether the whole contact is to be seen as soon as there is a field. */
   #homeless = false;
   /** @type {FieldSource | undefined} */
@@ -106,7 +99,10 @@ export class FieldPanel {
     );
     this.waiting = h('p', { class: 'empty waiting', role: 'status' });
     this.cutter = new CutTool(() => this.#later(false));
-    this.controls = this.#controls();
+    this.range = new ColourRange(() => this.#colour());
+    const { element, quantities } = this.#tools();
+    this.controls = element;
+    this.quantities = quantities;
     this.panel = new Panel(
       'field',
       'Field',
@@ -147,102 +143,33 @@ export class FieldPanel {
     });
   }
 
-  #controls() {
-    this.quantities = h('select', { 'aria-label': 'Shown', onchange: () => this.#update() });
-    const loupe = h(
-      'select',
+  #tools() {
+    const later = (/** @type {(value: any) => void} */ set) => (/** @type {any} */ value) => {
+      set(value);
+      this.#later();
+    };
+    return fieldTools(
       {
-        onchange: () => {
-          this.#deformation = Number(loupe.value);
+        choose: () => this.#update(),
+        exaggerate: later((times) => {
+          this.#deformation = times;
           this.#place();
-          this.#later();
-        },
+        }),
+        mesh: later((on) => {
+          this.#lines = on;
+        }),
+        isolines: later((on) => {
+          this.#isolines = on;
+        }),
+        cut: later((on) => {
+          this.over.classList.toggle('cutting', on);
+          this.cutter.show(on, this.#camera, this.#step()?.contact.half_width ?? 1);
+        }),
+        zoom: later((factor) => this.#camera.zoom(factor)),
+        home: () => this.#home(),
       },
-      LOUPE.map((times) => h('option', { value: times, selected: times === 1 }, `×${times}`)),
+      this.range.element,
     );
-    const flag = (/** @type {string} */ text, /** @type {(on: boolean) => void} */ set) => {
-      const box = h('input', {
-        type: 'checkbox',
-        onchange: () => {
-          set(box.checked);
-          this.#later();
-        },
-      });
-      return h('label', {}, box, ` ${text}`);
-    };
-    const button = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ work) =>
-      h(
-        'button',
-        {
-          type: 'button',
-          class: 'plain',
-          'aria-label': name,
-          title: name,
-          onclick: () => {
-            work();
-            this.#later();
-          },
-        },
-        sign,
-      );
-    return h(
-      'div',
-      { class: 'bar tools' },
-      this.quantities,
-      h('label', {}, 'Displacement ', loupe),
-      flag('Mesh', (on) => {
-        this.#lines = on;
-      }),
-      flag('Isolines', (on) => {
-        this.#isolines = on;
-      }),
-      flag('Cut', (on) => {
-        this.over.classList.toggle('cutting', on);
-        this.cutter.show(on, this.#camera, this.#step()?.contact.half_width ?? 1);
-      }),
-      h(
-        'span',
-        { class: 'group' },
-        button('−', 'Zoom out', () => this.#camera.zoom(0.8)),
-        button('+', 'Zoom in', () => this.#camera.zoom(1.25)),
-        button('⌂', 'Whole contact', () => this.#home()),
-      ),
-      this.#rangeControls(),
-    );
-  }
-
-  /** Which values the colours stand for. */
-  #rangeControls() {
-    this.ranges = h(
-      'select',
-      {
-        'aria-label': 'Colours',
-        onchange: () => {
-          this.#ranged = /** @type {keyof typeof RANGES} */ (this.ranges?.value);
-          this.#colour();
-        },
-      },
-      Object.entries(RANGES).map(([value, text]) => h('option', { value, selected: value === this.#ranged }, text)),
-    );
-    const limit = (/** @type {0 | 1} */ end, /** @type {string} */ name) => {
-      const box = h('input', {
-        type: 'text',
-        inputmode: 'decimal',
-        size: 7,
-        'aria-label': name,
-        onchange: () => {
-          const reading = readNumber(box.value);
-          if ('value' in reading) this.#fixed[end] = reading.value;
-          this.#ranged = 'fixed';
-          if (this.ranges) this.ranges.value = 'fixed';
-          this.#colour();
-        },
-      });
-      return box;
-    };
-    this.limits = [limit(0, 'Least value coloured'), limit(1, 'Largest value coloured')];
-    this.unit = h('span', { class: 'unit' });
-    return h('span', { class: 'range' }, 'Colours ', this.ranges, this.limits[0], ' – ', this.limits[1], this.unit);
   }
 
   /**
@@ -255,7 +182,7 @@ export class FieldPanel {
   show(report, at, units, anew, source) {
     this.panel.show(true);
     if (anew) {
-      this.#limits.clear();
+      this.range.forget();
       this.#shown = undefined;
       this.#homeless = true;
     }
@@ -289,7 +216,7 @@ export class FieldPanel {
 
   /** Quantity that is to be drawn. */
   get #chosen() {
-    return /** @type {Quantity} */ (this.quantities?.value || this.#quantity);
+    return /** @type {Quantity} */ (this.quantities.value || this.#quantity);
   }
 
   /** Draws the step and the quantity that are wanted: at once, or when their arrays have come. */
@@ -384,17 +311,13 @@ export class FieldPanel {
   #nameQuantities(analysis) {
     const chosen = this.#chosen;
     if (this.#named !== analysis)
-      this.quantities?.replaceChildren(
+      this.quantities.replaceChildren(
         ...Object.keys(QUANTITIES).map((value) =>
           h('option', { value, selected: value === chosen }, nameOf(/** @type {Quantity} */ (value), analysis)),
         ),
       );
     this.#named = analysis;
-    if (this.ranges) {
-      const single = this.#shown?.report.steps.length === 1;
-      /** @type {HTMLOptionElement} */ (this.ranges.options[1]).hidden = single;
-      if (this.#ranged !== 'fixed') this.ranges.value = single ? 'step' : this.#ranged;
-    }
+    this.range.single = this.#shown?.report.steps.length === 1;
   }
 
   /** Raises the bodies so that they do not overlap. */
@@ -434,10 +357,7 @@ export class FieldPanel {
   /** Puts the values of the chosen quantity on the meshes. */
   #choose() {
     const chosen = this.#chosen;
-    if (chosen !== this.#quantity && this.#ranged === 'fixed' && this.ranges) {
-      this.#ranged = this.#shown && this.#shown.report.steps.length > 1 ? 'steps' : 'step';
-      this.ranges.value = this.#ranged;
-    }
+    if (chosen !== this.#quantity) this.range.release();
     this.#quantity = chosen;
     this.#renderer?.choose((mesh, moved) => valuesOf(mesh, this.#quantity, moved));
     this.#colour();
@@ -461,26 +381,6 @@ export class FieldPanel {
     };
   }
 
-  /** Limits over all steps whose fields are or were here, in the units of the job. @returns {[number, number]} */
-  #overAll() {
-    const report = this.#shown?.report;
-    if (!report) return [0, 1];
-    let [low, high] = [Infinity, -Infinity];
-    report.steps.forEach((step, k) => {
-      const key = `${this.#quantity} ${k}`;
-      const fields = step.fields ?? this.#source?.peek(k, arraysOf(this.#quantity));
-      if (fields && !this.#limits.has(key)) {
-        const found = extremes(bodiesOf(step, fields), this.#quantity, report.mesh.symmetric);
-        this.#limits.set(key, [found.low, found.high]);
-      }
-      const limits = this.#limits.get(key);
-      if (!limits) return;
-      low = Math.min(low, limits[0]);
-      high = Math.max(high, limits[1]);
-    });
-    return [low, high];
-  }
-
   /** Gives the values their colours. */
   #colour() {
     if (!this.#shown) return;
@@ -488,22 +388,30 @@ export class FieldPanel {
     const { factor: times, unit: name } = this.#scale();
     const own = extremes(this.#bodies, this.#quantity, report.mesh.symmetric);
     this.#most = own.most;
-    const all = this.#ranged === 'steps' && report.steps.length > 1 ? this.#overAll() : [own.low, own.high];
-    const [low, high] = this.#ranged === 'fixed' ? this.#fixed : all.map((value) => value * times);
-    const signed = QUANTITIES[this.#quantity].signed || this.#ranged === 'fixed';
-    this.#bands = bands(signed ? low : 0, high > low ? high : low + 1);
-    this.bar.replaceChildren(...colourBar(this.#bands, name));
-    const end = this.#bands.low + this.#bands.step * this.#bands.colours.length;
-    if (this.#ranged !== 'fixed') this.#fixed = [this.#bands.low, end];
-    this.limits?.forEach((box, k) => {
-      box.value = plain(this.#fixed[k]).replace('−', '-');
+    this.#bands = this.range.bands({
+      quantity: this.#quantity,
+      steps: report.steps.length,
+      limits: (step) => this.#limitsOf(step),
+      own: [own.low, own.high],
+      signed: QUANTITIES[this.#quantity].signed ?? false,
+      factor: times,
+      unit: name,
     });
-    if (this.unit) this.unit.textContent = name;
+    this.bar.replaceChildren(...colourBar(this.#bands, name));
     this.over.setAttribute(
       'aria-label',
       `Field of ${nameOf(this.#quantity, report.analysis)}, from ${figure(own.low * times, 4)} to ${figure(own.high * times, 4)} ${name}.`,
     );
     this.#later();
+  }
+
+  /** Of a step whose field is here. @param {number} at @returns {[number, number] | undefined} */
+  #limitsOf(at) {
+    const { steps, mesh } = /** @type {Asked} */ (this.#shown).report;
+    const fields = steps[at].fields ?? this.#source?.peek(at, arraysOf(this.#quantity));
+    if (!fields) return undefined;
+    const { low, high } = extremes(bodiesOf(steps[at], fields), this.#quantity, mesh.symmetric);
+    return [low, high];
   }
 
   #home() {

@@ -23,7 +23,7 @@ export function compose(layers, bands, { title, quantity, colours: ink }) {
   context.scale(ratio, ratio);
   context.fillStyle = ink('--ink');
   context.font = 'bold 12px system-ui, sans-serif';
-  context.fillText(title, 8, 16);
+  context.fillText(title, 8, 16, width + SIDE - 16);
   context.font = '11px system-ui, sans-serif';
   context.fillText(quantity, 8, 33);
   const { low, step, colours } = bands;

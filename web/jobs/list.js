@@ -22,7 +22,7 @@ export class JobList {
   /** What was asked of each job, which does not change. @type {Map<string, import('../types.js').Job>} */
   #requests = new Map();
 
-  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, isCompared: (id: string) => string | undefined, current: () => string | undefined}} on */
+  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf: (id: string) => string | undefined, isChosen: (id: string) => boolean, current: () => string | undefined}} on */
   constructor(on) {
     this.on = on;
     this.search = h('input', {
@@ -129,16 +129,16 @@ export class JobList {
   #row(job) {
     const label = labelOf(job);
     const current = this.on.current() === job.id;
-    const compared = this.on.isCompared(job.id);
+    const colour = this.on.colourOf(job.id);
     const box = h('input', {
       type: 'checkbox',
-      checked: Boolean(compared),
+      checked: this.on.isChosen(job.id),
       disabled: current || !finished(job),
       'aria-label': `Compare ${label}`,
       title: 'Lay over the one shown',
       onchange: () => this.on.compare(job.id, box.checked),
     });
-    if (compared) box.style.setProperty('accent-color', `var(${compared})`);
+    if (colour) box.style.setProperty('accent-color', `var(${colour})`);
     const tags = Object.entries(job.tags ?? {}).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`));
     const open = h(
       'button',

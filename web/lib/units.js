@@ -35,7 +35,7 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
     psi: 6894.757293168,
     ksi: 6894757.293168,
   },
-  force: { N: 1, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
+  force: { N: 1, mN: 1e-3, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
   line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 4.4482216152605 / 0.0254 },
   strain: { '%': 1e-2, '‰': 1e-3, 1: 1 },
 });

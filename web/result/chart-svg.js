@@ -78,7 +78,11 @@ function drawing(plot, title, width, height, colours) {
         svg('rect', { x: box.left, y: box.top, width: box.right - box.left, height: box.bottom - box.top }),
       ),
     ),
-    svg('text', { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: ink('--ink') }, title),
+    svg(
+      'text',
+      { x: 4, y: 14, 'font-weight': 'bold', 'font-size': 12, fill: ink('--ink'), ...squeezed(title, width - 8) },
+      title,
+    ),
     ...legend.flatMap((row, k) => row.map(({ curve, at }) => legendItem(curve, at, 30 + LINE * k))),
     ...grid(plot, x, y, yr, box),
     svg(
@@ -90,6 +94,13 @@ function drawing(plot, title, width, height, colours) {
   );
   return root;
 }
+
+/** Width of a bold letter at 12 px, on average. */
+const BOLD = 7;
+
+/** A line that would leave the drawing is made as long as there is room. @param {string} text @param {number} room */
+const squeezed = (text, room) =>
+  BOLD * text.length > room ? { textLength: room, lengthAdjust: 'spacingAndGlyphs' } : {};
 
 /** @param {SVGSVGElement} picture @returns {Blob} */
 export const svgFile = (picture) =>

@@ -87,7 +87,7 @@ export class Chart {
     context.scale(ratio, ratio);
     context.fillStyle = colour('--ink');
     context.font = `bold 12px system-ui, sans-serif`;
-    context.fillText(title, 8, 16);
+    context.fillText(title, 8, 16, copy.width / ratio - 16);
     context.font = FONT;
     rows.forEach((row, k) => row.forEach(({ curve, at }) => drawEntry(context, curve, at, 34 + 16 * k)));
     return new Promise((resolve) => copy.toBlob(resolve));

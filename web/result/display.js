@@ -10,9 +10,9 @@ import { factor, forceOf, setOf, stiffnessOf } from '../lib/units.js';
 const KEPT = 'display-units';
 /** @type {Record<'length' | 'stress' | 'force', string[]>} */
 const CHOICES = {
-  length: ['mm', 'µm', 'm', 'in'],
+  length: ['mm', 'µm', 'nm', 'm', 'in'],
   stress: ['MPa', 'GPa', 'Pa', 'ksi'],
-  force: ['N', 'kN', 'lbf'],
+  force: ['N', 'kN', 'mN', 'lbf'],
 };
 
 /** What each figure of a result is. Keys that are not listed have no unit. @type {Record<string, Quantity | 'load' | 'slope'>} */
@@ -148,6 +148,6 @@ export class DisplayUnits {
   set(units) {
     const own = setOf(units);
     const { length = own.length, stress = own.stress, force = own.force } = this.#chosen;
-    return { length, stress, force, per: length === 'µm' ? 'mm' : length };
+    return { length, stress, force, per: length === 'µm' || length === 'nm' ? 'mm' : length };
   }
 }

@@ -23,6 +23,9 @@ export function showHeadline({ job, report }, at) {
   rows.observe(cards);
 }
 
+/** Letters of a figure for which a card has room. */
+const SHORT = 9;
+
 /** Least width of a card. */
 const CARD = 150;
 
@@ -148,6 +151,7 @@ function zoneWords({ plasticity }, length) {
 
 /** @param {string} name @param {number} value @param {string} unit @param {number | undefined} error @param {string} note @param {boolean} [long] */
 function card(name, value, unit, error, note, long = false) {
+  const text = figure(value);
   const key = name.toLowerCase().replaceAll(' ', '-');
   const bar =
     error === undefined
@@ -165,7 +169,7 @@ function card(name, value, unit, error, note, long = false) {
     h(
       'dd',
       {},
-      h('span', { class: 'figure' }, figure(value), h('span', { class: 'unit' }, unit)),
+      h('span', { class: `figure${text.length > SHORT ? ' long' : ''}` }, text, h('span', { class: 'unit' }, unit)),
       bar,
       long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, note),
     ),

@@ -112,8 +112,8 @@ export function showSheet({ shown, at, drawings, field }) {
     h(
       'div',
       { class: 'sheet-foot' },
-      `Brinell ${report.version}, job ${id}${label && label !== id.slice(-8) ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
-      h('span', { class: 'link' }, location.href),
+      `Brinell ${report.version}, ${id ? `job ${id}` : 'solved beside a slider and kept as no job'}${label && label !== (id.slice(-8) || 'live') ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
+      id ? h('span', { class: 'link' }, location.href) : null,
     ),
   );
 }
@@ -136,6 +136,14 @@ const inJob = (length, { raw, report }) =>
   raw?.steps[0]?.hertz && report.steps[0].hertz
     ? (length * raw.steps[0].hertz.half_width) / report.steps[0].hertz.half_width
     : length;
+
+/** @param {Job} job @param {import('../setup/fields.js').Field} load @returns {string} its unit, and that of approaches between forces */
+function unitOfLoad(job, { quantity = 'number' }) {
+  const units = unitsOf(job);
+  const own = unit(quantity === 'load' ? forceOf(job) : quantity, units);
+  const loads = /** @type {any[]} */ (Array.isArray(job.load?.history) ? job.load.history : []);
+  return loads.some((one) => one?.approach !== undefined) ? `${own}, α ${unit('length', units)}` : own;
+}
 
 /** What was asked, in the units of the job. @param {Job} job */
 function inputs(job) {
@@ -228,7 +236,7 @@ function inputs(job) {
         load
           ? writeWhole(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
           : 'onset of yield',
-        load ? unit(load.quantity === 'load' ? forceOf(job) : (load.quantity ?? 'number'), units) : '',
+        load ? unitOfLoad(job, load) : '',
       ),
       whole('Theory', THEORIES[job.solver?.theory ?? DEFAULTS['/solver/theory']]?.toLowerCase() ?? '', ''),
       whole('Elements per half-width', writeValue(elements), ''),

@@ -42,7 +42,13 @@ export class Watch {
 
   stop() {
     this.#running?.abort();
-    this.place.replaceChildren();
+    this.#put('');
+  }
+
+  /** @param {string} bar what it is of @param {...Node} content */
+  #put(bar, ...content) {
+    this.#bar = bar;
+    this.place.replaceChildren(...content);
   }
 
   /** Says what is shown while a slider moves. @param {string} words */
@@ -50,10 +56,10 @@ export class Watch {
     this.#running?.abort();
     this.on.titled('Live');
     if (this.#bar !== 'live')
-      this.place.replaceChildren(
+      this.#put(
+        'live',
         h('div', { class: 'state live', 'data-status': 'live' }, h('b', {}, 'Live'), h('span', { class: 'words' })),
       );
-    this.#bar = 'live';
     this.#say(words);
   }
 
@@ -75,7 +81,8 @@ export class Watch {
       this.#show(last, report);
     } catch (error) {
       if (!signal.aborted)
-        this.place.replaceChildren(
+        this.#put(
+          '',
           h(
             'div',
             { class: 'state failed', role: 'alert' },
@@ -144,8 +151,7 @@ export class Watch {
     const { id, status } = document;
     const bar = `${id} ${status} ${document.cancel_requested} ${Boolean(report)} ${loading}`;
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
-    if (this.#bar !== bar || !this.place.firstChild) this.#build(document, report, loading);
-    this.#bar = bar;
+    if (this.#bar !== bar) this.#put(bar, this.#build(document, report, loading));
     this.on.titled(NAMES[status]);
     this.#say(loading ? 'loading the result' : words(document, report));
   }
@@ -166,25 +172,23 @@ export class Watch {
     );
     cancel.disabled = document.cancel_requested;
     const link = h('button', { type: 'button', class: 'plain', onclick: () => copy(jobLink(), 'Link') }, 'Copy link');
-    this.place.replaceChildren(
+    return h(
+      'div',
+      {
+        class: `state ${status}`,
+        role: finished(document) ? 'status' : null,
+        'data-status': loading ? 'loading' : status,
+      },
+      h('b', {}, NAMES[status]),
+      h('span', { class: 'words' }),
+      Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
       h(
-        'div',
-        {
-          class: `state ${status}`,
-          role: finished(document) ? 'status' : null,
-          'data-status': loading ? 'loading' : status,
-        },
-        h('b', {}, NAMES[status]),
-        h('span', { class: 'words' }),
-        Object.entries(tags).map(([name, text]) => h('span', { class: 'tag' }, `${name}: ${text}`)),
-        h(
-          'span',
-          { class: 'actions' },
-          h('code', { class: 'quiet', title: id }, id.slice(-8)),
-          finished(document) ? null : cancel,
-          link,
-          report ? downloads(id, report, Boolean(this.on.job().output?.fields), this.on.step) : null,
-        ),
+        'span',
+        { class: 'actions' },
+        h('code', { class: 'quiet', title: id }, id.slice(-8)),
+        finished(document) ? null : cancel,
+        link,
+        report ? downloads(id, report, Boolean(this.on.job().output?.fields), this.on.step) : null,
       ),
     );
   }

@@ -32,7 +32,7 @@ import {
   typicalInitialStress,
   typicalOverDepth,
 } from './fields.js';
-import { allMaterials, askHardness, askToKeep, forget, ownMaterials } from './library.js';
+import { allMaterials, askHardness, askToKeep, forget, onOthers, ownMaterials } from './library.js';
 import { PRESETS, inMegapascals, materialOf, presetOf } from './materials.js';
 import { inWords } from './words.js';
 import { curvePreview, initialStressPreview, profilePreview } from './preview.js';
@@ -60,6 +60,7 @@ export class Form {
     this.slid = slid;
     this.root = byId('form');
     draft.addEventListener('change', () => this.#show());
+    onOthers(() => this.#listMaterials());
   }
 
   /**

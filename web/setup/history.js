@@ -24,8 +24,8 @@ export function historyWords(history, most = FEW) {
   const load = (/** @type {any} */ one) =>
     one?.approach === undefined ? plain(numberOf(one?.force)) : `α ${plain(numberOf(one.approach))}`;
   if (history.length <= most) return history.map(load).join(' → ');
-  const last = history[history.length - 1];
-  return `${load(history[0])} → … → ${load(last)}, ${history.length} loads`;
+  const forces = history.map((one) => numberOf(one?.force)).filter(Number.isFinite);
+  return `${history.length} loads${forces.length ? ` up to ${plain(Math.max(...forces))}` : ''}`;
 }
 
 /**

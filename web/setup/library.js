@@ -9,6 +9,12 @@ import { PRESETS } from './materials.js';
 
 const KEPT = 'materials';
 
+/** @param {() => void} listener called when another tab has changed the materials */
+export const onOthers = (listener) =>
+  addEventListener('storage', ({ key }) => {
+    if (key === KEPT) listener();
+  });
+
 /** @returns {Preset[]} */
 export function ownMaterials() {
   const good = (/** @type {any} */ one) => typeof one?.name === 'string' && isObject(one.material);

@@ -14,6 +14,8 @@ import { outline, pin } from './outline.js';
 const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
 /** Width of a letter, on average. */
 const LETTER = 6.4;
+/** The same of a bold one. */
+const BOLD = 6.9;
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
@@ -158,7 +160,7 @@ function load(job, upper, scale) {
       : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
-    svg('text', { x: x + 8, y: y - 9, class: 'load' }, text),
+    svg('text', { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' }, text),
   ];
 }
 

@@ -18,7 +18,10 @@ service.test('a history of loads is typed, brought back to 0 and undone', async 
   await page.getByLabel('Units').selectOption('SI');
   assert.deepEqual((await draft(page)).load.history.slice(0, 2), [{ force: 500000 }, { approach: 0.00002 }]);
   await loads.fill('500 oops');
-  await page.locator('[data-place="/load/history"] .error').getByText('“oops” is no unit known here for this figure').waitFor();
+  await page
+    .locator('[data-place="/load/history"] .error')
+    .getByText('“oops” is no unit known here for this figure')
+    .waitFor();
   for (let k = 0; k < 8; k++) await page.keyboard.press('Control+Z');
   assert.equal((await draft(page)).load.force, 612.6106);
 });

@@ -54,6 +54,11 @@ service.test('a comparison that is taken back before it is here stays away', asy
   const box = page.getByLabel(`Compare ${other.slice(-8)}`);
   await box.check();
   await asked;
+  // The list that is fetched anew knows what was chosen.
+  const row = await box.elementHandle();
+  await page.getByLabel('State', { exact: true }).selectOption('succeeded');
+  await page.waitForFunction((row) => !row?.isConnected, row);
+  assert.equal(await box.isChecked(), true);
   await box.uncheck();
   const came = page.waitForResponse((response) => response.url().includes(`${other}/result`));
   letGo();

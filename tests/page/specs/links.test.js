@@ -95,3 +95,22 @@ service.test('jobs are gone through back and forth in a hurry, and the last one 
   await page.locator('#panel-figures tbody').getByText('300.00').waitFor();
   assert.equal(await page.getByText(STALE).isVisible(), false);
 });
+
+service.test('a slider goes on after a job that is gone, and a report of it names no job', async (page) => {
+  await shown(page, { load: { force: 300 } });
+  const place = page.locator('[data-place="/load/force"]');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  const live = page.locator('[data-status=live]').getByText('solved in');
+  await place.getByRole('slider').press('ArrowRight');
+  await live.waitFor();
+  await follow(page, 'job=0197e1f0-0000-7000-8000-000000000000');
+  await page.getByText('This link leads to a job that is not here').waitFor();
+  await follow(page, '');
+  await page.locator('#headline').getByText('Set up a contact and solve it.').waitFor();
+  await place.getByRole('slider').press('ArrowRight');
+  await live.waitFor();
+  await page.getByRole('button', { name: 'Report' }).click();
+  const foot = page.locator('.sheet-foot');
+  await foot.getByText('solved beside a slider and kept as no job').waitFor();
+  assert.equal(await foot.locator('.link').count(), 0);
+});

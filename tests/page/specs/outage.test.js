@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { follow, sent, solved } from '../jobs.js';
+import { drawn, follow, sent, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -36,6 +36,61 @@ service.test(
     await page.getByText('Connection lost, retrying').waitFor({ state: 'hidden' });
     await place.getByRole('slider').press('ArrowRight');
     await page.locator('[data-status=live]').getByText('solved in').waitFor();
+  },
+  { own: [], amiss: true },
+);
+
+/** A sweep that takes some seconds. */
+const LONG = {
+  mesh: { elements_per_half_width: 30 },
+  load: { forces: Array.from({ length: 12 }, (_, k) => 100 * (k + 1)) },
+  output: { fields: true },
+};
+
+service.test(
+  'a job that is cut off in its middle is followed again, to an answer that can be read',
+  async (page, { server }) => {
+    await page.getByText('1500.0 MPa').waitFor();
+    const id = await sent(page, LONG);
+    await follow(page, `job=${id}`);
+    await page
+      .locator('[data-status=running]')
+      .getByText(/step ([2-9]|1\d) of 12/)
+      .waitFor();
+    await server.kill();
+    await page.getByText('Connection lost, retrying').waitFor();
+    await server.again();
+    await page.locator('[data-status=succeeded]').waitFor({ timeout: 120_000 });
+    assert.equal(await page.locator('#panel-figures tbody tr').count(), 12);
+    await drawn(page);
+    assert.equal(await page.getByText('Connection lost, retrying').isVisible(), false);
+  },
+  { own: ['--workers', '1'], amiss: true },
+);
+
+service.test(
+  'a field whose service goes away while it comes is drawn when it is back',
+  async (page, { server }) => {
+    await page.getByText('1500.0 MPa').waitFor();
+    const id = await solved(page, { ...LONG, mesh: { elements_per_half_width: 40 } });
+    await follow(page, `job=${id}`);
+    await drawn(page);
+    let asked = 0;
+    await page.route('**/fields/**', async (route) => {
+      asked += 1;
+      if (asked === 1) await server.kill();
+      await route.continue().catch(() => {});
+    });
+    await page.getByLabel('Step', { exact: true }).press('Home');
+    await page.getByText('Could not load the field of this step: the service does not answer').waitFor();
+    await server.again();
+    await page.locator('.stage:not(.stale)').waitFor();
+    await page.locator('.waiting').waitFor({ state: 'hidden' });
+    assert.match(
+      (await page.locator('#panel-field .over').getAttribute('aria-label')) ?? '',
+      /^Field of von Mises stress/,
+    );
+    await page.locator('.steps output').getByText('1 of 12').waitFor();
   },
   { own: [], amiss: true },
 );

@@ -191,6 +191,20 @@ service.test('charts go out as vector drawings with legend and units', async (pa
   }
 });
 
+service.test('the title of a drawing stays within it, however long the name of the job', async (page) => {
+  const title = await page.evaluate(async () => {
+    const { chartSvg } = await import(/** @type {any} */ ('/web/result/chart-svg.js'));
+    const plot = { x: 'x', y: 'y', curves: [{ label: 'one', colour: '--curve-1', x: [0, 1], y: [0, 1] }], words: '' };
+    const drawing = chartSvg(plot, `Contact pressure, ${'W'.repeat(60)}, 612.6 N/mm`, 520, 240);
+    document.body.append(drawing);
+    const { right } = drawing.querySelector('text').getBoundingClientRect();
+    const end = drawing.getBoundingClientRect().right;
+    drawing.remove();
+    return [right, end];
+  });
+  assert.ok(title[0] > 0 && title[0] <= title[1], title.join(' of '));
+});
+
 service.test('a job that did not converge has no error bars', async (page) => {
   await shown(page, { solver: { max_iterations: 2, tolerance: 1e-12 } });
   await page.locator('[data-status=not_converged]').waitFor();
