@@ -1,9 +1,12 @@
 //! Error bars: what the mesh may have done to the headline figures.
 //!
 //! ```text
-//! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements
+//! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge that is not
+//!                 resolved its distance from the closed form
 //! half-width      max(|Δ|, 0.5 h/a)
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
+//!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
+//!                 h/a of the widest contact
 //! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
 //!                 memory 0.12 + 1.5 h/a; of those whose contact is in several parts, or in a hole, 4 h/a
 //! force           0; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
@@ -23,6 +26,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
+use crate::solver::CoarseFigures;
 use crate::solver::StepSolution;
 
 /// Floor of the error of the peak pressure over (h/a)².
@@ -40,6 +44,9 @@ const APPROACH_FLOOR: f64 = 0.25;
 /// Floor of the error of the approach over h/a for a body of revolution that yields: its approach follows the discrete
 /// radius of the contact.
 const PLASTIC_REVOLUTION_FLOOR: f64 = 0.06;
+
+/// Floor of the error of the approach that a history leaves over h/a.
+const RESIDUAL_FLOOR: f64 = 0.15;
 
 /// Floor of the error of the contact stiffness over h/a: of elastic bodies, of bodies that yield, and of these in plane stress.
 const STIFFNESS_FLOORS: [f64; 3] = [0.1, 0.3, 0.5];
@@ -71,6 +78,36 @@ fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) ->
     }
 }
 
+/// The floor of the error of the approach for elements of a size over the half-width.
+fn approach_floor(step: &StepSolution, yields: bool, size: f64) -> f64 {
+    if yields && step.stress_state == StressState::Axisymmetric {
+        PLASTIC_REVOLUTION_FLOOR * size
+    } else {
+        APPROACH_FLOOR * size * size
+    }
+}
+
+/// The bars where nothing touches any more: of the approach that earlier loads have left; the rest is exactly zero.
+fn after_unloading(step: &StepSolution, coarse: CoarseFigures) -> Option<ErrorEstimate> {
+    let [approach, half_width] = step.reached;
+    let left = step.approach.abs();
+    if left <= 0.0 || half_width <= 0.0 || !matches!(step.load, ContactLoad::Force(_)) {
+        return None;
+    }
+    let size = step.spacing / half_width;
+    let floor = approach_floor(step, true, size) * approach;
+    let difference = (step.approach - coarse.approach).abs();
+    let increments = step.increment_error.unwrap_or_default().approach;
+    let bar = increments + (difference.max(floor) / left).max(RESIDUAL_FLOOR * size);
+    Some(ErrorEstimate {
+        peak_pressure: 0.0,
+        half_width: 0.0,
+        approach: bar,
+        force: 0.0,
+        contact_stiffness: 0.0,
+    })
+}
+
 /// Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about
 /// the theory: for that see `validity`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -93,8 +130,14 @@ pub struct ErrorEstimate {
 /// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
 pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     let coarse = step.coarse?;
-    let half_width = step.patch?.half_width();
-    if half_width <= 0.0 || step.has_collapsed {
+    if step.has_collapsed {
+        return None;
+    }
+    let half_width = match step.patch {
+        Some(patch) => patch.half_width(),
+        None => return after_unloading(step, coarse),
+    };
+    if half_width <= 0.0 {
         return None;
     }
     let size = step.spacing / half_width;
@@ -103,12 +146,10 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     // Of a contact in several parts the coarsest one may have the peak.
     let peak_size = step.coarsest_part().map_or(size, |(_, elements)| size.max(elements.recip()));
     let peak_floor = (PEAK_FLOOR * peak_size * peak_size).max(if is_axis_raw { AXIS_FLOOR } else { 0.0 });
+    let edge_floor = step.rounded_edge.map_or(0.0, |edge| relative(step.peak_pressure, edge.peak_pressure()));
+    let peak_floor = peak_floor.max(edge_floor);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    let approach_floor = if yields && step.stress_state == StressState::Axisymmetric {
-        PLASTIC_REVOLUTION_FLOOR * size
-    } else {
-        APPROACH_FLOOR * size * size
-    };
+    let approach_floor = approach_floor(step, yields, size);
     // Half as many increments differ by more than what these are wrong by.
     let increments = step.increment_error.unwrap_or_default();
     let approach = increments.approach + relative(step.approach, coarse.approach).max(approach_floor);

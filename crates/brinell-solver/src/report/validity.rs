@@ -80,6 +80,15 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             0.5 * (part.left + part.right)
         ));
     }
+    if let Some(edge) = &step.rounded_edge {
+        messages.push(format!(
+            "The contact ends within about {:.2e} mm on the rounded edges, with a peak of about {:.0} MPa there in closed form; \
+             elements of {:.2e} mm leave that out. What is away from the edges does not depend on it.",
+            edge.width(),
+            edge.peak_pressure(),
+            step.spacing
+        ));
+    }
     if let Some(needed) = step.unresolved {
         messages.push(format!(
             "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh have \

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
-use crate::fem::mesh::{ContactZone, MeshError, Refinement};
+use crate::fem::mesh::{ContactZone, MeshError, ROUNDING, Refinement};
 use crate::job::SolverSettings;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::body::BodyModel;
@@ -115,6 +115,8 @@ pub(crate) struct MeshSolve {
     pub patch: Option<ContactPatch>,
     /// Whether the contact reaches the edge of the zone all the same.
     pub reaches_edge: bool,
+    /// From where to where the surfaces have moved into each other beyond the zone \[mm\].
+    pub meets: Option<(f64, f64)>,
     /// Times the zone was widened.
     pub enlargements: usize,
     /// Meshes made.
@@ -126,13 +128,14 @@ pub(crate) struct MeshSolve {
 impl MeshSolve {
     /// Puts together what an iteration found.
     pub fn of(problem: &Problem, system: System, outcome: Outcome, fields: Vec<ModelField>) -> Self {
-        let (patch, reaches_edge) = find_contact(problem, &system, &outcome, &fields);
+        let Found { patch, reaches_edge, meets } = find_contact(problem, &system, &outcome, &fields);
         Self {
             system,
             outcome,
             fields,
             patch,
             reaches_edge,
+            meets,
             enlargements: 0,
             meshes: 1,
             previous_states: Vec::new(),
@@ -207,6 +210,11 @@ impl MeshSolve {
 
 /// How much wider the zone becomes when the contact reaches its edge.
 const ENLARGEMENT: f64 = 1.5;
+/// Columns of a zone that becomes wider over those that it was made with; beyond that its elements become larger. So much finer than
+/// the whole width asks for are parts of a contact resolved at most, and what grows by more was sized for something smaller.
+const MOST_COLUMNS: usize = 6;
+/// By how much a zone goes beyond where the surfaces meet, as a part of its half-width.
+const BEYOND_MEETING: f64 = 0.1;
 /// How much narrower it becomes when the rings around it cannot be meshed, and how often.
 const NARROWING: f64 = 0.9;
 pub(crate) const MAX_NARROWINGS: usize = 12;
@@ -227,6 +235,7 @@ pub(crate) fn run(
 ) -> Result<MeshSolve, SolveError> {
     let mut request = request.clone();
     let previous = request.previous;
+    let most_columns = most_columns(&request.zone);
     let mut available = reusable;
     let (mut enlargements, mut meshes, mut widenings, mut narrowings) = (0, 0, 0, 0);
     // Iterations made while a smaller region was searched.
@@ -260,7 +269,7 @@ pub(crate) fn run(
             phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
         let is_watched_in_part = request.search_region != PlasticSearchRegion::WholeBody;
-        let (patch, reaches_edge) =
+        let Found { patch, reaches_edge, meets } =
             phases.time(Phase::Output, observer, || find_contact(problem, &system, &outcome, &fields));
         let mut pass = MeshSolve {
             system,
@@ -268,6 +277,7 @@ pub(crate) fn run(
             fields,
             patch,
             reaches_edge,
+            meets,
             enlargements,
             meshes,
             previous_states: states,
@@ -289,13 +299,15 @@ pub(crate) fn run(
             available = Some(pass.into_reusable(request.load));
             continue;
         }
-        if !interrupted && reaches_edge && enlargements < MAX_ENLARGEMENTS && narrowings == 0 {
-            let wider = enlarge(problem, &pass.system.zone);
-            if fits(problem, &wider) && wider.half_width() > pass.system.zone.half_width() {
-                enlargements += 1;
-                request.zone = wider;
-                continue;
-            }
+        if !interrupted
+            && reaches_edge
+            && enlargements < MAX_ENLARGEMENTS
+            && narrowings == 0
+            && let Some(wider) = enlarged(problem, &pass.system.zone, meets, most_columns)
+        {
+            enlargements += 1;
+            request.zone = wider;
+            continue;
         }
         return Ok(pass);
     }
@@ -328,15 +340,43 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
     })
 }
 
-/// A wider zone; where the surfaces have no room for it on one side, it grows on the other.
-pub(crate) fn enlarge(problem: &Problem, zone: &ContactZone) -> ContactZone {
+/// Columns that a zone made like this may have after it has become wider.
+pub(crate) fn most_columns(zone: &ContactZone) -> usize {
+    MOST_COLUMNS * zone.columns()
+}
+
+/// A wider zone, as far as the surfaces `meet` beyond it; where they have no room for it on one side, it grows on the other. Elements
+/// stay as they are while their columns are no more than `most`. `None` where there is no room for a wider one.
+pub(crate) fn enlarged(
+    problem: &Problem,
+    zone: &ContactZone,
+    meet: Option<(f64, f64)>,
+    most: usize,
+) -> Option<ContactZone> {
+    let wider = enlarge(problem, zone, meet, most);
+    (fits(problem, &wider) && wider.half_width() > zone.half_width()).then_some(wider)
+}
+
+fn enlarge(problem: &Problem, zone: &ContactZone, meet: Option<(f64, f64)>, most: usize) -> ContactZone {
     let wider = resized(problem, zone, ENLARGEMENT);
-    if fits(problem, &wider) || problem.conforming.is_some() {
+    if problem.conforming.is_some() {
         return wider;
     }
     let (left, right) = problem.room();
-    let (x_min, x_max) = (wider.x_min().max(left), wider.x_max().min(right));
-    let columns = ((x_max - x_min) / zone.spacing()).ceil() as usize;
+    let (mut x_min, mut x_max) = (wider.x_min().max(left), wider.x_max().min(right));
+    let is_far = |(from, to): &(f64, f64)| *to > x_max || (*from < x_min && !zone.is_symmetric());
+    let meets_far = meet.filter(is_far);
+    if let Some((from, to)) = meets_far {
+        let margin = BEYOND_MEETING * 0.5 * (to.max(x_max) - from.min(x_min));
+        x_max = x_max.max(to + margin).min(right);
+        if !zone.is_symmetric() {
+            x_min = x_min.min(from - margin).max(left);
+        }
+    }
+    if meets_far.is_none() && wider.columns() <= most && fits(problem, &wider) {
+        return wider;
+    }
+    let columns = (((x_max - x_min) / zone.spacing() - ROUNDING).ceil() as usize).min(most);
     problem.zone(x_min, x_max, columns, zone.is_symmetric())
 }
 
@@ -347,11 +387,11 @@ pub(crate) fn narrow(problem: &Problem, zone: &ContactZone) -> ContactZone {
 /// A zone so many times as wide, with elements of the same size.
 fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
     let (centre, mut half) = (zone.centre(), factor * zone.half_width());
-    let mut columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor).round() as usize;
+    let mut columns = ((zone.x_max() - zone.x_min()) / zone.spacing() * factor + ROUNDING).round() as usize;
     if problem.conforming.is_some() && half > problem.span().1 {
         // All there is of a pin in a hole.
         half = problem.span().1;
-        columns = (half / zone.spacing()).ceil() as usize;
+        columns = (half / zone.spacing() - ROUNDING).ceil() as usize;
     }
     let x_min = if zone.is_symmetric() { 0.0 } else { centre - half };
     problem.zone(x_min, centre + half, columns, zone.is_symmetric())
@@ -409,18 +449,19 @@ pub(crate) fn iterate(
 }
 
 /// Where the contact is, and whether it goes beyond the zone.
-fn find_contact(
-    problem: &Problem,
-    system: &System,
-    outcome: &Outcome,
-    fields: &[ModelField],
-) -> (Option<ContactPatch>, bool) {
+struct Found {
+    patch: Option<ContactPatch>,
+    reaches_edge: bool,
+    meets: Option<(f64, f64)>,
+}
+
+fn find_contact(problem: &Problem, system: &System, outcome: &Outcome, fields: &[ModelField]) -> Found {
     let (x, pressures) = system.pressure_over_x(&outcome.state.response.contact.force);
-    let patch = ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k));
-    let meets_beyond = !outcome.status.is_stopped()
-        && problem.may_touch_elsewhere()
-        && meets_beyond_zone(problem, system, outcome, fields);
-    (patch, meets_beyond || reaches_edge(problem, system, outcome))
+    let patch = ContactPatch::find(&x, &pressures, system.zone.is_symmetric(), |k| system.zone.edge(k))
+        .map(|patch| patch.within(problem.walls()));
+    let is_known = !outcome.status.is_stopped() && problem.may_touch_elsewhere();
+    let meets = is_known.then(|| meets_beyond_zone(problem, system, outcome, fields)).flatten();
+    Found { patch, reaches_edge: meets.is_some() || reaches_edge(problem, system, outcome), meets }
 }
 
 /// Whether one of the outermost two pairs of an open end of the zone carries force; only the outermost one counts where a zone
@@ -434,11 +475,16 @@ fn reaches_edge(problem: &Problem, system: &System, outcome: &Outcome) -> bool {
     right || left
 }
 
-/// Whether the free surfaces beside the zone have moved into each other.
+/// From where to where the free surfaces beside the zone have moved into each other.
 ///
 /// The gap there is `δ0 + w_u + w_l - α` with the inward displacements w of both surfaces, each interpolated
 /// between its own nodes.
-fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fields: &[ModelField]) -> bool {
+fn meets_beyond_zone(
+    problem: &Problem,
+    system: &System,
+    outcome: &Outcome,
+    fields: &[ModelField],
+) -> Option<(f64, f64)> {
     let contact = &outcome.state.response.contact;
     let bodies = system.bodies.iter().zip(fields);
     let surfaces: Vec<Vec<[f64; 2]>> =
@@ -454,8 +500,12 @@ fn meets_beyond_zone(problem: &Problem, system: &System, outcome: &Outcome, fiel
     let nodes = surfaces.iter().flatten().map(|point| point[0]).filter(|x| (left..=right).contains(x));
     let abscissae = nodes.chain(problem.knots_within(left, right).iter().copied());
     let zone = &system.zone;
-    let mut beyond = abscissae.filter(|x| *x > zone.x_max() || (*x < zone.x_min() && !zone.is_symmetric()));
-    beyond.any(|x| problem.initial_gap(x) + inward(x) - contact.approach < 0.0)
+    let beyond = abscissae.filter(|x| *x > zone.x_max() || (*x < zone.x_min() && !zone.is_symmetric()));
+    let meeting = beyond.filter(|&x| problem.initial_gap(x) + inward(x) - contact.approach < 0.0);
+    meeting.fold(None, |range, x| {
+        let (from, to) = range.unwrap_or((x, x));
+        Some((x.min(from), x.max(to)))
+    })
 }
 
 /// Piecewise linear through `[x, value]` in order of x; constant beyond the ends, zero where there is nothing.

@@ -249,7 +249,7 @@ impl Problem {
 
     /// The nearest edges beside a place, beyond which no contact around it reaches \[mm\]; infinite where there is none.
     pub fn edges_around(&self, centre: f64) -> [f64; 2] {
-        let (mut left, mut right) = (f64::NEG_INFINITY, f64::INFINITY);
+        let [mut left, mut right] = self.walls();
         for corner in &self.corners {
             if corner.edge() < 0.0 && corner.x < centre {
                 left = left.max(corner.x);
@@ -260,15 +260,40 @@ impl Problem {
         [left, right]
     }
 
+    /// The side walls of a punch, beyond which there is no contact \[mm\]; infinite without one.
+    pub fn walls(&self) -> [f64; 2] {
+        let walls = self.bodies.iter().filter_map(|body| body.outline.wall());
+        let nearest = walls.fold(f64::INFINITY, f64::min);
+        [-nearest, nearest]
+    }
+
+    /// The smallest radius of the edges of a punch \[mm\]; infinite where none is rounded.
+    pub fn edge_radius(&self) -> f64 {
+        let radii = self.bodies.iter().filter_map(|body| body.outline.edge_radius());
+        radii.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether a knot is an end of a rounded edge of a punch.
+    pub fn is_on_rounded_edge(&self, x: f64) -> bool {
+        let is_on = |outline: &Outline| {
+            let edge = outline.edge_radius().zip(outline.wall());
+            edge.is_some_and(|(radius, wall)| (wall - radius..=wall).contains(&x.abs()))
+        };
+        self.bodies.iter().any(|body| is_on(&body.outline))
+    }
+
     /// Whether one of the surfaces has a corner at this knot.
     pub fn is_corner(&self, x: f64) -> bool {
         self.corners.binary_search_by(|corner| corner.x.total_cmp(&x)).is_ok()
     }
 
-    /// A zone of about so many even columns, with a node at each corner.
+    /// A zone of about so many even columns, with a node at each corner and at each edge whose radius is smaller than a column.
     pub fn zone(&self, x_min: f64, x_max: f64, columns: usize, symmetric: bool) -> ContactZone {
-        let corners: Vec<Corner> =
-            self.corners.iter().copied().filter(|corner| (x_min..x_max).contains(&corner.x)).collect();
+        let spacing = (x_max - x_min) / columns as f64;
+        let rounded = self.bodies.iter().flat_map(|body| body.outline.edges_rounded_below(spacing));
+        let mut corners: Vec<Corner> = self.corners.iter().copied().chain(rounded).collect();
+        corners.retain(|corner| (x_min..x_max).contains(&corner.x));
+        corners.sort_by(|a, b| a.x.total_cmp(&b.x));
         ContactZone::with_corners(x_min, x_max, columns, symmetric, &corners)
     }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::analytical::RoundedEdge;
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::assembly::{GaussPoint, MaterialModel, PointStresses, StressField};
 use crate::fem::element::StressState;
@@ -81,6 +82,9 @@ pub struct StepSolution {
     pub has_collapsed: bool,
     /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
     pub unresolved: Option<f64>,
+    /// Pressure at a rounded edge in closed form and the width of the contact on it, where the bodies are elastic and elements too
+    /// large for it \[MPa, mm\].
+    pub rounded_edge: Option<RoundedEdge>,
     /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
     pub missed: Option<f64>,
     /// Times the candidate zone was widened.
@@ -91,6 +95,8 @@ pub struct StepSolution {
     pub increments: Vec<IncrementRecord>,
     /// By how much half as many increments change the figures, relative to them; bodies with a memory only.
     pub increment_error: Option<CoarseFigures>,
+    /// The largest approach and half-width of a history so far \[mm\]; zero without one.
+    pub reached: [f64; 2],
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the elastic one, of the pairs
     /// in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

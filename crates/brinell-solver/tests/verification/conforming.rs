@@ -218,3 +218,20 @@ fn a_pin_in_si() {
     assert_within(si.contact.half_angle.unwrap(), mm.contact.half_angle.unwrap(), 1e-9);
     assert!(si.validity.is_empty(), "{:?}", si.validity);
 }
+
+/// The numbers of rows and columns, and with them the answer, are the same in other units, where lengths differ by rounding.
+#[test]
+fn other_units_have_the_same_mesh() {
+    for clearance in [1.922_904_155_5e-6, 1e-4, 3e-2] {
+        let job = |length: f64, stress: f64| {
+            let body = |shape: Value| json!({"shape": shape, "material": {"young_modulus": stress * YOUNG, "poisson_ratio": 0.45}});
+            json!({"analysis": "axisymmetric", "units": if stress > 1.0 { "SI" } else { "mm_N_MPa" },
+                "upper": body(json!({"type": "cylinder", "radius": length})),
+                "lower": body(json!({"type": "hole", "radius": length * (1.0 + clearance), "outer_radius": 1.2 * length * (1.0 + clearance)})),
+                "load": {"force": 63.682 * clearance}, "mesh": {"elements_per_half_width": 10}})
+        };
+        let [mm, si] = [report(&job(1.0, 1.0)), report(&job(1e-3, 1e6))];
+        assert_eq!(mm.mesh.equations, si.mesh.equations);
+        assert_within(1e3 * si.steps[0].approach, mm.steps[0].approach, 1e-9);
+    }
+}

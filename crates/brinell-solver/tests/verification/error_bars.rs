@@ -52,6 +52,43 @@ fn ratios(problem: &Value) -> Vec<[f64; 3]> {
     ratios.to_vec()
 }
 
+/// A rigid indenter on a steel block by flow theory, pressed in and taken away.
+fn unloaded(analysis: &str, shape: &Value, law: &str, force: f64, elements: u32) -> StepReport {
+    let plasticity = match law {
+        "voce" => {
+            json!({"law": "voce", "yield_stress": 400.0, "saturation_stress": 600.0, "rate": 50.0})
+        }
+        _ => json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 0.0}),
+    };
+    let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3, "plasticity": plasticity});
+    let job = json!({"analysis": analysis, "load": {"history": [{"force": force}, {"force": 0}]},
+        "upper": {"shape": shape, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 30}, "material": steel},
+        "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}, "solver": {"theory": "flow"}});
+    report(&job).steps.remove(1)
+}
+
+/// What a history leaves of the approach has a bar, which holds against twice as many elements; nothing else is in doubt there.
+#[test]
+fn the_approach_that_is_left_has_a_bar_that_holds() {
+    let roller = json!({"type": "cylinder", "radius": 10});
+    let punch = json!({"type": "punch", "width": 2, "depth": 5});
+    let cases = [
+        ("plane_strain", &roller, "voce", 417.0),
+        ("plane_strain", &punch, "", 2200.0),
+        ("axisymmetric", &roller, "", 52.0),
+        ("axisymmetric", &roller, "voce", 52.0),
+    ];
+    for (analysis, shape, law, force) in cases {
+        let [coarse, fine] = [8, 16].map(|elements| unloaded(analysis, shape, law, force, elements));
+        let bars = coarse.estimated_error.unwrap();
+        let error = (coarse.approach / fine.approach - 1.0).abs();
+        assert!(fine.approach > 0.0 && bars.approach >= error && bars.approach < 0.3, "{error} {bars:?}");
+        let rest = [bars.peak_pressure, bars.half_width, bars.force, bars.contact_stiffness];
+        assert_eq!(rest, [0.0; 4]);
+    }
+}
+
 #[test]
 fn the_true_error_lies_within_the_bar() {
     let workers: Vec<_> = problems().into_iter().map(|job| thread::spawn(move || ratios(&job))).collect();

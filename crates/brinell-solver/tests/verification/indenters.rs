@@ -2,13 +2,14 @@
 //! Sadowsky and Boussinesq; and the limit load of the flat punch on a perfectly plastic block against Prandtl.
 
 use brinell_solver::analytical::{
-    PowerIndenter, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure, shear_yield_von_mises,
+    PowerIndenter, RoundedEdge, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure,
+    shear_yield_von_mises,
 };
-use brinell_solver::report::StepReport;
+use brinell_solver::report::{StepReport, preflight};
 use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
-use crate::problems::{assert_within, report};
+use crate::problems::{assert_within, parse, report};
 
 const MODULUS: f64 = 210_000.0 / 0.91;
 
@@ -167,6 +168,60 @@ fn a_rounded_punch_ends_on_its_arcs() {
     assert!(light.contact.half_width > 0.5 && light.contact.half_width < 0.6);
     let hard = at(0.5, 5000.0);
     assert!(hard.contact.half_width > light.contact.half_width && hard.contact.half_width < 1.0);
+}
+
+/// Edges whose radius is smaller than an element, in every analysis: the check before knows what they cost, the contact ends on the arcs,
+/// the approach lies between those of sharp punches as wide as the flat and as the whole, and the bar of the peak reaches the closed form.
+/// Radii that no mesh resolves are refused in all.
+#[test]
+fn small_edge_radii_are_solved_or_refused_in_every_analysis() {
+    for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
+        let job = |half_width: f64, radius: f64| {
+            let shape =
+                json!({"type": "punch", "width": 2.0 * half_width, "edge_radius": radius, "depth": 5.0});
+            let mut job = press(analysis, shape, json!({"force": 2000.0}), 40.0, Value::Null);
+            job["mesh"] = json!({"elements_per_half_width": 12});
+            job
+        };
+        let rounded = job(1.0, 0.02);
+        let estimate = preflight(&parse(&rounded)).unwrap().equations as f64;
+        let found = report(&rounded);
+        assert_within(found.mesh.equations as f64, estimate, 0.1);
+        let step = &found.steps[0];
+        assert_eq!(step.status, SolveStatus::Converged);
+        let bars = step.estimated_error.unwrap();
+        assert!(step.contact.half_width <= 1.0 && (1.0 + bars.half_width) * step.contact.half_width >= 0.98);
+        let sharp = |half_width: f64| report(&job(half_width, 0.0)).steps.remove(0).approach;
+        assert!(step.approach <= (1.0 + bars.approach) * sharp(0.98));
+        assert!(step.approach >= (1.0 - bars.approach) * sharp(1.0));
+        let modulus = if analysis == "plane_stress" { 210_000.0 } else { MODULUS };
+        let edge = match analysis {
+            "axisymmetric" => RoundedEdge::circular(0.02, 0.98, 2000.0, modulus),
+            _ => RoundedEdge::plane(0.02, 0.98, 2000.0, modulus),
+        };
+        assert!((1.0 + bars.peak_pressure) * step.contact.peak_pressure >= 0.999 * edge.peak_pressure());
+        assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"));
+        for radius in [1e-5, 1e-3, 2e-3] {
+            let faults = preflight(&parse(&job(1.0, radius))).unwrap_err();
+            assert_eq!(faults[0].pointer, "/upper/shape/edge_radius", "{radius}");
+        }
+    }
+}
+
+/// The half-width that a refusal names is that of the closed form: of a power law the force grows with a high power of it.
+#[test]
+fn a_refusal_names_the_half_width_that_there_would_be() {
+    for exponent in [3.0, 10.0] {
+        let scale = 30.0_f64;
+        let indenter = PowerIndenter::new(exponent, scale.powf(1.0 - exponent), MODULUS);
+        let shape =
+            json!({"type": "power", "exponent": exponent, "scale": scale, "width": 12.0, "depth": 20.0});
+        let job = press("axisymmetric", shape, json!({"force": indenter.force(4.0)}), 400.0, Value::Null);
+        let faults = preflight(&parse(&job)).unwrap_err();
+        let named: Vec<&str> = faults[0].detail.split_whitespace().collect();
+        let reach: f64 = named[named.iter().position(|word| *word == "about").unwrap() + 1].parse().unwrap();
+        assert_within(reach, 4.0, 5e-3);
+    }
 }
 
 /// The force of a punch that is driven into a perfectly plastic block approaches Prandtl's from below.

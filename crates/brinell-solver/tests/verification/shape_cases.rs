@@ -239,6 +239,35 @@ fn a_shift_does_not_change_the_approach() {
     }
 }
 
+/// A rigid face with two summits, one lower by 1e-6 mm, under an approach that brings both into contact: found together, instead of by
+/// ever wider zones of elements for one of them.
+#[test]
+fn summits_of_nearly_one_height_are_found_together() {
+    let found = report(&case("two_summits_of_nearly_one_height"));
+    assert!(found.mesh.passes <= 5 && found.mesh.equations < 150_000, "{:?}", found.mesh);
+    let step = &found.steps[0];
+    assert_eq!(step.status, SolveStatus::Converged);
+    let patches = &step.contact.patches;
+    assert_eq!(patches.len(), 2);
+    assert!(patches[0].right < -0.4 && patches[1].left > 0.4);
+    assert!(codes(step).contains(&"coarse_mesh"));
+}
+
+/// A spike with flanks of 280 % on a body that deforms is refused before it is solved, whatever the material and the theory.
+#[test]
+fn a_steep_spike_is_refused_of_every_material() {
+    let plastic = case("spike_of_slope_3");
+    let mut elastic = plastic.clone();
+    elastic["upper"]["material"].as_object_mut().unwrap().remove("plasticity");
+    let mut flow = plastic.clone();
+    flow["solver"] = json!({"theory": "flow"});
+    for job in [plastic, elastic, flow] {
+        let fault = refused(&job);
+        assert_eq!(fault.pointer, "/upper/shape/points");
+        assert!(fault.detail.contains("slope of 2.8"), "{}", fault.detail);
+    }
+}
+
 fn rough(trace: (usize, f64, usize)) -> Value {
     let steel = json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3});
     json!({"analysis": "plane_strain", "load": {"force": 300.0}, "mesh": {"elements_per_half_width": 20},

@@ -16,7 +16,7 @@
 
 use std::f64::consts::PI;
 
-use super::{ContactZone, Mesh, MeshError, Outline, SurfaceFrame};
+use super::{ContactZone, Mesh, MeshError, Outline, ROUNDING, SurfaceFrame};
 use sparse_cholesky::LatticePoint;
 
 /// How fine the rings are.
@@ -79,7 +79,7 @@ fn shaft_rows(outline: &Outline) -> Vec<f64> {
     let (begin, end) = (ring_depth(outline), outline.depth());
     let mut thickness = SHAFT_ROW * (outline.span().1 - outline.span().0);
     let (mut rows, mut depth) = (Vec::new(), begin);
-    while depth < end {
+    while depth < end * (1.0 - ROUNDING) {
         depth += thickness;
         thickness *= SHAFT_GROWTH;
         rows.push(depth);
@@ -103,7 +103,7 @@ pub(super) fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement:
     // Thickness h g, h g², …: the sum over k rings is about h g^(k+1) / (g - 1).
     let (growth, distance) = (refinement.growth, ring_depth(outline).max(outline.span().1));
     let rings = (1.0 + distance * (growth - 1.0) / zone.spacing()).ln() / growth.ln();
-    let outer = rings.ceil().max(1.0) as usize + shaft_rows(outline).len();
+    let outer = (rings - ROUNDING).ceil().max(1.0) as usize + shaft_rows(outline).len();
     (columns + 1) * (rows + 1) + outer * (columns + sides * rows + 1)
 }
 
@@ -397,7 +397,7 @@ fn ring_steps(inner: &[Polar], outer: &[Polar], zone: &ContactZone, refinement: 
     let (first, last) = (mean(inner).exp(), mean(outer).exp());
     let growth = refinement.growth;
     let (mut radii, mut radius, mut thickness) = (Vec::new(), first, spacing);
-    while radius < last {
+    while radius < last * (1.0 - ROUNDING) {
         thickness *= growth;
         radius += thickness;
         radii.push(radius);

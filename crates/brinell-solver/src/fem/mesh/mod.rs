@@ -77,6 +77,9 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
     half_o_grid::estimated_nodes(outline, zone, refinement)
 }
 
+/// Relative difference of two lengths that is rounding: other units give the same numbers of rows and columns.
+pub(crate) const ROUNDING: f64 = 1e-9;
+
 /// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
 const FADES: [i32; 4] = [1, 2, 4, 8];
 

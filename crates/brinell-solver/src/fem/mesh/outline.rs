@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::MeshError;
 use super::interpolation::{MonotoneCubic, Polyline};
 use super::zone::Corner;
 use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
@@ -88,12 +89,24 @@ const CORNER: f64 = 0.05;
 const ALONE: f64 = 4.0;
 /// Slope of a surface given by points up to which meshes are made without fail.
 pub(super) const MESHED_SLOPE: f64 = 0.5;
+/// Slope of a surface given by points beyond which a contact on it is not solved where it deforms: with an angle of 56° vertical gaps
+/// say nothing, whatever a mesh can follow.
+const CONTACT_SLOPE: f64 = 1.5;
 /// Slope of a vertical drop.
 const VERTICAL: f64 = 1e9;
 
 /// The inner points of a line as corners, which a smooth curve through them rounds off.
 fn bends(line: &Polyline, is_rounded: bool) -> impl Iterator<Item = Corner> {
     line.bends().map(move |[x, left, right]| Corner { x, slopes: [left, right], is_rounded })
+}
+
+/// The edges of a punch, beyond which its surface drops.
+fn edges(half_width: f64, is_rounded: bool) -> [Corner; 2] {
+    [(-half_width, [VERTICAL, 0.0]), (half_width, [0.0, -VERTICAL])].map(|(x, slopes)| Corner {
+        x,
+        slopes,
+        is_rounded,
+    })
 }
 
 impl Outline {
@@ -248,14 +261,30 @@ impl Outline {
 
     /// Where a surface given by points is steepest, and its slope there `[x, slope]`.
     pub(super) fn steepest(&self) -> Option<[f64; 2]> {
+        self.steepest_within(f64::NEG_INFINITY, f64::INFINITY)
+    }
+
+    /// The same of the straight lines between points that lie at least in part in `[left, right]`.
+    fn steepest_within(&self, left: f64, right: f64) -> Option<[f64; 2]> {
         let line = match &self.surface {
             Surface::Smooth(curve) => curve.line(),
             Surface::Linear(line) => line,
             _ => return None,
         };
-        let slopes =
-            line.points().windows(2).map(|p| [p[0][0], ((p[1][1] - p[0][1]) / (p[1][0] - p[0][0])).abs()]);
+        let inside = line.points().windows(2).filter(|p| p[1][0] > left && p[0][0] < right);
+        let slopes = inside.map(|p| [p[0][0], ((p[1][1] - p[0][1]) / (p[1][0] - p[0][0])).abs()]);
         slopes.max_by(|a, b| a[1].total_cmp(&b[1]))
+    }
+
+    /// Whether a surface given by points is flat enough in `[left, right]` for a contact there.
+    ///
+    /// # Errors
+    /// [`MeshError::TooSteep`], whether or not there is a mesh that follows it.
+    pub fn require_contact_slope(&self, left: f64, right: f64) -> Result<(), MeshError> {
+        match self.steepest_within(left, right) {
+            Some([x, slope]) if slope > CONTACT_SLOPE => Err(MeshError::TooSteep { x, slope }),
+            _ => Ok(()),
+        }
     }
 
     /// Whether a surface given by points is so steep somewhere that it may not be meshed.
@@ -281,13 +310,36 @@ impl Outline {
         }
     }
 
+    /// Distance of the side walls of a punch from its middle \[mm\].
+    pub fn wall(&self) -> Option<f64> {
+        if let Surface::Punch { half_width, .. } = self.surface { Some(half_width) } else { None }
+    }
+
+    /// Radius of the edges of a punch, if they are rounded \[mm\].
+    pub fn edge_radius(&self) -> Option<f64> {
+        match self.surface {
+            Surface::Punch { edge_radius, .. } if edge_radius > 0.0 => Some(edge_radius),
+            _ => None,
+        }
+    }
+
+    /// The rounded edges of a punch as corners, if their radius is smaller than a length: elements of it do not see the arcs.
+    pub fn edges_rounded_below(&self, length: f64) -> Vec<Corner> {
+        match self.surface {
+            Surface::Punch { half_width, edge_radius, .. } if edge_radius > 0.0 && edge_radius < length => {
+                edges(half_width, true).to_vec()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// Corners of the surface, ascending.
     pub fn corners(&self) -> Vec<Corner> {
         let corner = |x: f64, left: f64, right: f64| Corner { x, slopes: [left, right], is_rounded: false };
         match &self.surface {
             Surface::Wedge { slope, tip_radius } if *tip_radius == 0.0 => vec![corner(0.0, *slope, -slope)],
             Surface::Punch { half_width, edge_radius, .. } if *edge_radius == 0.0 => {
-                vec![corner(-half_width, VERTICAL, 0.0), corner(*half_width, 0.0, -VERTICAL)]
+                edges(*half_width, false).to_vec()
             }
             Surface::Smooth(curve) => {
                 let corners = bends(curve.line(), true);

@@ -14,7 +14,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::outline::{FarBoundary, Ring};
-use super::{ContactZone, Mesh, MeshError, Outline, Refinement, SurfaceFrame};
+use super::{ContactZone, Mesh, MeshError, Outline, ROUNDING, Refinement, SurfaceFrame};
 use sparse_cholesky::LatticePoint;
 
 /// Part of the radius down to which rows are as thick as columns are wide at most.
@@ -79,7 +79,7 @@ fn ray_angles(ring: &Ring, zone: &ContactZone, refinement: Refinement) -> Vec<f6
     let mut angles: Vec<f64> = zone.abscissae().iter().map(|s| s / radius).collect();
     let (start, mut width) = (zone.x_max() / radius, zone.spacing() / radius);
     let (mut ends, mut end) = (Vec::new(), 0.0);
-    while end < PI - start {
+    while end < (PI - start) * (1.0 - ROUNDING) {
         width *= refinement.growth;
         end += width;
         ends.push(end);
@@ -96,8 +96,8 @@ fn row_parts(ring: &Ring, zone: &ContactZone, refinement: Refinement) -> Vec<f64
     let even = zone.x_max().min(EVEN_DEPTH * radius.min((ring.far_distance(0.0) - radius).abs()));
     let (mut parts, mut depth, mut thickness) = (vec![0.0], 0.0, spacing);
     let mut part = 0.0;
-    while part < 1.0 {
-        if depth >= even {
+    while part < 1.0 - ROUNDING {
+        if depth >= even * (1.0 - ROUNDING) {
             thickness *= refinement.growth;
         }
         let here = radius * (part * whole).exp();

@@ -49,6 +49,12 @@ impl ContactPatch {
         parts
     }
 
+    /// The part of it between two walls.
+    #[must_use]
+    pub fn within(self, [left, right]: [f64; 2]) -> Self {
+        Self { left: self.left.max(left), right: self.right.min(right) }
+    }
+
     /// Half of the distance between the ends \[mm\].
     pub fn half_width(&self) -> f64 {
         0.5 * (self.right - self.left)

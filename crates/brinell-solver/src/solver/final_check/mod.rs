@@ -8,8 +8,10 @@ use std::sync::Arc;
 
 use contact_stiffness::contact_stiffness;
 
+use crate::analytical::RoundedEdge;
 use crate::contact::{ContactLoad, KktReport, kkt};
 use crate::fem::assembly::StressField;
+use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
 use crate::solver::couplings::iteration::{Outcome, norm, relative};
@@ -23,6 +25,9 @@ use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
 const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
+
+/// Elements of a contact on a rounded edge over its width at most.
+pub(crate) const EDGE_ELEMENT: f64 = 0.25;
 
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
 const COLLAPSE_STRAIN: f64 = 1.0;
@@ -77,8 +82,28 @@ pub(crate) fn finish(
             from_iteration(pass)
         });
         let contact_stiffness = if pass.outcome.status.is_stopped() { 0.0 } else { contact_stiffness };
-        judge(pass, evidence, contact_stiffness, load, tolerance)
+        let mut step = judge(pass, evidence, contact_stiffness, load, tolerance);
+        step.rounded_edge = unresolved_edge(problem, &step);
+        step
     })
+}
+
+/// The rounded edge of a punch on an elastic body on which elements are too large for the contact.
+fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<RoundedEdge> {
+    let radius = problem.edge_radius();
+    let flat = problem.walls()[1] - radius;
+    let patch = step.patch?;
+    let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
+    if yields || !flat.is_finite() || patch.half_width() < flat {
+        return None;
+    }
+    let of = if problem.stress_state == StressState::Axisymmetric {
+        RoundedEdge::circular
+    } else {
+        RoundedEdge::plane
+    };
+    let edge = of(radius, flat, step.force(), problem.effective_modulus());
+    (step.spacing > EDGE_ELEMENT * edge.width()).then_some(edge)
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
@@ -232,11 +257,13 @@ fn judge(
         reaches_edge: pass.reaches_edge,
         has_collapsed,
         unresolved: None,
+        rounded_edge: None,
         missed: None,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),
         increment_error: None,
+        reached: [0.0; 2],
         unloading_stiffness: 0.0,
         energy: energy(system, outcome, &bodies),
     }

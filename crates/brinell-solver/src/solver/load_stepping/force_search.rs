@@ -213,7 +213,9 @@ impl ForceSearch<'_> {
             force *= (-at[1] / slope).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION).exp();
         }
         let Some(mut best) = best else { return Err(SolveError::NoLoad) };
-        if best.deviation() > self.missed().max(tolerance) {
+        // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
+        let steepness = solution.sensitivity.map_or(1.0, |slope| (slope / self.expected_slope()).max(1.0));
+        if best.deviation() > (steepness * self.missed()).max(tolerance) {
             for step in &mut best.steps {
                 (step.status, step.missed) = (SolveStatus::NotConverged, Some(best.ratio));
             }

@@ -116,6 +116,9 @@ struct Found {
     has_collapsed: bool,
 }
 
+/// What was found on a zone or, if the contact goes beyond it, a wider one.
+type OnZone = Result<Found, ContactZone>;
+
 /// Halves the increments on the coarse mesh until that no longer changes the figures at the ends of the loads.
 ///
 /// Errors fall at least like the increments, so that the difference to increments twice as large is at least the error.
@@ -285,21 +288,19 @@ impl MeshHistory<'_> {
     ) -> Result<Found, SolveError> {
         let mut mesh = self.mesh.clone();
         let (mut enlargements, mut narrowings) = (0, 0);
+        let most_columns = mesh_solve::most_columns(&mesh.zone);
         loop {
             let steps = solution.steps.len();
             let run = MeshHistory { mesh: mesh.clone(), ..*self };
-            let wider = mesh_solve::enlarge(self.request.problem, &mesh.zone);
-            let can_enlarge = narrowings == 0
-                && enlargements < MAX_ENLARGEMENTS
-                && mesh_solve::fits(self.request.problem, &wider)
-                && wider.half_width() > mesh.zone.half_width();
-            match run.solve_on_zone(estimates, enlargements, can_enlarge, solution, observer) {
-                Ok(Some(mut found)) => {
+            let can_enlarge = narrowings == 0 && enlargements < MAX_ENLARGEMENTS;
+            let most_columns = can_enlarge.then_some(most_columns);
+            match run.solve_on_zone(estimates, enlargements, most_columns, solution, observer) {
+                Ok(Ok(mut found)) => {
                     solution.passes += 1;
                     found.mesh = mesh.zone;
                     return Ok(found);
                 }
-                Ok(None) => {
+                Ok(Err(wider)) => {
                     solution.passes += 1;
                     solution.steps.truncate(steps);
                     mesh.zone = wider;
@@ -315,15 +316,15 @@ impl MeshHistory<'_> {
         }
     }
 
-    /// `None` if the zone is too narrow.
+    /// Ends early on a zone that is too narrow, if that may become wider and have so many columns.
     fn solve_on_zone(
         &self,
         estimates: Option<&Estimates<'_>>,
         enlargements: usize,
-        can_enlarge: bool,
+        most_columns: Option<usize>,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<Option<Found>, SolveError> {
+    ) -> Result<OnZone, SolveError> {
         let problem = self.request.problem;
         let MeshSolveRequest { refinement, cache, .. } = self.mesh;
         let zone = &self.mesh.zone;
@@ -367,8 +368,12 @@ impl MeshHistory<'_> {
                 let mut solve =
                     self.increment(system, target, time, &leg, &mut progress, solution, observer)?;
                 solve.enlargements = enlargements;
-                if solve.reaches_edge && can_enlarge && !solve.outcome.status.is_stopped() {
-                    return Ok(None);
+                if let Some(most_columns) = most_columns
+                    && solve.reaches_edge
+                    && !solve.outcome.status.is_stopped()
+                    && let Some(wider) = mesh_solve::enlarged(problem, zone, solve.meets, most_columns)
+                {
+                    return Ok(Err(wider));
                 }
                 status = worse(status, solve.outcome.status);
                 history.append(&mut solve.outcome.history.clone());
@@ -395,24 +400,25 @@ impl MeshHistory<'_> {
                     solve.outcome.status = status;
                     let mut step = self.step(&mut solve, target, &mut progress, solution, observer);
                     step.load = load;
+                    step.reached = [progress.reached[1], widest];
                     step.coarse = estimates.coarse.get(number).copied().flatten();
                     step.increment_error = estimates.increments.get(number).copied().flatten();
                     step.increments = std::mem::take(&mut increments);
                     let is_stopped = step.status.is_stopped();
                     solution.steps.push(step);
                     if is_stopped {
-                        return Ok(Some(found));
+                        return Ok(Ok(found));
                     }
                 }
                 if found.has_collapsed {
-                    return Ok(Some(found));
+                    return Ok(Ok(found));
                 }
                 solve.system.commit(&solve.outcome.state.response.displacement);
                 progress.accepted = solve.outcome.state.response.displacement;
                 system = solve.system;
             }
         }
-        Ok(Some(found))
+        Ok(Ok(found))
     }
 
     /// A load as a leg of the history, from where the bodies are.

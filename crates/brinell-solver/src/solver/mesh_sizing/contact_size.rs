@@ -7,7 +7,9 @@ use super::trace::resolving_spacing;
 use crate::analytical::PinInHole;
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
-use crate::fem::mesh::{ContactZone, Refinement};
+#[cfg(doc)]
+use crate::fem::mesh::MeshError;
+use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
 use crate::solver::SolveError;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
@@ -150,13 +152,16 @@ impl ContactSizeEstimate {
                 Ok(Ok(Self::around(touch, a, elastic, symmetric)))
             }
             elastic => {
-                let ratio = match load {
-                    ContactLoad::Force(force) => force / problem.elastic_force(touch, limit),
-                    ContactLoad::Approach(approach) => 2.0 * approach / problem.opening(touch, limit),
+                // On the power of the half-width that the load follows there: 2 of a cylinder, 3 of a ball under a force.
+                let borne = |a: f64| match load {
+                    ContactLoad::Force(_) => problem.elastic_force(touch, a),
+                    ContactLoad::Approach(_) => 0.5 * problem.opening(touch, a),
                 };
+                let exponent = (borne(limit) / borne(0.5 * limit)).log2();
+                let ratio = load.magnitude() / borne(limit);
                 // Where the surfaces close again, no ratio tells.
-                let beyond = limit * if ratio > 1.0 { ratio.sqrt() } else { 1.0 };
-                Ok(Err(elastic.unwrap_or(beyond).max(plastic)))
+                let beyond = if ratio > 1.0 && exponent > 0.0 { ratio.powf(exponent.recip()) } else { 1.0 };
+                Ok(Err(elastic.unwrap_or(beyond * limit).max(plastic)))
             }
         }
     }
@@ -202,13 +207,22 @@ impl ContactSizeEstimate {
     /// This extent, with elements as small as the surfaces need them; `elements` are asked for over a half-width.
     ///
     /// # Errors
-    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved.
+    /// [`SolveError::TraceTooFine`] where that is smaller than what is solved, [`MeshError::TooSteep`] where a face that deforms is too
+    /// steep within the contact.
     pub fn resolved(self, problem: &Problem, load: ContactLoad, elements: usize) -> Result<Self, SolveError> {
+        let (left, right) = (self.centre - self.half_width, self.centre + self.half_width);
+        for outline in problem.deformable_outlines() {
+            outline.require_contact_slope(left, right)?;
+        }
         let extent = self.of_several_parts(problem, load);
         let (wanted, spacing) = extent.spacings(problem, elements);
         let finest = extent.half_width / MAX_ELEMENTS;
         if spacing < wanted && spacing < finest {
             return Err(SolveError::TraceTooFine { half_width: extent.half_width, spacing, finest });
+        }
+        let radius = problem.edge_radius();
+        if radius < finest && extent.half_width >= problem.walls()[1] - radius {
+            return Err(SolveError::TraceTooFine { half_width: extent.half_width, spacing: radius, finest });
         }
         Ok(Self { refinement: wanted / spacing, ..extent })
     }
@@ -379,7 +393,7 @@ impl ContactSizeEstimate {
         let mut columns = (ZONE * self.half_width / spacing).round().max(LEAST_COLUMNS);
         if problem.conforming.is_some() {
             // As much as there is of whole elements, for a contact that reaches far round.
-            columns = columns.min((problem.span().1 / spacing).floor());
+            columns = columns.min((problem.span().1 / spacing + ROUNDING).floor());
         }
         let half = columns * spacing;
         // Bounded by the limits of `elements_per_half_width` and of the ratios above.

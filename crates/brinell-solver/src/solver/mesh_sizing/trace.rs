@@ -4,6 +4,8 @@
 //! them by d within an element of size h, a slope of up to 4 d/h; it is taken to matter where that is a noticeable part of
 //! the slope 2 δ/a with which the gap opens over the half-width a, δ being the gap at its ends. The deviation `h² δ/4 a²` of
 //! a smooth surface of that opening is what any mesh leaves out, and does not count.
+//!
+//! The rounded edges of a punch are no such details: the contact ends there, and columns are graded towards them.
 
 use crate::solver::problem::Problem;
 
@@ -19,7 +21,8 @@ const MAX_TRIALS: u32 = 60;
 pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: f64) -> f64 {
     let edges = problem.edges_around(centre);
     let (left, right) = ((centre - a).max(edges[0]), (centre + a).min(edges[1]));
-    let inside = problem.knots_within(left, right);
+    let knots = problem.knots_within(left, right).iter().copied();
+    let inside: Vec<f64> = knots.filter(|&x| !problem.is_on_rounded_edge(x)).collect();
     let opening = 0.5 * (problem.initial_gap(right) + problem.initial_gap(left));
     if inside.len() < 3 || opening <= 0.0 {
         return wanted;
@@ -32,7 +35,7 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
         }
         let smooth = 2.0 * 0.25 * opening * (spacing / a).powi(2);
         let allowed = smooth + SLOPE_SHARE * 0.5 * opening * spacing / a;
-        if largest_deviation(problem, inside, centre, edges, spacing) <= allowed {
+        if largest_deviation(problem, &inside, centre, edges, spacing) <= allowed {
             break;
         }
         spacing *= STEP;
