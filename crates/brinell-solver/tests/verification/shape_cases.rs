@@ -173,6 +173,32 @@ fn searches_without_an_end_are_refused_before_they_begin() {
     assert!(faults.len() == 2 && faults.iter().all(|fault| fault.detail.contains("`hole`")), "{faults:?}");
 }
 
+/// What a search costs is estimated by the force from which it begins.
+#[test]
+fn searches_cost_what_was_estimated() {
+    let steel = |yield_stress: f64| {
+        json!({"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 2100.0}})
+    };
+    let roller = json!({"shape": {"type": "cylinder", "radius": 10.0}, "material": steel(500.0)});
+    let hole =
+        json!({"shape": {"type": "hole", "radius": 10.05, "outer_radius": 50.0}, "material": steel(700.0)});
+    let block = json!({"shape": {"type": "block", "width": 80.0, "depth": 40.0}, "material": steel(700.0)});
+    for lower in [hole, block] {
+        for load in [
+            json!({"onset": true}),
+            json!({"target": {"peak_pressure": 800.0}}),
+            json!({"target": {"max_plastic_strain": 1e-3}}),
+        ] {
+            let job = json!({"analysis": "plane_strain", "load": load, "upper": roller, "lower": lower,
+                "mesh": {"elements_per_half_width": 10}});
+            let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
+            let found = report(&job).mesh.equations as f64;
+            assert!(found < 2.0 * estimate && estimate < 2.0 * found, "{estimate} for {found}: {job}");
+        }
+    }
+}
+
 /// A sphere far beyond full plasticity would sink in by two thirds of its radius.
 #[test]
 fn a_ball_that_would_sink_in_is_refused() {
@@ -243,7 +269,10 @@ fn a_shift_does_not_change_the_approach() {
 /// ever wider zones of elements for one of them.
 #[test]
 fn summits_of_nearly_one_height_are_found_together() {
-    let found = report(&case("two_summits_of_nearly_one_height"));
+    let job = case("two_summits_of_nearly_one_height");
+    let found = report(&job);
+    let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
+    assert_within(found.mesh.equations as f64, estimate, 0.3);
     assert!(found.mesh.passes <= 5 && found.mesh.equations < 150_000, "{:?}", found.mesh);
     let step = &found.steps[0];
     assert_eq!(step.status, SolveStatus::Converged);

@@ -2,8 +2,10 @@
 
 /// Largest change of a force from one trial to the next, as a logarithm.
 const LARGEST_STEP: f64 = 2.0;
-/// Change where the figure is still zero.
+/// Change where the figure is still zero, from how many forces on it becomes larger, and by which factor each time.
 const STEP_FROM_NOTHING: f64 = 0.7;
+const PATIENCE: usize = 3;
+const IMPATIENCE: f64 = 1.5;
 /// Least part of a bracket that an interpolated force keeps from its ends.
 const MARGIN: f64 = 0.1;
 /// Distance from the largest force that can be solved at which there is no use in coming nearer.
@@ -29,6 +31,8 @@ pub(super) struct Bracket {
     limit: Option<f64>,
     /// All with a figure above zero.
     trials: Vec<[f64; 2]>,
+    /// How many have none.
+    zeros: usize,
     /// What is expected of the slope.
     expected_slope: f64,
 }
@@ -47,7 +51,7 @@ pub(super) enum Next {
 impl Bracket {
     /// Nothing tried yet; `expected_slope` is what is expected of `d ln figure / d ln force`.
     pub fn new(expected_slope: f64) -> Self {
-        Self { below: None, above: None, limit: None, trials: Vec::new(), expected_slope }
+        Self { below: None, above: None, limit: None, trials: Vec::new(), zeros: 0, expected_slope }
     }
 
     /// Slope of the logarithms at a force, of the straight line nearest to the trials around it; `None` where these are too
@@ -80,6 +84,8 @@ impl Bracket {
         let at = [force.ln(), if ratio > 0.0 { ratio.ln() } else { f64::NEG_INFINITY }];
         if at[1].is_finite() {
             self.trials.push(at);
+        } else {
+            self.zeros += 1;
         }
         if at[1] >= 0.0 {
             self.above = Some(at);
@@ -112,7 +118,9 @@ impl Bracket {
                 low + (high - low) * part.clamp(MARGIN, 1.0 - MARGIN)
             }
             (Some([low, y]), None) => {
-                let step = if y.is_finite() { (-y / slope).min(LARGEST_STEP) } else { STEP_FROM_NOTHING };
+                let growth = IMPATIENCE.powf(self.zeros.saturating_sub(PATIENCE) as f64);
+                let step = if y.is_finite() { -y / slope } else { STEP_FROM_NOTHING * growth };
+                let step = step.min(LARGEST_STEP);
                 match self.limit {
                     Some(limit) if limit - low < AT_LIMIT => return Next::AtLimit,
                     Some(limit) => (low + step).min(f64::midpoint(low, limit)),
@@ -165,6 +173,14 @@ mod tests {
             assert!(matches!(end, Next::Force(force) if (force - 5.0).abs() < 0.05), "{start}: {end:?}");
             assert!(trials <= 25, "{start}: {trials}");
         }
+    }
+
+    /// Also from a force that is smaller by nine orders of magnitude than one that gives anything.
+    #[test]
+    fn finds_a_force_from_next_to_nothing() {
+        let (end, trials) = search(2e-9, 9.0, 1e7);
+        assert!(matches!(end, Next::Force(force) if (force - 5.0).abs() < 0.05), "{end:?}");
+        assert!(trials <= 25, "{trials}");
     }
 
     #[test]

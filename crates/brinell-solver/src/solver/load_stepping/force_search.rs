@@ -70,26 +70,57 @@ pub(super) fn run(
     observer: &mut dyn Observer,
 ) -> Result<Vec<StepSolution>, SolveError> {
     let problem = sequence.problem;
-    // Of the weakest depth.
-    let strength = |body: &ProblemBody| Some(body.yield_stress()? * body.strength_range().0);
-    let weakest = problem.bodies.iter().filter_map(strength).reduce(f64::min);
     if sought != Sought::Onset {
-        return ForceSearch { sought, problem, weakest, sequence: *sequence }.run(solution, observer);
+        return ForceSearch { sought, problem, sequence: *sequence }.run(solution, observer);
     }
-    if weakest.is_none() {
+    if weakest(problem).is_none() {
         return Err(SolveError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
     let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
-    ForceSearch { sought, problem, weakest, sequence }.run(solution, observer)
+    ForceSearch { sought, problem, sequence }.run(solution, observer)
+}
+
+/// Lowest yield stress of all depths \[MPa\].
+fn weakest(problem: &Problem) -> Option<f64> {
+    let strength = |body: &ProblemBody| Some(body.yield_stress()? * body.strength_range().0);
+    problem.bodies.iter().filter_map(strength).reduce(f64::min)
+}
+
+/// Whether the force to start from is that of a mean pressure; if not, it is that of a width or of nothing at all.
+pub(crate) fn starts_from_pressure(sought: Sought, problem: &Problem) -> bool {
+    let is_pressure = |figure| matches!(figure, TargetFigure::PeakPressure | TargetFigure::MeanPressure);
+    let is_width = |figure| figure == TargetFigure::HalfWidth;
+    match sought {
+        Sought::Target(target) if is_width(target.figure) => false,
+        Sought::Target(target) if is_pressure(target.figure) => true,
+        _ => weakest(problem).is_some(),
+    }
+}
+
+/// A force to start from, by what closed forms say of the size of the contact.
+///
+/// # Errors
+/// [`SolveError::Conforming`] or [`SolveError::TouchesAtEnd`].
+pub(crate) fn first_force(sought: Sought, problem: &Problem) -> Result<f64, SolveError> {
+    let weakest = weakest(problem).unwrap_or(f64::INFINITY);
+    let mean = match sought {
+        Sought::Onset => weakest,
+        Sought::Target(target) => match target.figure {
+            TargetFigure::HalfWidth => return force_below(problem, |_, a| a < target.value.get()),
+            TargetFigure::PeakPressure => MEAN_OF_PEAK * target.value.get(),
+            TargetFigure::MeanPressure => target.value.get(),
+            _ => PLASTIC_START * weakest,
+        },
+    };
+    let mean = mean.min(HIGHEST_START * weakest);
+    force_below(problem, |force, a| problem.mean_pressure(force, a) < mean)
 }
 
 struct ForceSearch<'a> {
     sought: Sought,
     /// The bodies with the plasticity that the job gives them.
     problem: &'a Problem,
-    /// Lowest yield stress \[MPa\].
-    weakest: Option<f64>,
     sequence: LoadSequence<'a>,
 }
 
@@ -119,7 +150,7 @@ impl ForceSearch<'_> {
         let job = self.coarse_job();
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let mut bracket = Bracket::new(self.expected_slope());
-        let mut force = self.first_force()?;
+        let mut force = first_force(self.sought, self.problem)?;
         let mut reason = UnreachableReason::LargestForce;
         let mut near = None;
         for _ in 0..MAX_COARSE {
@@ -299,24 +330,6 @@ impl ForceSearch<'_> {
                 | TargetFigure::MaxPlasticStrain => 2.0,
             },
         }
-    }
-
-    /// A force to start from, by what closed forms say of the size of the contact.
-    fn first_force(&self) -> Result<f64, SolveError> {
-        let weakest = self.weakest.unwrap_or(f64::INFINITY);
-        let mean = match self.sought {
-            Sought::Onset => weakest,
-            Sought::Target(target) => match target.figure {
-                TargetFigure::HalfWidth => {
-                    return force_below(self.problem, |_, a| a < target.value.get());
-                }
-                TargetFigure::PeakPressure => MEAN_OF_PEAK * target.value.get(),
-                TargetFigure::MeanPressure => target.value.get(),
-                _ => PLASTIC_START * weakest,
-            },
-        };
-        let mean = mean.min(HIGHEST_START * weakest);
-        force_below(self.problem, |force, a| self.problem.mean_pressure(force, a) < mean)
     }
 
     /// The job on the meshes on which the force is looked for.

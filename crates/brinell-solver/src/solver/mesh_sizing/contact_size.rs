@@ -38,6 +38,8 @@ const MORE_THAN_EXPECTED: f64 = 1.5;
 const MAX_ELEMENTS: f64 = 350.0;
 /// How much wider than by closed forms a contact of rough surfaces is to be sized by what half-spaces say.
 const WIDER_THAN_CLOSED_FORM: f64 = 1.25;
+/// Part of an approach by which a summit is pushed into the other body as it is before it counts as in contact: away from where they touch bodies hardly give way.
+const OVERLAP: f64 = 0.8;
 /// Points within a contact from which on its surfaces may touch in parts; an edge, a tip and an arc have fewer.
 const TRACE_POINTS: usize = 5;
 /// Pairs over a half-width with which parts are looked for.
@@ -260,7 +262,10 @@ impl ContactSizeEstimate {
     /// The extent that a mesh is expected to find of surfaces given by points: a trace touches beyond where its mean surface
     /// would, and in parts that meshes resolve.
     pub fn of_trace(self, problem: &Problem, load: ContactLoad, elements: usize) -> Self {
-        let ContactLoad::Force(force) = load else { return self };
+        let force = match load {
+            ContactLoad::Force(force) => force,
+            ContactLoad::Approach(approach) => return self.of_all_summits(problem, approach),
+        };
         if self.refinement > 1.0 {
             let spacing = self.spacing(elements);
             let found = rough::contact(problem, force, self.centre, self.half_width, spacing);
@@ -274,6 +279,27 @@ impl ContactSizeEstimate {
             }
             None => self,
         }
+    }
+
+    /// The extent with all points that an approach is to bring well into the other body.
+    fn of_all_summits(self, problem: &Problem, approach: f64) -> Self {
+        if problem.has_arcs() {
+            return self;
+        }
+        let (left, right) = problem.room();
+        let is_inside = |x: &&f64| problem.initial_gap(**x) < OVERLAP * approach;
+        let (from, to) = problem
+            .knots_within(left, right)
+            .iter()
+            .filter(is_inside)
+            .fold((self.centre - self.half_width, self.centre + self.half_width), |(from, to), &x| {
+                (from.min(x), to.max(x))
+            });
+        let half_width = if problem.has_symmetric_outlines() { to.max(-from) } else { 0.5 * (to - from) };
+        if half_width < WIDER_THAN_CLOSED_FORM * self.half_width {
+            return self;
+        }
+        Self { centre: 0.5 * (from + to), half_width, hertz_half_width: half_width, ..self }
     }
 
     /// The extent of a contact that a mesh has found under a force, with parts that it may have been too coarse to tell apart.

@@ -5,6 +5,7 @@ use crate::fem::mesh::{Mesh, MeshError, estimated_nodes};
 use crate::job::{Job, Target, TargetFigure, Theory};
 use crate::solver::SolveError;
 use crate::solver::body_system::plastic_search_region::RadialEnvelope;
+use crate::solver::load_stepping::force_search::{first_force, starts_from_pressure};
 use crate::solver::loads::{Loads, Sought, largest_loads, loads, resolution_reserve};
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, MAX_HALF_WIDTH, refinement};
 use crate::solver::problem::Problem;
@@ -68,7 +69,8 @@ pub fn estimate(job: &Job) -> Result<Estimate, SolveError> {
     Ok(worst)
 }
 
-/// Where the load is yet to be found: a contact of a hundredth of the surface, if it is not told how wide it is.
+/// Where the load is yet to be found: the contact under the force from which the search begins; of bodies of which no closed form tells
+/// one, a contact of a hundredth of the surface.
 fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimate, SolveError> {
     if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
         return Err(SolveError::NoYieldPoint);
@@ -92,18 +94,28 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
     }
     // Of surfaces that touch at two places, as far apart as these are.
     let apart = if problem.is_symmetric() { problem.first_contact_x.abs() } else { 0.0 };
-    let extent = ContactSizeEstimate {
+    let extent = starting_extent(problem, sought, elements).unwrap_or(ContactSizeEstimate {
         centre: 0.0,
         half_width: apart.max(half_width),
         smallest_part: half_width,
         plastic: RadialEnvelope::NONE,
         hertz_half_width: half_width,
         refinement: 1.0,
-    };
+    });
     let spacing = extent.spacing(elements);
     let zone = extent.zone(problem, spacing);
     let nodes = |outline| estimated_nodes(outline, &zone, refinement(&zone));
     Ok(cost(problem, &problem.deformable_outlines().map(nodes).collect::<Vec<_>>()))
+}
+
+/// The contact under the force from which a search begins; `None` where a width is sought, or closed forms tell no force.
+fn starting_extent(problem: &Problem, sought: Sought, elements: usize) -> Option<ContactSizeEstimate> {
+    if !starts_from_pressure(sought, problem) {
+        return None;
+    }
+    let load = ContactLoad::Force(first_force(sought, problem).ok()?);
+    let extent = ContactSizeEstimate::expected(problem, load).ok()?;
+    Some(extent.resolved(problem, load, elements).unwrap_or(extent).of_trace(problem, load, elements))
 }
 
 /// The factor of nested dissection grows as `n log₂ n`, everything else as n; the constants were measured and
