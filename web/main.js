@@ -269,17 +269,20 @@ async function compare(id, on) {
 function nameCompared() {
   const others = [...compared.keys()].filter((one) => one !== current?.id);
   if (current?.id) history.replaceState(null, '', link.jobFragment(current.id, others));
+  keep();
   list.show();
 }
 
 /** Fetches a job to be compared. @param {string} id @param {() => boolean} still whether it is wanted when it is here */
 async function layOver(id, still) {
-  const used = new Set([...compared.values()].map(({ colour }) => colour));
-  const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
-  if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
   try {
     const [report, job] = await Promise.all([fetchResult(id), ask(`v1/jobs/${id}/request`)]);
-    if (still()) compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
+    if (!still()) return;
+    // Others may have come meanwhile.
+    const used = new Set([...compared.values()].map(({ colour }) => colour));
+    const free = COLOURS.findIndex((one, k) => k > 0 && !used.has(one));
+    if (free < 0) return toast(`${COLOURS.length} jobs are as many as can be told apart`);
+    compared.set(id, { id, report, job, label: '', colour: COLOURS[free], dash: DASHES[free] });
   } catch (error) {
     if (still()) toast(/** @type {Error} */ (error).message);
   }

@@ -70,9 +70,11 @@ export class SweepPanel {
   }
 }
 
-/** Whether the load falls again on a body that remembers: the curve has a way back of its own. @param {Shown} shown */
+/** Whether the load falls again on a body that has yielded: the curve has a way back of its own. @param {Shown} shown */
 const turnsBack = ({ job, report: { steps } }) =>
-  job.solver?.theory === 'flow' && steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach);
+  job.solver?.theory === 'flow' &&
+  steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
+  steps.some((step) => strainOf(step) > 0);
 
 /** @param {Shown} shown */
 const onsetOf = ({ report }) => report.steps[0].hertz?.yield_onset_force;

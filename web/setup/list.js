@@ -34,17 +34,20 @@ export function partsOf(text) {
  * @returns {Readings}
  */
 export function readParts(parts, units, name = 'number') {
+  const shared = new Map();
+  for (const quantity of new Set(parts.map((part) => part.quantity))) {
+    const names = parts.filter((part) => part.quantity === quantity).map(({ text }) => parted(text).name);
+    const last = names[names.length - 1];
+    const each = names.slice(0, -1).some(Boolean);
+    if (each && !names.every(Boolean))
+      return { problem: 'write the unit behind each number, or behind the last one for all' };
+    shared.set(quantity, !each && quantity && inJobUnits(1, last, quantity, units) ? last : '');
+  }
   const values = [];
   const problems = [];
   for (const [k, { text, quantity }] of parts.entries()) {
-    const alike = parts.filter((part) => part.quantity === quantity).map((part) => parted(part.text).name);
-    const own = alike.slice(0, -1).some(Boolean);
-    if (own && !alike.every(Boolean))
-      return { problem: 'write the unit behind each number, or behind the last one for all' };
     const problem = severalIn(text, parts.length === 1, parts[k - 1]?.text ?? '');
-    const last = alike[alike.length - 1];
-    const shared = !own && quantity && inJobUnits(1, last, quantity, units) ? last : '';
-    const reading = problem ? { problem } : readQuantity(text, quantity, units, { unit: shared });
+    const reading = problem ? { problem } : readQuantity(text, quantity, units, { unit: shared.get(quantity) });
     if ('problem' in reading)
       problems.push(parts.length > 1 ? `${name} ${k + 1}: ${reading.problem}` : reading.problem);
     else values.push(reading.value);

@@ -58,6 +58,29 @@ service.test('an axisymmetric job is not laid over a plane one', async (page) =>
   assert.equal(new URL(page.url()).hash, `#job=${id}`);
 });
 
+service.test('two jobs that are chosen at once have colours of their own', async (page) => {
+  const ids = [];
+  for (const force of [300, 400, 500]) ids.push(await solved(page, { load: { force } }));
+  await follow(page, `job=${ids[0]}`);
+  await page.locator('#panel-figures tbody tr').first().waitFor();
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  let letGo = () => {};
+  const held = new Promise((resolve) => {
+    letGo = () => resolve(undefined);
+  });
+  await page.route('**/result?**', async (route) => {
+    await held;
+    await route.continue();
+  });
+  for (const id of ids.slice(1)) await page.getByLabel(`Compare ${id.slice(-8)}`).check();
+  letGo();
+  await page.locator('#panel-figures tbody tr').nth(2).waitFor();
+  const colours = await page
+    .locator('#panel-pressure .legend .swatch path')
+    .evaluateAll((all) => all.map((one) => /** @type {SVGPathElement} */ (one).style.stroke));
+  assert.equal(new Set(colours.slice(0, 3)).size, 3, colours.join());
+});
+
 service.test('whoever solves again keeps the comparison, and the link has it', async (page) => {
   const [one, other] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { force: 400 } })];
   await follow(page, `job=${one}&with=${other}`);

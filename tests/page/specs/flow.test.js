@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { draft } from '../jobs.js';
+import { draft, shown } from '../jobs.js';
 
 const service = suite();
 
@@ -44,4 +44,14 @@ service.test('unloading leaves a dent, a loop and residual stresses', async (pag
     /highest von Mises stress \d/,
   );
   await page.locator('#headline').getByText('Unloading stiffness').waitFor();
+});
+
+service.test('bodies that stay elastic have no loop of force over approach', async (page) => {
+  const history = [{ force: 150 }, { force: 50 }, { force: 0 }];
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const sweep = page.locator('#panel-sweep .plot');
+  await sweep.locator('.uplot').waitFor();
+  assert.equal(await sweep.locator('svg').count(), 0);
+  await shown(page, { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await sweep.locator('svg').waitFor();
 });

@@ -61,6 +61,13 @@ service.test('what was changed at an address is kept when it is loaded again', a
   await page.locator('#headline').getByText('300.00').waitFor();
   await page.getByText(STALE).waitFor();
   assert.equal(await page.locator(FORCE).inputValue(), '301');
+  const other = await solved(page, { load: { force: 500 } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.getByLabel(`Compare ${other.slice(-8)}`).check();
+  await page.locator('#panel-figures tbody tr').nth(1).waitFor();
+  await page.reload();
+  await page.getByText(STALE).waitFor();
+  assert.equal(await page.locator(FORCE).inputValue(), '301', 'a comparison changes the address');
   const link = await definition(page);
   await follow(page, new URL(link).hash);
   await page.waitForFunction(

@@ -38,6 +38,12 @@ test('a list is read as it is meant, or refused', () => {
   }
 });
 
+test('a thousand numbers are a list', () => {
+  const text = Array.from({ length: 1000 }, (_, k) => k + 1).join(' ');
+  const result = readList(text, 'line_force', 'mm_N_MPa');
+  assert.equal('values' in result && result.values.length, 1000);
+});
+
 test('loads in turn are read as they are meant, or refused', () => {
   for (const [text, read] of /** @type {[string, object[] | RegExp][]} */ ([
     ['600 → 0 → 600', [{ force: 600 }, { force: 0 }, { force: 600 }]],

@@ -79,6 +79,12 @@ service.test(
   { ...PHONE, viewport: { width: 320, height: 700 } },
 );
 
+service.test('a report is no wider for what its tags say', async (page) => {
+  await shown(page, { load: { force: 300 }, tags: { ['k'.repeat(40)]: 'v'.repeat(200) } });
+  const place = await sheet(page);
+  assert.deepEqual(await place.evaluate((one) => one.scrollWidth - one.clientWidth), 0);
+});
+
 service.test('cards stand in rows of about the same length', async (page) => {
   await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
   for (const width of [1440, 1250, 1100]) {
