@@ -12,8 +12,10 @@ const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 export class ColourRange {
   /** @type {keyof typeof RANGES} */
   #of = 'steps';
-  /** Limits that are held, in the units shown. @type {Limits} */
+  /** Limits that are held, in the units of the job. @type {Limits} */
   #fixed = [0, 1];
+  /** From these to the units shown. */
+  #factor = 1;
   /** Whether there is one step alone. */
   #single = false;
   /** Limits of steps that were here, by quantity and step, in the units of the job. @type {Map<string, Limits>} */
@@ -40,7 +42,8 @@ export class ColourRange {
         'aria-label': name,
         onchange: () => {
           const reading = readNumber(box.value);
-          if ('value' in reading) this.#fixed[end] = reading.value;
+          if ('value' in reading) this.#fixed[end] = reading.value / this.#factor;
+          this.#fixed.sort((a, b) => a - b);
           this.#of = 'fixed';
           this.choice.value = 'fixed';
           changed();
@@ -94,11 +97,14 @@ export class ColourRange {
    */
   bands({ quantity, steps, limits, own, signed, factor, unit }) {
     const all = this.#of === 'steps' && !this.#single ? this.#overAll(quantity, steps, limits) : own;
-    const [low, high] = this.#of === 'fixed' ? this.#fixed : all.map((value) => value * factor);
-    const made = bands(signed || this.#of === 'fixed' ? low : 0, high > low ? high : low + 1);
-    if (this.#of !== 'fixed') this.#fixed = [made.low, made.low + made.step * made.colours.length];
+    const held = this.#of === 'fixed';
+    const [low, high] = (held ? this.#fixed : all).map((value) => value * factor);
+    const made = bands(signed || held ? low : 0, high > low ? high : low + 1);
+    const ends = held ? [low, high] : [made.low, made.low + made.step * made.colours.length];
+    this.#factor = factor;
+    this.#fixed = /** @type {Limits} */ (ends.map((end) => end / factor));
     this.boxes.forEach((box, k) => {
-      box.value = plain(this.#fixed[k]).replace('−', '-');
+      box.value = plain(ends[k]).replace('−', '-');
     });
     this.unit.textContent = unit;
     return made;

@@ -274,3 +274,21 @@ service.test('figures are on the page before any field, and fields come a step a
   assert.deepEqual([...new Set(asked)].sort(), ['1', '2', '3']);
   assert.equal(asked.length, 3, 'each once');
 });
+
+service.test(
+  'limits of the colours that are held stay the same stresses in other units, the least one first',
+  async (page) => {
+    await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
+    await drawn(page);
+    const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
+    await least.fill('400');
+    await least.press('Enter');
+    await largest.fill('100');
+    await largest.press('Enter');
+    assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['100', '400']);
+    await page.getByText('Units shown').click();
+    await page.getByLabel('Unit of stress').selectOption('GPa');
+    assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['0.1', '0.4']);
+    assert.match((await page.locator('.colours').textContent()) ?? '', /^0\.4.*0\.1GPa$/);
+  },
+);
