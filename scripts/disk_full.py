@@ -2,16 +2,20 @@
 """Fills the disk under `brinell serve`, frees it, and shows what the service answers meanwhile.
 
 usage: scripts/disk_full.py [--binary target/release/brinell] [--size 12m]
-Mounts a tmpfs in namespaces of its own (`unshare --user --map-root-user --mount`); needs no rights. Each part ends with a line that
+Mounts a tmpfs in namespaces of its own (`unshare --user --mount`); needs no rights. Each part ends with a line that
 says what was seen, and with exit code 1 if it is not what docs/operations.md promises.
 
 1. A reserve of 0: jobs with fields fill the disk to the last byte. Space is freed by another file's removal; submit,
    claim and cancel work again within seconds.
 2. A reserve: jobs are refused with 507 before the disk is full, and what was accepted finishes.
 3. `ulimit -f`: a file reaches the largest size the process may write; the process lives.
+4. The disk under the tables of PostgreSQL is filled to the last byte and freed.
+5. The disk under all of PostgreSQL is filled, at which PostgreSQL may end, and freed; then PostgreSQL is started again.
 """
-import argparse, http.client, json, os, re, resource, subprocess, sys, tempfile, time
+import argparse, http.client, json, os, resource, shutil, subprocess, sys, tempfile, time
 from pathlib import Path
+
+from harness import Cluster
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--binary", default="target/release/brinell")
@@ -21,7 +25,8 @@ parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
 args = parser.parse_args()
 
 if not args.inside:
-    own = ["unshare", "--user", "--map-root-user", "--mount"]
+    # PostgreSQL refuses to run as root, and only root may be somebody else.
+    own = ["unshare", "--mount"] if os.getuid() == 0 else ["unshare", "--user", "--map-current-user", "--keep-caps", "--mount"]
     sys.exit(subprocess.run([*own, sys.executable, __file__, *sys.argv[1:], "--inside"]).returncode)
 
 JOB = json.loads(Path("api/examples/two_cylinders.json").read_text())
@@ -37,8 +42,9 @@ def check(seen, what):
 
 
 class Service:
-    def __init__(self, directory, *flags, limit=None):
-        command = [args.binary, "serve", "--listen", "127.0.0.1:0", "--data-dir", f"{directory}/data", *flags]
+    def __init__(self, directory, *flags, limit=None, database=None):
+        store = ["--database-url", database] if database else ["--data-dir", f"{directory}/data"]
+        command = [args.binary, "serve", "--listen", "127.0.0.1:0", *store, *flags]
         set_limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if limit else None
         self.log = tempfile.TemporaryFile("w+")
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=self.log, text=True,
@@ -139,7 +145,48 @@ def file_size_limit():
     check(service.end()[0] == 0, "and exits with 0")
 
 
+def under_postgres(holds_log):
+    """With its log on the full disk PostgreSQL may end; it is started again once there is space."""
+    print(f"{5 if holds_log else 4}. under PostgreSQL, {'all of it' if holds_log else 'its tables'}")
+    directory = mounted("120m")
+    os.chmod(directory, 0o755)
+    tempfile.tempdir = directory if holds_log else None
+    with Cluster() as cluster:
+        if not holds_log:
+            shutil.chown(directory, *["nobody"] if cluster.user else [os.getuid()])
+            for statement in (f"CREATE TABLESPACE small LOCATION '{directory}'", "ALTER DATABASE postgres SET default_tablespace = small"):
+                subprocess.run(["psql", cluster.url, "-qc", statement], check=True)
+        service = Service(directory, database=cluster.url)
+        free = os.statvfs(directory)
+        ballast = Path(directory, "ballast")
+        ballast.write_bytes(bytes(free.f_bavail * free.f_frsize - (12 << 20 if holds_log else 6 << 20)))
+        status, body, accepted = service.fill()
+        wanted = (503, 507) if holds_log else (507,)
+        check(status in wanted, f"refused with {status} {body and body['type']} after {len(accepted)} jobs")
+        status, body = service.ask("GET", "/readyz")
+        # PostgreSQL may still have room for one row in the pages that it has.
+        check(status in (200, *wanted), f"/readyz answers {status}: {body.get('detail')}")
+        check(service.ask("GET", "/livez")[0] == 200, "/livez answers 200")
+        ballast.unlink()
+        if not cluster.is_running():
+            print("     PostgreSQL has ended and is started again")
+            cluster.start()
+        seconds = service.until("GET", "/readyz", None, (200,))
+        check(seconds is not None, f"/readyz is 200 again after {seconds} s")
+        status, receipt = service.ask("POST", "/v1/jobs", {**JOB, "output": {}})
+        check(status == 202, f"a job is accepted again: {status}")
+        if status == 202:
+            seconds = service.until("GET", f"/v1/jobs/{receipt['id']}/result", None, (200,), 90)
+            check(seconds is not None, f"it is claimed and solved after {seconds} s")
+        states = {service.ask("GET", f"/v1/jobs/{job}?wait=90")[1].get("status") for job in accepted}
+        check(states == {"succeeded"}, f"{len(accepted)} accepted jobs: {states}")
+        code, log = service.end()
+        check(code == 0 and (holds_log or "disk is full" in log), f"exit code {code}; the log says {'disk is full' if 'disk is full' in log else 'storage is unavailable'}")
+
+
 to_the_last_byte()
 with_a_reserve()
 file_size_limit()
+under_postgres(holds_log=False)
+under_postgres(holds_log=True)
 sys.exit(1 if failures else 0)

@@ -81,9 +81,16 @@ class Cluster:
             os.chmod(self.base, 0o755)
             shutil.chown(self.folder, "nobody")
         self.run("initdb", "-D", self.folder, "-U", "brinell", "-A", "trust")
+        self.start()
+        self.url = f"postgres://brinell@127.0.0.1:{self.port}/postgres"
+
+    def start(self):
         options = f"-p {self.port} -k {self.folder} -c listen_addresses=127.0.0.1"
         self.run("pg_ctl", "-D", self.folder, "-w", "-l", f"{self.folder}/log", "-o", options, "start")
-        self.url = f"postgres://brinell@127.0.0.1:{self.port}/postgres"
+
+    def is_running(self):
+        command = [*self.user, str(self.programs / "pg_ctl"), "-D", self.folder, "status"]
+        return subprocess.run(command, stdout=subprocess.DEVNULL, cwd="/").returncode == 0
 
     def run(self, program, *arguments):
         subprocess.run([*self.user, str(self.programs / program), *arguments], check=True, stdout=subprocess.DEVNULL, cwd="/")
