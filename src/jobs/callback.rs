@@ -8,7 +8,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-use super::{JobId, StoreError, TraceParent};
+use super::{JobId, KeyId, StoreError, TraceParent};
 
 /// How far the announcement of a job's end has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
@@ -79,6 +79,8 @@ pub struct Delivery {
     pub url: String,
     /// Which attempt, counted from 1.
     pub attempt: u32,
+    /// The API key that the job came under.
+    pub submitter: Option<KeyId>,
     /// Trace that the submission belongs to.
     pub trace: Option<TraceParent>,
 }
@@ -117,11 +119,11 @@ pub trait DeliveryStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`].
     async fn claim_deliveries(&self, limit: usize, lease: Duration) -> Result<Vec<Delivery>, StoreError>;
 
-    /// Tells how an attempt ended; without effect if another has been made meanwhile.
+    /// Tells how attempts ended; without effect on those of which another has been made meanwhile.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].
-    async fn end_delivery(&self, delivery: &Delivery, end: DeliveryEnd) -> Result<(), StoreError>;
+    async fn end_deliveries(&self, ends: &[(Delivery, DeliveryEnd)]) -> Result<(), StoreError>;
 
     /// The announcement of a job's end, if it has one.
     ///

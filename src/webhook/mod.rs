@@ -5,17 +5,17 @@
 //! once, with the same id. Attempts that fail are repeated with growing pauses for about a day.
 
 mod notice;
+mod receivers;
 mod rules;
 mod signature;
 
-use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Duration;
 
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use metrics::counter;
 use tokio::task::JoinSet;
-use tokio::time::{sleep, timeout};
+use tokio::time::{Instant, sleep_until, timeout};
 use tracing::Instrument;
 use tracing::field::Empty;
 use uuid::Uuid;
@@ -26,6 +26,7 @@ use crate::jobs::{
 use crate::outgoing::Client;
 use crate::telemetry;
 use notice::Notice;
+use receivers::{Postponed, Receiver, Receivers};
 pub use rules::CallbackRules;
 pub use signature::WebhookSecret;
 use signature::signatures;
@@ -33,16 +34,13 @@ use signature::signatures;
 /// Attempts by outcome.
 pub const DELIVERIES: &str = "brinell_webhook_deliveries_total";
 
-/// Attempts at the same time, and to one host.
-const AT_ONCE: usize = 32;
-const AT_ONCE_TO_ONE_HOST: usize = 4;
-
 /// Longest time of an attempt, and how long it is waited for until it is made again.
 const ATTEMPT: Duration = Duration::from_secs(15);
 const LEASE: Duration = Duration::from_mins(1);
 
-/// Time between two looks for what is due.
+/// Time between two looks for what is due: where nothing was, and where there was more than room for it.
 const POLL: Duration = Duration::from_secs(1);
+const POLL_SOON: Duration = Duration::from_millis(100);
 
 /// Pauses behind the attempts, in units of the first one; there is one more attempt than pauses.
 const PAUSES: [u32; 8] = [1, 6, 24, 120, 720, 2160, 5760, 8640];
@@ -69,41 +67,63 @@ pub struct Announcer {
 impl Announcer {
     /// Delivers what is due, for ever.
     pub async fn run(self: Arc<Self>) {
-        let mut attempts: JoinSet<String> = JoinSet::new();
-        let mut by_host: HashMap<String, usize> = HashMap::new();
+        let mut attempts: JoinSet<(Receiver, Duration)> = JoinSet::new();
+        let mut receivers = Receivers::default();
+        let mut look_at = Instant::now();
         loop {
-            while let Some(ended) = attempts.try_join_next() {
-                forget(&mut by_host, ended.ok());
+            let mut postponed = Vec::new();
+            while let Some(Ok((receiver, took))) = attempts.try_join_next() {
+                postponed.extend(receivers.ended(&receiver, took));
             }
-            let free = AT_ONCE.saturating_sub(attempts.len());
-            let due =
-                if free == 0 { Ok(Vec::new()) } else { self.deliveries.claim_deliveries(free, LEASE).await };
-            let due = due.unwrap_or_else(|error| {
-                tracing::warn!(error = &error as &dyn std::error::Error, "cannot look for announcements");
-                Vec::new()
-            });
-            let is_idle = due.is_empty();
-            for delivery in due {
-                let host = self.rules.check(&delivery.url).map(|to| to.host).unwrap_or_default();
-                let count = by_host.entry(host.clone()).or_insert(0);
-                if *count >= AT_ONCE_TO_ONE_HOST {
-                    self.end(&delivery, DeliveryEnd::Postponed { retry: POLL }).await;
-                    continue;
+            if look_at <= Instant::now() {
+                let room = receivers.room();
+                let due = if room == 0 { Vec::new() } else { self.due(room).await };
+                let mut pause = match (room, due.len()) {
+                    (0, _) => POLL_SOON,
+                    (_, 0) => POLL,
+                    _ => Duration::ZERO,
+                };
+                for delivery in due {
+                    let host = self.rules.check(&delivery.url).map(|to| to.host).unwrap_or_default();
+                    if let Some(one) = receivers.offer((host, delivery.submitter), delivery) {
+                        postponed.push(one);
+                        pause = POLL_SOON;
+                    }
                 }
-                *count += 1;
-                let announcer = Arc::clone(&self);
+                look_at = Instant::now() + pause;
+            }
+            self.postpone(postponed).await;
+            while let Some((receiver, delivery)) = receivers.next() {
+                let (announcer, begin) = (Arc::clone(&self), Instant::now());
                 attempts.spawn(async move {
                     announcer.deliver(&delivery).await;
-                    host
+                    (receiver, begin.elapsed())
                 });
             }
-            if is_idle {
-                tokio::select! {
-                    () = sleep(POLL) => {}
-                    Some(ended) = attempts.join_next() => forget(&mut by_host, ended.ok()),
+            tokio::select! {
+                () = sleep_until(look_at) => {}
+                Some(Ok((receiver, took))) = attempts.join_next() => {
+                    self.postpone(receivers.ended(&receiver, took)).await;
                 }
             }
         }
+    }
+
+    /// What is due, so much of it at most.
+    async fn due(&self, limit: usize) -> Vec<Delivery> {
+        self.deliveries.claim_deliveries(limit, LEASE).await.unwrap_or_else(|error| {
+            tracing::warn!(error = &error as &dyn std::error::Error, "cannot look for announcements");
+            Vec::new()
+        })
+    }
+
+    async fn postpone(&self, postponed: Vec<Postponed>) {
+        if postponed.is_empty() {
+            return;
+        }
+        let ends =
+            postponed.into_iter().map(|(delivery, retry)| (delivery, DeliveryEnd::Postponed { retry }));
+        self.end(ends.collect()).await;
     }
 
     async fn deliver(&self, delivery: &Delivery) {
@@ -119,13 +139,13 @@ impl Announcer {
         };
         counter!(DELIVERIES, "outcome" => outcome).increment(1);
         tracing::info!(parent: &span, attempt = delivery.attempt, outcome, ?end, "announced");
-        self.end(delivery, end).instrument(span).await;
+        self.end(vec![(delivery.clone(), end)]).instrument(span).await;
     }
 
-    async fn end(&self, delivery: &Delivery, end: DeliveryEnd) {
-        if let Err(error) = self.deliveries.end_delivery(delivery, end).await {
-            let error = &error as &dyn std::error::Error;
-            tracing::warn!(job = %delivery.job, error, "the end of an attempt was not written; it will be made again");
+    async fn end(&self, ends: Vec<(Delivery, DeliveryEnd)>) {
+        if let Err(error) = self.deliveries.end_deliveries(&ends).await {
+            let (error, attempts) = (&error as &dyn std::error::Error, ends.len());
+            tracing::warn!(attempts, error, "the ends of attempts were not written; they will be made again");
         }
     }
 
@@ -179,17 +199,6 @@ impl Announcer {
             Some((HeaderName::from_static(name), HeaderValue::try_from(value).ok()?))
         };
         lines.into_iter().chain(trace).filter_map(line).collect()
-    }
-}
-
-/// An attempt to a host has ended.
-fn forget(by_host: &mut HashMap<String, usize>, host: Option<String>) {
-    let Some(host) = host else { return };
-    if let Some(count) = by_host.get_mut(&host) {
-        *count = count.saturating_sub(1);
-        if *count == 0 {
-            by_host.remove(&host);
-        }
     }
 }
 

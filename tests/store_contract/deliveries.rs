@@ -20,6 +20,10 @@ async fn due(subject: &Subject) -> Vec<Delivery> {
     subject.store.claim_deliveries(10, TERM).await.unwrap()
 }
 
+async fn end(subject: &Subject, delivery: &Delivery, end: DeliveryEnd) {
+    subject.store.end_deliveries(&[(delivery.clone(), end)]).await.unwrap();
+}
+
 async fn state(subject: &Subject, id: JobId) -> (CallbackState, u32) {
     let callback = subject.store.callback(id).await.unwrap().unwrap();
     (callback.state, callback.attempts)
@@ -64,21 +68,21 @@ pub async fn an_attempt_is_made_again_until_its_end_is_told(subject: &Subject) {
     let second = due(subject).await.remove(0);
     assert_eq!((second.attempt, second.id), (2, first.id));
     // The first is heard of after all, too late.
-    subject.store.end_delivery(&first, DeliveryEnd::Delivered { status: 200 }).await.unwrap();
+    end(subject, &first, DeliveryEnd::Delivered { status: 200 }).await;
     assert_eq!(state(subject, id).await, (CallbackState::Pending, 2));
     let failed = |retry| DeliveryEnd::Failed { status: Some(500), error: "no".to_owned(), retry };
-    subject.store.end_delivery(&second, failed(Some(Duration::from_secs(10)))).await.unwrap();
+    end(subject, &second, failed(Some(Duration::from_secs(10)))).await;
     let callback = subject.store.callback(id).await.unwrap().unwrap();
     assert_eq!((callback.last_status, callback.last_error.as_deref()), (Some(500), Some("no")));
     assert!(callback.next_attempt_at.is_some() && due(subject).await.is_empty());
     subject.clock.advance(SignedDuration::from_secs(11));
     let third = due(subject).await.remove(0);
     let postponed = DeliveryEnd::Postponed { retry: Duration::from_secs(1) };
-    subject.store.end_delivery(&third, postponed).await.unwrap();
+    end(subject, &third, postponed).await;
     subject.clock.advance(SignedDuration::from_secs(2));
     let third = due(subject).await.remove(0);
     assert_eq!(third.attempt, 3, "there was no attempt");
-    subject.store.end_delivery(&third, DeliveryEnd::Delivered { status: 204 }).await.unwrap();
+    end(subject, &third, DeliveryEnd::Delivered { status: 204 }).await;
     let callback = subject.store.callback(id).await.unwrap().unwrap();
     assert_eq!((callback.state, callback.attempts), (CallbackState::Delivered, 3));
     assert!(callback.delivered_at.is_some() && callback.last_error.is_none());
@@ -90,8 +94,8 @@ pub async fn what_is_given_up_is_not_due_again(subject: &Subject) {
     let id = enqueue(subject).await;
     subject.store.cancel(id).await.unwrap();
     let delivery = due(subject).await.remove(0);
-    let end = DeliveryEnd::Failed { status: None, error: "gone".to_owned(), retry: None };
-    subject.store.end_delivery(&delivery, end).await.unwrap();
+    let gone = DeliveryEnd::Failed { status: None, error: "gone".to_owned(), retry: None };
+    end(subject, &delivery, gone).await;
     subject.clock.advance(SignedDuration::from_hours(100));
     assert!(due(subject).await.is_empty());
     assert_eq!(state(subject, id).await, (CallbackState::Failed, 1));

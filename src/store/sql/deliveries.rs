@@ -11,7 +11,7 @@ use super::backend::Durability::{Synced, Written};
 use super::claiming::until;
 use super::codec::{count, damaged, time};
 use super::{SqlStore, StoreError};
-use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore, JobId};
+use crate::jobs::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore, JobId, KeyId};
 
 const ADD: &str = "INSERT INTO deliveries (job, id, url) VALUES ($1, $2, $3)";
 const SCHEDULE: &str =
@@ -26,6 +26,9 @@ const FIND: &str =
 
 /// An announcement as selected by [`FIND`].
 type FindRow = (Uuid, String, i32, Option<i64>, Option<i32>, Option<String>, Option<i64>);
+
+/// An announcement that is due: job, name, address, attempt, API key and trace of the job.
+type DueRow = (Uuid, Uuid, String, i32, Option<Uuid>, Option<String>);
 
 /// Announcements on a connection.
 pub(in crate::store) trait Deliveries: Send {
@@ -45,7 +48,7 @@ pub(in crate::store) trait Deliveries: Send {
     fn end_delivery(
         &mut self,
         delivery: &Delivery,
-        end: DeliveryEnd,
+        end: &DeliveryEnd,
         now: i64,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn find_callback(
@@ -86,18 +89,20 @@ macro_rules! deliveries {
                 lease: Duration,
                 now: i64,
             ) -> Result<Vec<Delivery>, StoreError> {
-                let claim = sqlx::query_as::<$database, (Uuid, Uuid, String, i32, Option<String>)>(concat!(
+                let claim = sqlx::query_as::<$database, DueRow>(concat!(
                     "UPDATE deliveries SET attempts = attempts + 1, due_at = $2
                      WHERE job IN (SELECT job FROM deliveries WHERE state = 'pending' AND due_at <= $1
                          ORDER BY due_at LIMIT $3",
                     $lock,
-                    ") RETURNING job, id, url, attempts, (SELECT traceparent FROM jobs WHERE jobs.id = deliveries.job)"
+                    ") RETURNING job, id, url, attempts, (SELECT submitter FROM jobs WHERE jobs.id = deliveries.job),
+                           (SELECT traceparent FROM jobs WHERE jobs.id = deliveries.job)"
                 ));
                 let limit = i64::try_from(limit).unwrap_or(i64::MAX);
                 let rows = claim.bind(now).bind(until(now, lease)).bind(limit).fetch_all(self).await?;
-                let read = |(job, id, url, attempt, trace): (Uuid, Uuid, String, i32, Option<String>)| {
+                let read = |(job, id, url, attempt, submitter, trace): DueRow| {
+                    let (job, submitter) = (JobId::from(job), submitter.map(KeyId::from));
                     let trace = trace.and_then(|text| text.parse().ok());
-                    Ok(Delivery { job: JobId::from(job), id, url, attempt: count(attempt)?, trace })
+                    Ok(Delivery { job, id, url, attempt: count(attempt)?, submitter, trace })
                 };
                 rows.into_iter().map(read).collect()
             }
@@ -105,23 +110,23 @@ macro_rules! deliveries {
             async fn end_delivery(
                 &mut self,
                 delivery: &Delivery,
-                end: DeliveryEnd,
+                end: &DeliveryEnd,
                 now: i64,
             ) -> Result<(), StoreError> {
                 let attempt = i32::try_from(delivery.attempt).unwrap_or(i32::MAX);
                 let (state, due, status, error) = match end {
                     DeliveryEnd::Postponed { retry } => {
                         let postpone = sqlx::query::<$database>(POSTPONE).bind(delivery.job.uuid());
-                        postpone.bind(attempt).bind(until(now, retry)).execute(self).await?;
+                        postpone.bind(attempt).bind(until(now, *retry)).execute(self).await?;
                         return Ok(());
                     }
                     DeliveryEnd::Failed { status, error, retry: Some(retry) } => {
-                        (CallbackState::Pending, Some(until(now, retry)), status, Some(error))
+                        (CallbackState::Pending, Some(until(now, *retry)), *status, Some(error))
                     }
                     DeliveryEnd::Failed { status, error, retry: None } => {
-                        (CallbackState::Failed, None, status, Some(error))
+                        (CallbackState::Failed, None, *status, Some(error))
                     }
-                    DeliveryEnd::Delivered { status } => (CallbackState::Delivered, None, Some(status), None),
+                    DeliveryEnd::Delivered { status } => (CallbackState::Delivered, None, Some(*status), None),
                 };
                 sqlx::query::<$database>(END)
                     .bind(delivery.job.uuid())
@@ -156,10 +161,14 @@ impl<B: Backend> DeliveryStore for SqlStore<B> {
         Ok(claimed)
     }
 
-    async fn end_delivery(&self, delivery: &Delivery, end: DeliveryEnd) -> Result<(), StoreError> {
+    async fn end_deliveries(&self, ends: &[(Delivery, DeliveryEnd)]) -> Result<(), StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        Deliveries::end_delivery(&mut *transaction, delivery, end, now).await?;
-        self.commit(transaction, Synced, &[]).await
+        for (delivery, end) in ends {
+            Deliveries::end_delivery(&mut *transaction, delivery, end, now).await?;
+        }
+        // What was postponed and forgotten is due again when its lease ends.
+        let was_postponed = ends.iter().all(|(_, end)| matches!(end, DeliveryEnd::Postponed { .. }));
+        self.commit(transaction, if was_postponed { Written } else { Synced }, &[]).await
     }
 
     async fn callback(&self, job: JobId) -> Result<Option<Callback>, StoreError> {

@@ -1,0 +1,188 @@
+//! Receivers take turns: one that is slow, or that much is due to, holds up nobody else.
+
+use std::collections::{HashMap, VecDeque};
+use std::time::Duration;
+
+use super::{ATTEMPT, LEASE};
+use crate::jobs::{Delivery, KeyId};
+
+/// Attempts at the same time.
+const AT_ONCE: usize = 64;
+
+/// Attempts at the same time to one receiver, and to one that is slow.
+const TO_ONE: usize = 4;
+const TO_ONE_SLOW: usize = 1;
+
+/// From which duration of its last attempt on a receiver is slow.
+const SLOW: Duration = Duration::from_secs(2);
+
+/// Announcements held at the same time.
+const HELD: usize = 256;
+
+/// Shortest time until an announcement that there was no room for is looked at again.
+const SHORTEST_PAUSE: Duration = Duration::from_millis(100);
+
+/// Receivers that are remembered although nothing is due to them.
+const REMEMBERED: usize = 1000;
+
+/// A host, called for one API key: what another key wants from the host does not wait for it.
+pub(super) type Receiver = (String, Option<KeyId>);
+
+/// An announcement that there is no room for now, and for how long.
+pub(super) type Postponed = (Delivery, Duration);
+
+/// What is held of announcements, by receiver.
+#[derive(Debug, Default)]
+pub(super) struct Receivers {
+    queues: HashMap<Receiver, Queue>,
+    running: usize,
+}
+
+#[derive(Debug, Default)]
+struct Queue {
+    waiting: VecDeque<Delivery>,
+    running: usize,
+    /// How long the last attempt took.
+    took: Duration,
+}
+
+impl Queue {
+    fn at_once(&self) -> usize {
+        if self.took < SLOW { TO_ONE } else { TO_ONE_SLOW }
+    }
+
+    /// How many may wait, so that the last is begun, and has ended, while it is leased.
+    fn room(&self) -> usize {
+        let rounds = (LEASE.as_secs() / ATTEMPT.as_secs()).saturating_sub(1);
+        self.at_once() * usize::try_from(rounds).unwrap_or(1)
+    }
+
+    fn pause(&self) -> Duration {
+        (2 * self.took).clamp(SHORTEST_PAUSE, ATTEMPT)
+    }
+
+    fn is_idle(&self) -> bool {
+        self.waiting.is_empty() && self.running == 0
+    }
+}
+
+impl Receivers {
+    /// How many announcements there is room for.
+    pub(super) fn room(&self) -> usize {
+        HELD.saturating_sub(
+            self.running + self.queues.values().map(|queue| queue.waiting.len()).sum::<usize>(),
+        )
+    }
+
+    /// Takes an announcement in, or gives it back if as many wait for its receiver as may.
+    pub(super) fn offer(&mut self, receiver: Receiver, delivery: Delivery) -> Option<Postponed> {
+        if self.queues.len() >= REMEMBERED {
+            self.queues.retain(|_, queue| !queue.is_idle());
+        }
+        let queue = self.queues.entry(receiver).or_default();
+        if queue.waiting.len() >= queue.room() {
+            return Some((delivery, queue.pause()));
+        }
+        queue.waiting.push_back(delivery);
+        None
+    }
+
+    /// An attempt that may begin: of the receiver with the fewest.
+    pub(super) fn next(&mut self) -> Option<(Receiver, Delivery)> {
+        if self.running >= AT_ONCE {
+            return None;
+        }
+        let may = |queue: &Queue| !queue.waiting.is_empty() && queue.running < queue.at_once();
+        let ready = self.queues.iter_mut().filter(|(_, queue)| may(queue));
+        let (receiver, queue) = ready.min_by_key(|(_, queue)| queue.running)?;
+        let delivery = queue.waiting.pop_front()?;
+        queue.running += 1;
+        self.running += 1;
+        Some((receiver.clone(), delivery))
+    }
+
+    /// An attempt has ended, after so long. Returns those that cannot wait for a receiver that turned out to be slow.
+    pub(super) fn ended(&mut self, receiver: &Receiver, took: Duration) -> Vec<Postponed> {
+        let Some(queue) = self.queues.get_mut(receiver) else { return Vec::new() };
+        queue.running = queue.running.saturating_sub(1);
+        self.running = self.running.saturating_sub(1);
+        queue.took = took;
+        let (room, pause) = (queue.room().min(queue.waiting.len()), queue.pause());
+        queue.waiting.split_off(room).into_iter().map(|delivery| (delivery, pause)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use uuid::Uuid;
+
+    use super::*;
+    use crate::jobs::JobId;
+
+    fn delivery() -> Delivery {
+        let (job, id) = (JobId::generate(), Uuid::new_v4());
+        Delivery { job, id, url: String::new(), attempt: 1, submitter: None, trace: None }
+    }
+
+    fn receiver(name: &str) -> Receiver {
+        (name.to_owned(), None)
+    }
+
+    /// Begins whatever may begin; how many attempts those are.
+    fn begin(receivers: &mut Receivers) -> usize {
+        std::iter::from_fn(|| receivers.next()).count()
+    }
+
+    #[test]
+    fn a_receiver_that_much_is_due_to_leaves_room_for_others() {
+        let mut receivers = Receivers::default();
+        let taken = (0..100).filter(|_| receivers.offer(receiver("much"), delivery()).is_none()).count();
+        assert_eq!((taken, begin(&mut receivers)), (12, 4));
+        let other_key = ("much".to_owned(), Some(KeyId::generate()));
+        assert!(
+            [receiver("other"), other_key].into_iter().all(|to| receivers.offer(to, delivery()).is_none())
+        );
+        assert_eq!(begin(&mut receivers), 2, "another host, and the host for another key");
+        assert_eq!(receivers.room(), HELD - 14);
+        assert_eq!(receivers.offer(receiver("much"), delivery()), None);
+        let (_, pause) = (0..9).find_map(|_| receivers.offer(receiver("much"), delivery())).unwrap();
+        assert_eq!(pause, SHORTEST_PAUSE, "it has not been slow so far");
+    }
+
+    #[test]
+    fn a_slow_receiver_has_one_attempt_at_a_time_until_it_is_quick_again() {
+        let (mut receivers, slow) = (Receivers::default(), receiver("slow"));
+        while receivers.offer(slow.clone(), delivery()).is_none() {}
+        assert_eq!(begin(&mut receivers), 4);
+        let postponed = receivers.ended(&slow, ATTEMPT);
+        assert_eq!(postponed.len(), 5, "of eight that wait three have their turn within the lease");
+        assert!(postponed.iter().all(|(_, pause)| *pause == ATTEMPT));
+        assert_eq!(begin(&mut receivers), 0);
+        for _ in 0..3 {
+            assert!(receivers.ended(&slow, ATTEMPT).is_empty());
+        }
+        assert_eq!(begin(&mut receivers), 1);
+        receivers.ended(&slow, Duration::from_millis(3));
+        assert_eq!(begin(&mut receivers), 2);
+    }
+
+    #[test]
+    fn no_more_are_made_at_once_than_may_be_and_the_idle_are_forgotten() {
+        let mut receivers = Receivers::default();
+        for host in 0..2 * AT_ONCE {
+            assert_eq!(receivers.offer(receiver(&host.to_string()), delivery()), None);
+        }
+        assert_eq!(begin(&mut receivers), AT_ONCE);
+        for host in 0..2 * AT_ONCE {
+            receivers.ended(&receiver(&host.to_string()), Duration::ZERO);
+            begin(&mut receivers);
+        }
+        for host in 0..2 * REMEMBERED {
+            assert_eq!(receivers.offer(receiver(&format!("h{host}")), delivery()), None);
+            while let Some((receiver, _)) = receivers.next() {
+                receivers.ended(&receiver, Duration::ZERO);
+            }
+        }
+        assert!(receivers.queues.len() <= REMEMBERED, "{}", receivers.queues.len());
+    }
+}
