@@ -141,6 +141,18 @@ fn the_table_says_what_matters() {
 }
 
 #[test]
+fn the_table_has_no_error_bar_of_nothing() {
+    let mut dent = example();
+    dent["mesh"] = json!({"elements_per_half_width": 6});
+    dent["solver"] = json!({"theory": "flow"});
+    dent["load"] = json!({"history": [{"force": 612.0}, {"force": 0}]});
+    let output = brinell(&["solve", "-", "--format", "table"], &dent.to_string());
+    let table = stdout(&output);
+    assert!(table.contains("force 0 N/mm") && table.contains(" ± "), "{table}");
+    assert!(!table.contains("± 0 %"), "{table}");
+}
+
+#[test]
 fn terminals_without_unicode_get_ascii() {
     let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
         .args(["solve", EXAMPLE, "--format", "table"])

@@ -185,6 +185,8 @@ impl Page {
             Some(hertz) if hertz > 0.0 => format!("{:.3}", value / hertz),
             _ => String::new(),
         };
+        // What is prescribed, or zero without contact, has no error.
+        let error = error.filter(|error| *error > 0.0);
         let error =
             error.map_or_else(String::new, |error| format!("  ± {} %", significant(100.0 * error, 2)));
         let value = self.style.bold(&format!("{:>13}", significant(value, 5)));
