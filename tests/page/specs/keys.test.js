@@ -25,7 +25,10 @@ const made = (server, name, scope = 'write') =>
 /** @param {Page} page @param {string} token */
 async function give(page, token) {
   await page.getByLabel('Key', { exact: true }).fill(token);
+  // The page is loaded anew; until then the one before is there.
+  const loaded = page.waitForEvent('load');
   await page.getByRole('button', { name: 'Use key' }).click();
+  await loaded;
 }
 
 service.test(
