@@ -76,12 +76,18 @@ export function readQuantity(text, quantity, units, { unit = '', meaning } = {})
 /** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
 export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
 
-/** Without the spaces that do not break, and the apostrophes, that group digits. @param {string} text */
-export const groupsJoined = (text) => text.replace(/(?<=\d)[\u00a0\u2009\u202f'’](?=\d{3}(?!\d))/g, '');
+/** Without the spaces that do not break, and the apostrophes, that group digits before the decimal sign. @param {string} text */
+export const groupsJoined = (text) =>
+  text.replace(/(?<![\d.,\u00a0\u2009\u202f'’])\d{1,3}(?:[\u00a0\u2009\u202f'’]\d{3})+(?!\d)/g, (number) =>
+    number.replace(/\D/g, ''),
+  );
 
-/** Without spaces that group digits, with a plain minus. @param {string} text */
-const tidy = (text) =>
-  text
-    .trim()
-    .replace(/[−–]/g, '-')
-    .replace(/(?<=\d)[\s\u00a0\u202f'’](?=\d{3}(?!\d))/g, '');
+/** A number whose digits are grouped by threes, before the decimal sign, behind it or on both sides. */
+const GROUPED =
+  /^[+-]?(?:\d{1,3}(?:[\s'’]\d{3})+|\d*)(?:[.,](?:\d{3}(?:[\s'’]\d{3})*(?:[\s'’]\d{1,3})?|\d*))?(?:e[+-]?\d+)?$/i;
+
+/** Without what groups digits, with a plain minus. @param {string} text */
+function tidy(text) {
+  const plain = text.trim().replace(/[−–]/g, '-');
+  return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
+}

@@ -19,9 +19,9 @@ import { inJobUnits } from './units.js';
 export function readTable(text, quantities, units) {
   const lines = groupsJoined(text).split(/\r\n?|\n/);
   const separator = separatorOf(lines);
-  const rows = lines
-    .map((line, k) => ({ number: k + 1, cells: cellsOf(line, separator) }))
-    .filter(({ cells }) => cells.length);
+  const rows = withoutBlankColumns(
+    lines.map((line, k) => ({ number: k + 1, cells: cellsOf(line, separator) })).filter(({ cells }) => cells.length),
+  );
   const first = rows.findIndex(({ cells }) => cells.some((cell) => /^[+\-−–]?[.,]?\d/.test(cell)));
   const [headers, body] = first < 0 ? [[], rows] : [rows.slice(0, first), rows.slice(first)];
   const meanings = new Set(body.flatMap(({ cells }) => cells.map((cell) => commas(parted(cell).digits))));
@@ -42,7 +42,9 @@ export function readTable(text, quantities, units) {
   const problems = [];
   for (const { number, cells } of body) {
     const readings = cells.map((cell, axis) =>
-      readQuantity(cell, quantities[axis], units, { unit: named[axis], meaning }),
+      cell
+        ? readQuantity(cell, quantities[axis], units, { unit: named[axis], meaning })
+        : { problem: `column ${axis + 1} is empty` },
     );
     const fault = readings.find((reading) => 'problem' in reading) ?? lacking(cells);
     if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
@@ -75,14 +77,21 @@ function separatorOf(lines) {
   return lines.some((line) => /\d,\s+[+\-−–]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
 }
 
-/** @param {string} line @param {RegExp} separator */
-const cellsOf = (line, separator) =>
-  /^\s*(#|%|\/\/)/.test(line)
-    ? []
-    : line
-        .split(separator)
-        .map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'))
-        .filter(Boolean);
+/** The cells of a line up to the last one that is not empty. @param {string} line @param {RegExp} separator */
+function cellsOf(line, separator) {
+  if (/^\s*(#|%|\/\/)/.test(line)) return [];
+  const cells = line
+    .trimEnd()
+    .split(separator)
+    .map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'));
+  return cells.slice(0, cells.findLastIndex(Boolean) + 1);
+}
+
+/** Without the columns that are empty in every line. @param {Row[]} rows @returns {Row[]} */
+function withoutBlankColumns(rows) {
+  const isBlank = (/** @type {number} */ axis) => rows.every(({ cells }) => !cells[axis]);
+  return rows.map(({ number, cells }) => ({ number, cells: cells.filter((_, axis) => !isBlank(axis)) }));
+}
 
 /** A unit in brackets, behind a slash, behind “in”, or by itself. @param {string} header */
 const unitIn = (header) =>

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { readNumber } from '../../../web/lib/number.js';
 import { readTable } from '../../../web/lib/table.js';
 import { readHistory } from '../../../web/setup/history.js';
 import { readList } from '../../../web/setup/list.js';
@@ -9,6 +10,24 @@ import { suite } from '../browser.js';
 import { draft } from '../jobs.js';
 
 const service = suite();
+
+test('spaces and apostrophes group digits by threes, or are refused', () => {
+  for (const [text, read] of /** @type {[string, number | undefined][]} */ ([
+    ['100 200', 100200],
+    ['1\u00a0000\u00a0000,5', 1000000.5],
+    ['-1’500.5', -1500.5],
+    ['0.123 456', 0.123456],
+    ['0,123 4', 0.1234],
+    ['0.5 500', undefined],
+    ['1.5\u00a0250', undefined],
+    ['12 34', undefined],
+    ['1000 500', undefined],
+    ['1 0000', undefined],
+  ])) {
+    const reading = readNumber(text);
+    assert.equal('value' in reading ? reading.value : undefined, read, text);
+  }
+});
 
 test('a list is read as it is meant, or refused', () => {
   for (const [text, read] of /** @type {[string, number[] | RegExp][]} */ ([
@@ -80,6 +99,17 @@ test('cells of a table have their units, or those of the header', () => {
     ['0.1 N\t5', /^line 1: “N” is no unit known here/],
     ['0x10 5', /^line 1: “x10” is no unit known here/],
     ['0 1e400', /^line 1: “1e400” is too large/],
+    ['0\t500\n0.1 600\t700', /^line 2: “0.1 600” is not a number$/],
+    ['0.5\u00a0500\t2', /^line 1: “0.5\u00a0500” is not a number$/],
+    ['x;;h\n0;1;500\n0,1;;600', /^line 2 has 3 columns, not two/],
+    [
+      ';0;;500;\n;0,1;;600',
+      [
+        [0, 500],
+        [0.1, 600],
+      ],
+    ],
+    ['0;500\n;600', /^line 2: column 1 is empty$/],
   ])) {
     const result = readTable(text, ['length', 'length'], 'mm_N_MPa');
     if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
