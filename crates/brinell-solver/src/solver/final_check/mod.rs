@@ -94,7 +94,8 @@ fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<RoundedEdge
     let flat = problem.walls()[1] - radius;
     let patch = step.patch?;
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    if yields || !flat.is_finite() || patch.half_width() < flat {
+    // The end of a contact on the edge is found to about an element.
+    if yields || !flat.is_finite() || patch.half_width() + step.spacing < flat {
         return None;
     }
     let of = if problem.stress_state == StressState::Axisymmetric {
