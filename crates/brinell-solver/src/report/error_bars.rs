@@ -1,8 +1,8 @@
 //! Error bars: what the mesh may have done to the headline figures.
 //!
 //! ```text
-//! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge that is not
-//!                 resolved its distance from the closed form
+//! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge or tip
+//!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves
 //! half-width      max(|Δ|, 0.5 h/a)
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
 //!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
@@ -147,7 +147,8 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     let peak_size = step.coarsest_part().map_or(size, |(_, elements)| size.max(elements.recip()));
     let peak_floor = (PEAK_FLOOR * peak_size * peak_size).max(if is_axis_raw { AXIS_FLOOR } else { 0.0 });
     let edge_floor = step.rounded_edge.map_or(0.0, |edge| relative(step.peak_pressure, edge.peak_pressure()));
-    let peak_floor = peak_floor.max(edge_floor);
+    let tip_floor = step.rounded_tip.map_or(0.0, |tip| tip.pressure_error / step.peak_pressure);
+    let peak_floor = peak_floor.max(edge_floor).max(tip_floor);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     let approach_floor = approach_floor(step, yields, size);
     // Half as many increments differ by more than what these are wrong by.

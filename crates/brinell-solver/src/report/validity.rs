@@ -6,8 +6,8 @@ use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::strength;
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
-use crate::job::{Body, Coupling, HistoryLoad, Job, Load, PositiveF64, SolverSettings, Units};
-use crate::solver::{MAX_HALF_ANGLE, PairState, SolveStatus, StepSolution};
+use crate::job::{Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Units};
+use crate::solver::{MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution, TIP_ELEMENTS};
 
 /// One remark on the validity of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -89,6 +89,9 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             step.spacing
         ));
     }
+    if let Some(tip) = &step.rounded_tip {
+        messages.push(rounded_tip(tip, step, half_width));
+    }
     if let Some(needed) = step.unresolved {
         messages.push(format!(
             "Within the contact the surfaces have details that elements of {needed:.2e} mm resolve; those of this mesh have \
@@ -97,6 +100,22 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
         ));
     }
     messages
+}
+
+/// What is said of a tip whose arc is narrow beside the elements.
+fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String {
+    let needed = (TIP_ELEMENTS * half_width / tip.arc).ceil();
+    let advice = if needed > f64::from(MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH) {
+        "No mesh that may be asked for resolves it.".to_owned()
+    } else {
+        format!("About {needed:.0} elements (`mesh.elements_per_half_width`) resolve it.")
+    };
+    format!(
+        "The tip is rounded off within {:.2e} mm to each side of its middle; elements of {:.2e} mm leave that out, and pressure, \
+         yield and strain at the tip are those of the mesh. In closed form elastic bodies have a peak of about {:.0} MPa there. {advice} \
+         What is away from the tip does not depend on it.",
+        tip.arc, step.spacing, tip.elastic_pressure
+    )
 }
 
 /// The remarks that apply to a step that was solved with these settings. `radius` is the smallest of the effective radius and

@@ -30,6 +30,7 @@ pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
 pub(crate) use conforming::MAX_HALF_ANGLE;
 pub use error::{SolveError, Unreachable, UnreachableReason};
+pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};
 pub(crate) use load_stepping::utilization::highest_utilization;
@@ -39,4 +40,6 @@ pub use phases::{Phase, PhaseTimes};
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
-pub use solution::{BodySolution, CoarseFigures, Energy, IncrementRecord, PairState, Solution, StepSolution};
+pub use solution::{
+    BodySolution, CoarseFigures, Energy, IncrementRecord, PairState, RoundedTip, Solution, StepSolution,
+};

@@ -143,6 +143,8 @@ const ROUNDING_SHARE: f64 = 0.05;
 const SAME_PLACE: f64 = 1e-9;
 /// Steps of the integral for the force of an elastic contact.
 const FORCE_STEPS: u32 = 48;
+/// Steps of the integral for the pressure in the middle of one.
+const PRESSURE_STEPS: u32 = 400;
 
 impl Problem {
     pub fn of(job: &Job) -> Self {
@@ -273,11 +275,17 @@ impl Problem {
         radii.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a knot is an end of a rounded edge of a punch.
-    pub fn is_on_rounded_edge(&self, x: f64) -> bool {
+    /// Half of the width of the narrowest arc that rounds off a tip \[mm\]; infinite where there is none.
+    pub fn tip_arc(&self) -> f64 {
+        self.bodies.iter().filter_map(|body| body.outline.tip_arc()).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether a knot lies on a rounded edge of a punch, or is one of the arc of a tip.
+    pub fn is_rounded_off(&self, x: f64) -> bool {
         let is_on = |outline: &Outline| {
             let edge = outline.edge_radius().zip(outline.wall());
             edge.is_some_and(|(radius, wall)| (wall - radius..=wall).contains(&x.abs()))
+                || outline.tip_arc().is_some() && outline.knots().contains(&x)
         };
         self.bodies.iter().any(|body| is_on(&body.outline))
     }
@@ -383,6 +391,39 @@ impl Problem {
             if is_round { 2.0 * growth * a * sin * sin / cos } else { growth * sin / cos }
         });
         modulus * parts.sum::<f64>()
+    }
+
+    /// Pressure in the middle of an elastic contact of half-width a around x = 0 \[MPa\], where it is the largest on a tip that is
+    /// rounded off.
+    ///
+    /// With `g(x)` half of the opening, for contacts in one part:
+    /// ```text
+    /// p(0) = E*/π ∫₀ᵃ g'(x)/x a/√(a² - x²) dx                            plane
+    /// p(0) = E*/π ∫₀ᵃ g'(r) [1/√(a² - r²) + arccos(r/a)/r] dr            axisymmetric
+    /// ```
+    /// The second is Sneddon's pressure `E*/π ∫ dα/ds /s ds` with his approach `α(s) = s ∫₀ˢ g'(r)/√(s² - r²) dr`, integrated by parts.
+    ///
+    /// # Reference
+    /// As for [`Self::elastic_force`].
+    pub fn elastic_pressure_in_middle(&self, a: f64) -> f64 {
+        // With x = a sin φ. Steps of φ shrink towards the middle, where slopes change within an arc that may be very narrow.
+        let narrowest = (1e-3 * self.tip_arc() / a).min(1e-3);
+        let ratio = (narrowest / (0.5 * PI)).powf(f64::from(PRESSURE_STEPS).recip());
+        let mut outer = 0.5 * PI;
+        let mut gap_at_outer = 0.5 * self.opening(0.0, a);
+        let parts = (0..PRESSURE_STEPS).map(|_| {
+            let inner = ratio * outer;
+            let middle = 0.5 * (inner + std::mem::replace(&mut outer, inner));
+            let gap = 0.5 * self.opening(0.0, a * inner.sin());
+            let growth = std::mem::replace(&mut gap_at_outer, gap) - gap;
+            let (sin, cos) = middle.sin_cos();
+            let weight = match self.stress_state {
+                StressState::Axisymmetric => cos.recip() + (0.5 * PI - middle) / sin,
+                StressState::PlaneStrain | StressState::PlaneStress => (sin * cos).recip(),
+            };
+            growth * weight / a
+        });
+        self.effective_modulus() / PI * parts.sum::<f64>()
     }
 
     /// Whether one half of the bodies stands for the whole.

@@ -85,6 +85,8 @@ pub struct StepSolution {
     /// Pressure at a rounded edge in closed form and the width of the contact on it, where the bodies are elastic and elements too
     /// large for it \[MPa, mm\].
     pub rounded_edge: Option<RoundedEdge>,
+    /// The tip of a wedge or cone that is rounded off within a few elements.
+    pub rounded_tip: Option<RoundedTip>,
     /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
     pub missed: Option<f64>,
     /// Times the candidate zone was widened.
@@ -102,6 +104,17 @@ pub struct StepSolution {
     pub unloading_stiffness: f64,
     /// Where the work of the force has gone, for bodies with a memory.
     pub energy: Option<Energy>,
+}
+
+/// A tip whose arc is narrow beside the elements.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoundedTip {
+    /// Half of the width of the arc \[mm\].
+    pub arc: f64,
+    /// Largest pressure on it of elastic bodies, in closed form \[MPa\].
+    pub elastic_pressure: f64,
+    /// By how much the largest pressure may differ from that of the mesh \[MPa\].
+    pub pressure_error: f64,
 }
 
 /// One increment of a load history.

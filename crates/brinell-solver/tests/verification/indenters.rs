@@ -214,6 +214,73 @@ fn small_edge_radii_are_solved_or_refused_in_every_analysis() {
 }
 
 /// The half-width that a refusal names is that of the closed form: of a power law the force grows with a high power of it.
+/// Pressure in the middle of an elastic contact of half-width 1 on a tip that is a parabola up to ±q, over `E* tan β`.
+fn tip_pressure(analysis: &str, q: f64) -> f64 {
+    let steps = 20_000;
+    // ∫ dx of a function of x from q to 1, in even steps of ln x.
+    let outside = |of: &dyn Fn(f64) -> f64| {
+        let step = q.recip().ln() / f64::from(steps);
+        (0..steps).map(|k| q * (step * (f64::from(k) + 0.5)).exp()).map(|x| step * x * of(x)).sum::<f64>()
+    };
+    if analysis == "axisymmetric" {
+        // p = E*/π ∫ α'(s)/s ds, by parts, with Sneddon's approach α(s).
+        let approach = |s: f64| (s - (s * s - q * q).sqrt()) * s / q + s * (q / s).acos();
+        (approach(1.0) + 1.0 + outside(&|s| approach(s) / (s * s))) / std::f64::consts::PI
+    } else {
+        (q.recip().acosh() + q.asin() / q) / std::f64::consts::PI
+    }
+}
+
+#[test]
+fn the_bar_of_a_rounded_tip_holds_its_pressure() {
+    for (analysis, shape) in [("axisymmetric", "cone"), ("plane_strain", "wedge")] {
+        for angle in [0.05_f64, 1.0, 4.0] {
+            let (slope, indenter) =
+                (angle.to_radians().tan(), PowerIndenter::wedge(angle.to_radians(), MODULUS));
+            let force = if shape == "cone" { indenter.force(1.0) } else { indenter.line_force(1.0) };
+            for q in [1e-4, 3e-3, 0.01, 0.03, 0.1, 0.15, 0.25, 0.4] {
+                let radius = q / angle.to_radians().sin();
+                let indenter = json!({"type": shape, "angle": angle, "tip_radius": radius, "width": 20.0, "depth": 20.0});
+                let step = step(&press(analysis, indenter, json!({"force": force}), 80.0, Value::Null));
+                let a = step.contact.half_width;
+                let exact = MODULUS * slope * tip_pressure(analysis, q / a);
+                let error = (exact / step.contact.peak_pressure - 1.0).abs();
+                let bar = step.estimated_error.unwrap().peak_pressure;
+                assert!(error <= 1.001 * bar + 0.003, "{shape} {angle} {q}: {error} in {bar}");
+                let note = step.validity.iter().find(|note| note.code == "coarse_mesh");
+                assert_eq!(note.is_some(), q < 4.0 * spacing(&step), "{shape} {angle} {q}");
+                let elements = (4.0 * a / q).ceil();
+                let advice = if elements > 320.0 {
+                    "No mesh".to_owned()
+                } else {
+                    format!("About {elements:.0} elements")
+                };
+                assert!(note.is_none_or(|note| note.message.contains(&advice)), "{note:?}");
+            }
+        }
+    }
+}
+
+/// What a mesh five times as fine finds of a tip that yields.
+#[test]
+fn the_bar_of_a_tip_that_yields_holds_what_finer_meshes_find() {
+    for (analysis, shape) in [("axisymmetric", "cone"), ("plane_strain", "wedge")] {
+        for q in [0.05, 0.1, 0.2] {
+            let tip = json!({"type": shape, "angle": 1.0, "tip_radius": q / 1.0_f64.to_radians().sin(), "width": 20.0, "depth": 20.0});
+            let law = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 2000.0});
+            let mut job = press(analysis, tip, json!({"force": 3000.0}), 40.0, law);
+            let [coarse, fine] = [10, 50].map(|elements| {
+                job["mesh"] = json!({"elements_per_half_width": elements});
+                step(&job)
+            });
+            let error = (fine.contact.peak_pressure / coarse.contact.peak_pressure - 1.0).abs();
+            let bar = coarse.estimated_error.unwrap().peak_pressure;
+            assert!(error <= bar, "{shape} {q}: {error} in {bar}");
+            assert!(coarse.validity.iter().any(|note| note.code == "coarse_mesh"), "{shape} {q}");
+        }
+    }
+}
+
 #[test]
 fn a_refusal_names_the_half_width_that_there_would_be() {
     for exponent in [3.0, 10.0] {

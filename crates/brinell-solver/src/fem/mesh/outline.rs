@@ -323,6 +323,16 @@ impl Outline {
         }
     }
 
+    /// Half of the width of the arc that rounds off a tip, if one does \[mm\].
+    pub fn tip_arc(&self) -> Option<f64> {
+        match self.surface {
+            Surface::Wedge { slope, tip_radius } if tip_radius > 0.0 => {
+                Some(tip_radius * slope / slope.hypot(1.0))
+            }
+            _ => None,
+        }
+    }
+
     /// The rounded edges of a punch as corners, if their radius is smaller than a length: elements of it do not see the arcs.
     pub fn edges_rounded_below(&self, length: f64) -> Vec<Corner> {
         match self.surface {

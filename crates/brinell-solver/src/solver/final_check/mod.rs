@@ -19,7 +19,7 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
-use crate::solver::solution::{BodySolution, Energy, PairState, StepSolution};
+use crate::solver::solution::{BodySolution, Energy, PairState, RoundedTip, StepSolution};
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
 const RESIDUAL_SLACK: f64 = 1.5;
@@ -28,6 +28,9 @@ const RESIDUAL_FLOOR: f64 = 1e-9;
 
 /// Elements of a contact on a rounded edge over its width at most.
 pub(crate) const EDGE_ELEMENT: f64 = 0.25;
+
+/// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
+pub(crate) const TIP_ELEMENTS: f64 = 4.0;
 
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
 const COLLAPSE_STRAIN: f64 = 1.0;
@@ -84,6 +87,7 @@ pub(crate) fn finish(
         let contact_stiffness = if pass.outcome.status.is_stopped() { 0.0 } else { contact_stiffness };
         let mut step = judge(pass, evidence, contact_stiffness, load, tolerance);
         step.rounded_edge = unresolved_edge(problem, &step);
+        step.rounded_tip = unresolved_tip(problem, &step);
         step
     })
 }
@@ -105,6 +109,27 @@ fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<RoundedEdge
     };
     let edge = of(radius, flat, step.force(), problem.effective_modulus());
     (step.spacing > EDGE_ELEMENT * edge.width()).then_some(edge)
+}
+
+/// The tip in the middle of the contact whose arc is too narrow for the elements.
+///
+/// In bodies that yield pressure rises towards the tip by no more than the flow stress for each e-fold of the distance: in 48 cases,
+/// against meshes five times as fine, by 0.75 of that at most.
+fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> {
+    let (arc, half_width) = (problem.tip_arc(), step.half_width());
+    let is_narrow = arc < half_width && arc < TIP_ELEMENTS * step.spacing;
+    let is_in_middle = step.patch.is_some_and(|patch| patch.left <= 0.0 && patch.right >= arc);
+    if !is_narrow || !is_in_middle {
+        return None;
+    }
+    let elastic_pressure = problem.elastic_pressure_in_middle(half_width);
+    let elastic_error = (elastic_pressure - step.peak_pressure).abs();
+    let yields = step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
+    let points = yields.flat_map(|body| body.stress.points.iter().flatten());
+    let flow_stress = points.map(|point| von_mises(point.stress)).reduce(f64::max);
+    let plastic_error = flow_stress.map(|stress| stress * (TIP_ELEMENTS * step.spacing / arc).ln());
+    let pressure_error = plastic_error.map_or(elastic_error, |plastic| plastic.min(elastic_error));
+    Some(RoundedTip { arc, elastic_pressure, pressure_error })
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
@@ -259,6 +284,7 @@ fn judge(
         has_collapsed,
         unresolved: None,
         rounded_edge: None,
+        rounded_tip: None,
         missed: None,
         enlargements: pass.enlargements,
         coarse: None,

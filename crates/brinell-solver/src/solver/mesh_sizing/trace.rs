@@ -5,7 +5,8 @@
 //! the slope 2 δ/a with which the gap opens over the half-width a, δ being the gap at its ends. The deviation `h² δ/4 a²` of
 //! a smooth surface of that opening is what any mesh leaves out, and does not count.
 //!
-//! The rounded edges of a punch are no such details: the contact ends there, and columns are graded towards them.
+//! The rounded edges of a punch are no such details: the contact ends there, and columns are graded towards them. Nor is a tip that
+//! is rounded off: but for the pressure on it, of which there is a closed form, a contact does not depend on its radius.
 
 use crate::solver::problem::Problem;
 
@@ -22,7 +23,7 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
     let edges = problem.edges_around(centre);
     let (left, right) = ((centre - a).max(edges[0]), (centre + a).min(edges[1]));
     let knots = problem.knots_within(left, right).iter().copied();
-    let inside: Vec<f64> = knots.filter(|&x| !problem.is_on_rounded_edge(x)).collect();
+    let inside: Vec<f64> = knots.filter(|&x| !problem.is_rounded_off(x)).collect();
     let opening = 0.5 * (problem.initial_gap(right) + problem.initial_gap(left));
     if inside.len() < 3 || opening <= 0.0 {
         return wanted;
