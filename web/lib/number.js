@@ -9,6 +9,8 @@ import { inJobUnits } from './units.js';
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** One comma and three digits behind it: a decimal comma or a thousand. */
 const AMBIGUOUS = /^[+-]?[1-9]\d{0,2},\d{3}$/;
+/** The same of a point among decimal commas. */
+const AMBIGUOUS_POINT = /^[+-]?[1-9]\d{0,2}\.\d{3}$/;
 const DECIMAL_COMMA = /^[+-]?\d*,\d+(e[+-]?\d+)?$/i;
 const COMMA_THOUSANDS = /^[+-]?\d{1,3}(,\d{3})+(\.\d*)?(e[+-]?\d+)?$/i;
 const POINT_THOUSANDS = /^[+-]?\d{1,3}(\.\d{3})+,\d*(e[+-]?\d+)?$/i;
@@ -29,6 +31,12 @@ export function commas(text) {
  */
 export function readNumber(text, meaning) {
   const plain = tidy(text);
+  if (meaning === 'decimal' && AMBIGUOUS_POINT.test(plain)) {
+    const [whole, part] = plain.split('.');
+    return {
+      problem: `“${text.trim()}” can be read as ${whole},${part} or as ${whole}${part}, where commas are decimal: write one of these`,
+    };
+  }
   if (NUMBER.test(plain)) return valueOf(plain, text);
   const means = meaning ?? commas(plain);
   if (means === null) {
@@ -91,3 +99,6 @@ function tidy(text) {
   const plain = text.trim().replace(/[−–]/g, '-');
   return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
 }
+
+/** @param {number} columns */
+export const columnsInWords = (columns) => ['no', 'one', 'two', 'three'][columns] ?? String(columns);

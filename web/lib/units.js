@@ -19,17 +19,27 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
     µm: 1e-6,
     um: 1e-6,
     nm: 1e-9,
+    micron: 1e-6,
+    microns: 1e-6,
     in: 0.0254,
     inch: 0.0254,
+    inches: 0.0254,
     '″': 0.0254,
+    '"': 0.0254,
     mil: 2.54e-5,
+    thou: 2.54e-5,
   },
   stress: {
     Pa: 1,
     kPa: 1e3,
     MPa: 1e6,
+    'N/m²': 1,
+    'kN/m²': 1e3,
+    'N/cm²': 1e4,
     'N/mm²': 1e6,
-    'N/mm2': 1e6,
+    'kN/cm²': 1e7,
+    'kN/mm²': 1e9,
+    'kgf/mm²': 9.80665e6,
     GPa: 1e9,
     bar: 1e5,
     psi: 6894.757293168,
@@ -37,8 +47,26 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
   },
   force: { N: 1, mN: 1e-3, kN: 1e3, MN: 1e6, kgf: 9.80665, lbf: 4.4482216152605 },
   line_force: { 'N/m': 1, 'N/mm': 1e3, 'kN/m': 1e3, 'kN/mm': 1e6, 'lbf/in': 4.4482216152605 / 0.0254 },
-  strain: { '%': 1e-2, '‰': 1e-3, 1: 1 },
+  strain: {
+    '%': 1e-2,
+    '‰': 1e-3,
+    1: 1,
+    '-': 1,
+    'm/m': 1,
+    'mm/mm': 1,
+    'in/in': 1,
+    'µm/m': 1e-6,
+    µε: 1e-6,
+    µstrain: 1e-6,
+  },
+  number: { 1: 1, '-': 1 },
 });
+
+/** @param {string} name as people write it: with spaces, another µ, or a square as a 2 */
+const unitName = (name) => name.replace(/\s/g, '').replace('μ', 'µ').replace(/[–—]/, '-').replace(/\^?2$/, '²');
+
+/** @param {string} name @returns {boolean} whether a unit of any quantity has this name */
+export const isUnit = (name) => Object.values(NAMES).some((names) => Object.hasOwn(names, unitName(name)));
 
 /** @param {Quantity} quantity @param {UnitSet} set @returns {number} one of its units in SI */
 function inSi(quantity, set) {
@@ -81,8 +109,10 @@ export function factor(quantity, from, to) {
  * @returns {number | undefined} in these; `undefined` if the unit is none of this quantity
  */
 export function inJobUnits(value, name, quantity, units) {
-  const given = NAMES[quantity]?.[name.replace('μ', 'µ').replace(/\s/g, '')];
-  if (given === undefined) return undefined;
+  const names = NAMES[quantity];
+  const key = unitName(name);
+  if (!names || !Object.hasOwn(names, key)) return undefined;
+  const given = names[key];
   const own = inSi(quantity, SETS[units]);
   return given === own ? value : Number(((value * given) / own).toPrecision(15));
 }

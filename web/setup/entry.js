@@ -73,7 +73,7 @@ export function entry(field, change, surroundings) {
           name: field.label,
           value: () => shown.value ?? shown.otherwise,
           bounds: field.bounds,
-          typical: () => (typeof field.example === 'number' ? surroundings.wire(field.example, field) : undefined),
+          typical: () => surroundings.wire(typeof field.example === 'number' ? field.example : 1, field),
           move: slide,
         })
       : undefined;
@@ -92,6 +92,7 @@ export function entry(field, change, surroundings) {
     show: (value, otherwise) => {
       shown = { value, otherwise };
       show(document.activeElement === input);
+      slides?.follow();
     },
     setUnit: (text) => {
       unit.textContent = text;

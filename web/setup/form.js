@@ -60,6 +60,8 @@ export class Form {
     this.slid = slid;
     this.root = byId('form');
     draft.addEventListener('change', () => this.#show());
+    // Who leaves a field, or takes hold of a slider again, begins another change.
+    for (const leaves of ['focusout', 'pointerdown']) this.root.addEventListener(leaves, () => draft.settle());
     onOthers(() => this.#listMaterials());
   }
 
@@ -362,7 +364,7 @@ export class Form {
       slide: /^\/(solver|mesh)/.test(place)
         ? undefined
         : (value, moving) => {
-            change(value);
+            this.draft.set(place, value, 'slider');
             this.slid(moving);
           },
     });

@@ -1,7 +1,7 @@
 /** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
 
 import { h } from '../lib/dom.js';
-import { groupsJoined, parted, readQuantity } from '../lib/number.js';
+import { commas, groupsJoined, parted, readQuantity } from '../lib/number.js';
 import { inJobUnits } from '../lib/units.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -45,9 +45,15 @@ export function readParts(parts, units, name = 'number') {
   }
   const values = [];
   const problems = [];
+  const decimal = parts.some(({ text }) => commas(parted(text).digits) === 'decimal');
   for (const [k, { text, quantity }] of parts.entries()) {
     const problem = severalIn(text, parts.length === 1, parts[k - 1]?.text ?? '');
-    const reading = problem ? { problem } : readQuantity(text, quantity, units, { unit: shared.get(quantity) });
+    const reading = problem
+      ? { problem }
+      : readQuantity(text, quantity, units, {
+          unit: shared.get(quantity),
+          meaning: decimal ? 'decimal' : undefined,
+        });
     if ('problem' in reading)
       problems.push(parts.length > 1 ? `${name} ${k + 1}: ${reading.problem}` : reading.problem);
     else values.push(reading.value);

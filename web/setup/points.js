@@ -1,11 +1,15 @@
 /** A field of points: typed, pasted from a spreadsheet or opened from a file, with a picture of what they make. */
 
 import { h } from '../lib/dom.js';
-import { numberOf } from '../lib/number.js';
-import { columnsInWords, readTable } from '../lib/table.js';
+import { columnsInWords, numberOf } from '../lib/number.js';
+import { readTable } from '../lib/table.js';
+import { textOf } from '../lib/text-file.js';
 import { unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromEngineering, fromTotal } from './hardening.js';
+
+/** Most letters of a table at fault that are shown to be put right. */
+const LONG = 100_000;
 
 /** @typedef {number[]} Point a line of the table */
 
@@ -37,27 +41,38 @@ export function pointsControl(field, id, change, { units, parent }) {
     note.textContent = notes.join('; ');
     change(points);
   };
-  /** @param {string} text from elsewhere @returns {boolean} whether it is a table */
+  /** @param {string} text from elsewhere @returns {boolean} whether all is done that can be done with it */
   const take = (text) => {
     const result = table(text);
-    if (!('points' in result)) return false;
-    put(result.points, [`${result.points.length} points read`, ...result.notes]);
-    return true;
+    if ('points' in result && result.points.length) {
+      put(result.points, [`${result.points.length} points read`, ...result.notes]);
+      return true;
+    }
+    const refused = 'problem' in result ? result.problem : 'no figures in it';
+    note.textContent = `Not taken: ${refused}`;
+    // What is long is not put right in a field.
+    return !('problem' in result) || text.length > LONG;
   };
   input.addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text') ?? '';
     const whole = input.selectionEnd - input.selectionStart === input.value.length;
     if (text.trim().includes('\n') && (whole || !input.value.trim()) && take(text)) event.preventDefault();
+    else note.textContent = '';
   });
   input.addEventListener('input', () => {
     note.textContent = '';
   });
   const open = async (/** @type {File | undefined} */ file) => {
     if (!file) return;
-    const text = await file.text();
-    if (take(text)) return;
-    write(text);
-    change(text);
+    const read = await textOf(file);
+    if ('problem' in read) {
+      note.textContent = `Not taken: ${read.problem}`;
+      return;
+    }
+    if (take(read.text)) return;
+    note.textContent = '';
+    write(read.text);
+    change(read.text);
   };
   input.addEventListener('dragover', (event) => event.preventDefault());
   input.addEventListener('drop', (event) => {

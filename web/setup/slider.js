@@ -17,9 +17,9 @@ const endsOf = (figure, typical) =>
  * @param {string} of.name
  * @param {() => unknown} of.value in the job
  * @param {[number, number]} [of.bounds] of figures that have some
- * @param {() => number | undefined} of.typical figure, for those that are 0
+ * @param {() => number} of.typical figure in the units of the job, for those that are 0
  * @param {(value: number, moving: boolean) => void} of.move
- * @returns {{button: HTMLElement, element: HTMLElement}}
+ * @returns {{button: HTMLElement, element: HTMLElement, follow: () => void}} `follow` is called when the job has changed
  */
 export function slider({ name, value, bounds, typical, move }) {
   /** @type {[number, number]} */
@@ -33,8 +33,28 @@ export function slider({ name, value, bounds, typical, move }) {
   const read = () => Number(at(Number(range.value) / STEPS).toPrecision(3));
   const place = (/** @type {number} */ figure) =>
     even() ? (figure - ends[0]) / (ends[1] - ends[0]) : Math.log(figure / ends[0]) / Math.log(ends[1] / ends[0]);
-  range.addEventListener('input', () => move(read(), true));
-  range.addEventListener('change', () => move(read(), false));
+  /** The figure that the thumb stands for, and the typical one beside it. */
+  let [shown, beside] = [NaN, NaN];
+  const slide = (/** @type {boolean} */ moving) => {
+    shown = read();
+    say();
+    move(shown, moving);
+  };
+  const say = () => range.setAttribute('aria-valuetext', String(shown));
+  range.addEventListener('input', () => slide(true));
+  range.addEventListener('change', () => slide(false));
+  const close = () => {
+    element.replaceChildren();
+    button.setAttribute('aria-pressed', 'false');
+  };
+  /** Ends and thumb from the figure of the job, which may have other units now. */
+  const set = (/** @type {number} */ figure) => {
+    [shown, beside] = [figure, typical()];
+    ends = bounds ?? endsOf(figure, beside);
+    range.value = String(Math.round(STEPS * Math.min(1, Math.max(0, place(figure)))));
+    say();
+  };
+  const figureNow = () => numberOf(value() ?? 0);
   const button = h(
     'button',
     {
@@ -44,17 +64,21 @@ export function slider({ name, value, bounds, typical, move }) {
       'aria-pressed': 'false',
       title: `Move ${name.toLowerCase()} by a slider and see it solved at once`,
       onclick: () => {
-        const figure = numberOf(value() ?? 0);
-        const open = !element.firstChild && Number.isFinite(figure);
-        button.setAttribute('aria-pressed', String(open));
-        if (!open) return element.replaceChildren();
+        const figure = figureNow();
+        if (element.firstChild || !Number.isFinite(figure)) return close();
+        button.setAttribute('aria-pressed', 'true');
         element.replaceChildren(range);
-        ends = bounds ?? endsOf(figure, typical() ?? 1);
-        range.value = String(Math.round(STEPS * Math.min(1, Math.max(0, place(figure)))));
+        set(figure);
         range.focus();
       },
     },
     '⟷',
   );
-  return { button, element };
+  const follow = () => {
+    const figure = figureNow();
+    if (!element.firstChild || (figure === shown && beside === typical())) return;
+    if (Number.isFinite(figure)) set(figure);
+    else close();
+  };
+  return { button, element, follow };
 }

@@ -213,6 +213,45 @@ service.test('a faulty table is one message with its line', async (page) => {
   assert.equal(await page.locator('#setup .error:visible').count(), 1);
 });
 
+service.test(
+  'a file of points is read in the letters it is written in, or leaves the points as they are',
+  async (page) => {
+    const points = await profile(page);
+    const place = page.locator('[data-place="/upper/shape/points"]');
+    const file = (/** @type {string} */ name, /** @type {Buffer} */ buffer) =>
+      place.locator('input[type=file]').setInputFiles({ name, mimeType: 'text/csv', buffer });
+    const read = [
+      [-1, -0.005],
+      [0, 0],
+      [1, -0.005],
+    ];
+    const text = 'x [mm];h [µm]\n-1;-5\n0;0\n1;-5\n';
+    for (const letters of [
+      Buffer.from(text, 'latin1'),
+      Buffer.from(`\ufeff${text}`, 'utf16le'),
+      Buffer.from(`\ufeff${text}`),
+    ]) {
+      await points.fill('0 0\n1 0');
+      await file('heights.csv', letters);
+      await place.getByText('3 points read; 1 header line skipped; column 2 converted from µm').waitFor();
+      assert.deepEqual((await draft(page)).upper.shape.points, read);
+    }
+    for (const [name, content, said] of /** @type {[string, Buffer, string][]} */ ([
+      ['heights.xlsx', Buffer.from([0x50, 0x4b, 3, 4, 0, 0, 8]), 'Not taken: “heights.xlsx” is no text'],
+      ['none.csv', Buffer.from('\n'), 'Not taken: no figures in it'],
+      ['long.csv', Buffer.from('0;0\n'.repeat(200_000)), 'Not taken: 200000 lines of figures: at most 10000'],
+      ['huge.csv', Buffer.alloc(5e6, '0;0\n'), 'Not taken: “huge.csv” is too large'],
+    ])) {
+      await file(name, content);
+      await place.getByText(said).waitFor();
+      assert.deepEqual((await draft(page)).upper.shape.points, read, name);
+    }
+    await file('words.csv', Buffer.from('a;b\n1;x\n'));
+    await place.getByText('“x” is not a number').waitFor();
+    assert.equal(await place.locator('.note').textContent(), '', 'no word of another file');
+  },
+);
+
 service.test('a tensile test becomes a hardening table', async (page) => {
   await page.getByLabel('Hardening').first().selectOption('table');
   const chooser = page.waitForEvent('filechooser');

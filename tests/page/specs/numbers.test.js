@@ -42,6 +42,8 @@ test('a list is read as it is meant, or refused', () => {
     ['100,200,300', /^“100,200,300” can be one number or several/],
     ['1000,500', /^“1000,500” can be one number or two: write 1000\.500, or 1000 500$/],
     ['1 000 2 000', /^number 2: “1 000” can be one number or two: write 1000 without a space/],
+    ['1.000,5 2.500,5', [1000.5, 2500.5]],
+    ['1.000,5 2.000', /^number 2: “2.000” can be read as 2,000 or as 2000, where commas are decimal/],
     ['100,200 300', /^number 1: “100,200” can be read as 100\.200 or as 100200/],
     ['100 200 N/mm 300', /^write the unit behind each number, or behind the last one for all$/],
     ['100 0x10', /^number 2: “x10” is no unit/],
@@ -117,6 +119,74 @@ test('cells of a table have their units, or those of the header', () => {
   }
 });
 
+test('points that may group thousands among decimal commas are refused', () => {
+  for (const [text, read] of /** @type {[string, number[][] | RegExp][]} */ ([
+    ['1.000;2,5\n2.000;3,5', /^line 1: “1.000” can be read as 1,000 or as 1000, where commas are decimal/],
+    ['1.000\t2\n1.000,5\t3', /^line 1: “1.000” can be read as/],
+    [
+      '0.250;2,5\n1.0;3,5',
+      [
+        [0.25, 2.5],
+        [1, 3.5],
+      ],
+    ],
+    ['1.000\t2', [[1, 2]]],
+  ])) {
+    const result = readTable(text, ['length', 'length'], 'mm_N_MPa');
+    if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
+    else assert.deepEqual('points' in result && result.points, read, text);
+  }
+});
+
+test('a unit in the header of a table is converted, or refused where it is not known', () => {
+  const strength = /** @type {const} */ (['strain', 'stress']);
+  const heights = /** @type {const} */ (['length', 'length']);
+  const converted = /** @type {[string, number[]][]} */ ([
+    ['x (mm)\th (µm)', [1, 0.005]],
+    ['x / mm\th/µm', [1, 0.005]],
+    ['x, mm\th, μm', [1, 0.005]],
+    ['x in mm\tdepth in µm', [1, 0.005]],
+    ['x_mm\th_um', [1, 0.005]],
+    ['x mm\tmicrons', [1, 0.005]],
+    ['x\th\nmm\tµm', [1, 0.005]],
+    ['# x [mm]\th [µm]', [1, 0.005]],
+    ['Profile (left)\nx (measured)\tHeight, mean [µm]', [1, 0.005]],
+    ['Sample 1\tSample 2', [1, 5]],
+    ['x ["]\th ["]', [25.4, 127]],
+  ]);
+  for (const [header, point] of converted) {
+    const result = readTable(`${header}\n1\t5`, [...heights], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [point], header);
+  }
+  const strengths = /** @type {[string, number[]][]} */ ([
+    ['strain %;stress N/mm2', [0.01, 5]],
+    ['ε_p in ‰;σ/MPa', [0.001, 5]],
+    ['strain [µε];stress [kN/mm²]', [1e-6, 5000]],
+    ['plastic strain [mm/mm];true stress', [1, 5]],
+    ['%;N/mm²', [0.01, 5]],
+  ]);
+  for (const [header, point] of strengths) {
+    const result = readTable(`${header}\n1;5`, [...strength], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [point], header);
+  }
+  for (const [header, problem] of /** @type {[string, RegExp][]} */ ([
+    [
+      'x [mm];h [\ufffdm]',
+      /^line 1, column 2: “\ufffdm” is no unit known here for this column\. Write a unit such as mm/,
+    ],
+    ['Run 7\nx;h [furlong]', /^line 2, column 2: “furlong” is no unit/],
+    ['x;σ [MPa]', /^line 1, column 2: “MPa” is no unit/],
+    ['x;h N', /^line 1, column 2: “N” is no unit/],
+    ['mm;dm', /^line 1, column 2: “dm” is no unit/],
+    ['x [mm];h [mm]\nmm;µm', /^line 2, column 2: “µm”, and “mm” in a line above$/],
+    ['All lengths in µm', /^line 1: it cannot be told which of the two columns “µm” is the unit of$/],
+    ['x;mm;h;µm', /^line 1: it cannot be told which/],
+  ])) {
+    const result = readTable(`${header}\n1;5`, [...heights], 'mm_N_MPa');
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), problem, header);
+  }
+});
+
 service.test(
   'a list at fault is refused at its field, stays as it is typed, and may be left for another load',
   async (page) => {
@@ -170,4 +240,43 @@ service.test('a message goes with the figure that it is about', async (page) => 
   assert.equal(await place.locator('.error').isVisible(), false);
   assert.equal(await force.getAttribute('aria-invalid'), 'false');
   letGo();
+});
+
+service.test('an open slider follows its field, and the units of the job', async (page) => {
+  const place = page.locator('[data-place="/upper/shape/radius"]');
+  const radius = place.locator('input[type=text]');
+  const value = async () => Number(await radius.inputValue());
+  await place.getByRole('button', { name: 'Slider' }).click();
+  const slider = place.getByRole('slider');
+  await page.getByLabel('Units', { exact: true }).selectOption('SI');
+  await slider.press('ArrowRight');
+  assert.ok(Math.abs((await value()) - 0.0202) < 1e-9, `${await value()} m`);
+  await page.getByLabel('Units', { exact: true }).selectOption('mm_N_MPa');
+  await radius.fill('5');
+  await slider.press('ArrowRight');
+  assert.ok(Math.abs((await value()) - 5.06) < 0.02, `${await value()} mm`);
+  await slider.press('Control+Z');
+  assert.equal(await value(), 5);
+  assert.equal(await slider.getAttribute('aria-valuetext'), '5');
+  await slider.press('ArrowRight');
+  assert.ok(Math.abs((await value()) - 5.06) < 0.02, `${await value()} mm after undo`);
+  await radius.fill('five');
+  assert.equal(await slider.count(), 0, 'what is no figure has no slider');
+});
+
+service.test('typing and sliding are undone one after the other', async (page) => {
+  const place = page.locator('[data-place="/upper/shape/radius"]');
+  const radius = place.locator('input[type=text]');
+  await radius.fill('5');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  await place.getByRole('slider').press('ArrowRight');
+  await radius.fill('7');
+  const seen = [];
+  for (let k = 0; k < 3; k++) {
+    await page.getByRole('button', { name: 'Undo' }).click();
+    seen.push(Number(await radius.inputValue()));
+  }
+  assert.equal(seen[1], 5);
+  assert.equal(seen[2], 20);
+  assert.notEqual(seen[0], 7);
 });

@@ -1,0 +1,81 @@
+/** What the lines above the figures of a table say of their units. Nothing that may be a unit is passed over in silence. */
+
+import { columnsInWords } from './number.js';
+import { inJobUnits, isUnit, unit } from './units.js';
+
+/** @typedef {import('./units.js').Quantity} Quantity */
+/** @typedef {import('./units.js').Units} Units */
+/** @typedef {{number: number, cells: string[]}} Row a line of the text, counted from 1 */
+
+/** What stands in brackets behind a name and is no unit. */
+const QUALIFIER =
+  /^(true|plastic|total|eng(ineering)?\.?|nominal|measured|mean|average|filtered|smoothed|raw|log(arithmic)?|left|right|upper|lower|[xyzh]|\d{2,})$/i;
+/** Signs that names do not have. */
+const SIGN = /[%‰µμ²³^·"″\u{fffd}]/u;
+
+/**
+ * @param {Row[]} headers
+ * @param {Quantity[]} quantities of the columns
+ * @param {Units} units of the job
+ * @returns {{named: (string | undefined)[]} | {problem: string}} the unit that is named for each column
+ */
+export function unitsNamed(headers, quantities, units) {
+  const named = /** @type {(string | undefined)[]} */ (quantities.map(() => undefined));
+  const known = (/** @type {string} */ name, /** @type {number} */ axis) =>
+    inJobUnits(1, name, quantities[axis], units);
+  for (const { number, cells } of headers) {
+    if (cells.length !== quantities.length) {
+      const other = cells.flatMap(mayBeUnits).find(({ name }) => isOther(name, quantities, units));
+      if (other)
+        return {
+          problem: `line ${number}: it cannot be told which of the ${columnsInWords(quantities.length)} columns “${other.name}” is the unit of`,
+        };
+      continue;
+    }
+    // A line of units has nothing else.
+    const bare = cells.some((cell, axis) => cell !== '1' && known(cell, axis) !== undefined);
+    for (const [axis, cell] of cells.entries()) {
+      const found = mayBeUnits(cell);
+      const good = found.find(({ name }) => known(name, axis) !== undefined);
+      const bad = good ? undefined : (found.find(({ sure }) => sure)?.name ?? (bare ? cell : ''));
+      const own = unit(quantities[axis], units) || '1';
+      if (bad)
+        return {
+          problem: `line ${number}, column ${axis + 1}: “${bad}” is no unit known here for this column. Write a unit such as ${own}, or leave it out if the figures are in ${own}`,
+        };
+      const before = named[axis];
+      if (good && before !== undefined && known(before, axis) !== known(good.name, axis))
+        return { problem: `line ${number}, column ${axis + 1}: “${good.name}”, and “${before}” in a line above` };
+      if (good) named[axis] = good.name;
+    }
+  }
+  return { named };
+}
+
+/** Whether it is a unit of one of the columns, and not that of the job. @param {string} name @param {Quantity[]} quantities @param {Units} units */
+const isOther = (name, quantities, units) =>
+  quantities.some((quantity) => (inJobUnits(1, name, quantity, units) ?? 1) !== 1) ||
+  (SIGN.test(name) && !/\s/.test(name) && !isUnit(name));
+
+/**
+ * What may be the unit in a header: all of it, in brackets, behind a slash, a comma, “in” or an underscore, or its last word.
+ * `sure`: it is nothing else.
+ * @param {string} header
+ * @returns {{name: string, sure: boolean}[]}
+ */
+function mayBeUnits(header) {
+  const found = /** @type {{name: string, sure: boolean}[]} */ ([{ name: header.trim(), sure: false }]);
+  const add = (/** @type {RegExp} */ pattern, /** @type {(name: string) => boolean} */ sure) => {
+    const name = pattern.exec(header)?.[1]?.trim();
+    if (name) found.push({ name, sure: sure(name) });
+  };
+  const looks = (/** @type {string} */ name) => (isUnit(name) || SIGN.test(name)) && !/^\d*$/.test(name);
+  add(/\[\s*([^\]]+?)\s*\]/, (name) => !QUALIFIER.test(name));
+  add(/\(\s*([^)]+?)\s*\)/, (name) => !QUALIFIER.test(name));
+  add(/^[^/[(]*[^/[(\s]\s*\/\s*([^[(]+)$/, (name) => (!isUnit(header) && name.length < 6) || looks(name));
+  add(/,\s*([^,]+)$/, looks);
+  add(/\bin\s+(\S+)$/, looks);
+  add(/\s(\S+)$/, looks);
+  add(/_([^\s_]+)$/, (name) => SIGN.test(name));
+  return found;
+}
