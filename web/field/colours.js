@@ -1,9 +1,9 @@
 /** Which values the colours of a field stand for: those of the step, those of all steps, or limits that are held. */
 
 import { h } from '../lib/dom.js';
-import { readNumber } from '../lib/number.js';
-import { plain } from '../lib/units.js';
-import { bands } from './palette.js';
+import { readShown } from '../lib/number.js';
+import { factor as between, plain } from '../lib/units.js';
+import { bands, bandsWithin } from './palette.js';
 
 const RANGES = { step: 'this step', steps: 'all steps', fixed: 'fixed' };
 
@@ -14,8 +14,8 @@ export class ColourRange {
   #of = 'steps';
   /** Limits that are held, in the units of the job. @type {Limits} */
   #fixed = [0, 1];
-  /** From these to the units shown. */
-  #factor = 1;
+  /** What they are of. @type {{kind: import('../lib/units.js').Quantity, units: import('../lib/units.js').Units, factor: number}} */
+  #measure = { kind: 'number', units: 'mm_N_MPa', factor: 1 };
   /** Whether there is one step alone. */
   #single = false;
   /** Limits of steps that were here, by quantity and step, in the units of the job. @type {Map<string, Limits>} */
@@ -40,19 +40,13 @@ export class ColourRange {
         inputmode: 'decimal',
         size: 7,
         'aria-label': name,
-        onchange: () => {
-          const reading = readNumber(box.value);
-          if ('value' in reading) this.#fixed[end] = reading.value / this.#factor;
-          this.#fixed.sort((a, b) => a - b);
-          this.#of = 'fixed';
-          this.choice.value = 'fixed';
-          changed();
-        },
+        onchange: () => this.#typed(end, changed),
       });
       return box;
     };
     this.boxes = [limit(0, 'Least value coloured'), limit(1, 'Largest value coloured')];
     this.unit = h('span', { class: 'unit' });
+    this.fault = h('span', { class: 'fault', role: 'status' });
     this.element = h(
       'span',
       { class: 'range' },
@@ -62,7 +56,38 @@ export class ColourRange {
       ' – ',
       this.boxes[1],
       this.unit,
+      this.fault,
     );
+  }
+
+  /** Takes a limit, or says what is wrong with it; a box that is emptied lets go of both. @param {0 | 1} end @param {() => void} changed */
+  #typed(end, changed) {
+    const box = this.boxes[end];
+    if (!box.value.trim()) {
+      this.release();
+      return changed();
+    }
+    const { kind, units, factor } = this.#measure;
+    const reading = readShown(box.value, kind, units, factor);
+    const limits = /** @type {Limits} */ ([...this.#fixed]);
+    if ('value' in reading) limits[end] = reading.value;
+    limits.sort((a, b) => a - b);
+    const [low, high] = limits.map((limit) => limit * factor);
+    const problem =
+      'problem' in reading
+        ? reading.problem
+        : !Number.isFinite(high - low)
+          ? 'the limits are too far apart'
+          : high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high))
+            ? ''
+            : 'the least value is the largest one too';
+    this.fault.textContent = problem && `${problem}. The colours stay as they were.`;
+    box.setAttribute('aria-invalid', String(Boolean(problem)));
+    if (problem) return;
+    this.#fixed = limits;
+    this.#of = 'fixed';
+    this.choice.value = 'fixed';
+    changed();
   }
 
   /** Forgets the steps of another job. */
@@ -93,18 +118,29 @@ export class ColourRange {
    * @param {boolean} of.signed whether the colours need not begin at 0
    * @param {number} of.factor to the units shown
    * @param {string} of.unit of these
+   * @param {import('../lib/units.js').Quantity} of.kind
+   * @param {import('../lib/units.js').Units} of.units of the job
+   * @param {boolean} of.whole whether the fields of all steps are kept
    * @returns {import('./palette.js').Bands}
    */
-  bands({ quantity, steps, limits, own, signed, factor, unit }) {
+  bands({ quantity, steps, limits, own, signed, factor, unit, kind, units, whole }) {
+    /** @type {HTMLOptionElement} */ (this.choice.options[1]).text = whole ? RANGES.steps : 'the steps seen';
     const all = this.#of === 'steps' && !this.#single ? this.#overAll(quantity, steps, limits) : own;
     const held = this.#of === 'fixed';
+    if (held && units !== this.#measure.units) {
+      // Held for another job, they are the same stresses in the units of this one.
+      const times = between(kind, this.#measure.units, units);
+      this.#fixed = /** @type {Limits} */ (this.#fixed.map((limit) => limit * times));
+    }
     const [low, high] = (held ? this.#fixed : all).map((value) => value * factor);
-    const made = bands(signed || held ? low : 0, high > low ? high : low + 1);
+    const made = held ? bandsWithin(low, high) : bands(signed ? low : 0, high > low ? high : low + 1);
     const ends = held ? [low, high] : [made.low, made.low + made.step * made.colours.length];
-    this.#factor = factor;
+    this.#measure = { kind, units, factor };
     this.#fixed = /** @type {Limits} */ (ends.map((end) => end / factor));
+    this.fault.textContent = '';
     this.boxes.forEach((box, k) => {
       box.value = plain(ends[k]).replace('−', '-');
+      box.removeAttribute('aria-invalid');
     });
     this.unit.textContent = unit;
     return made;

@@ -7,10 +7,10 @@ import { plain } from '../lib/units.js';
  * @property {import('./camera.js').Camera} camera
  * @property {number} deformation
  * @property {{polygons: {x: number, y: number, u: number, v: number}[][], lift: number}[]} zones
- * @property {number[]} ends of the contact
+ * @property {number[]} edges of the contact
  * @property {number} height at which the contact is drawn
- * @property {{x: number, y: number, u: number, v: number, lift: number, text: string} | undefined} most where the quantity is largest
- * @property {[[number, number], [number, number]] | null} line of the cut
+ * @property {{x: number, y: number, u: number, v: number, lift: number, text: string}[]} ends where the quantity is largest, and least
+ * @property {[[number, number], [number, number]][]} path pieces of the cut
  * @property {[number, number] | null} cross in pixels
  * @property {(name: string) => string} colours by name, of the page or of paper
  * @property {string} length unit
@@ -19,11 +19,13 @@ import { plain } from '../lib/units.js';
 
 /** Width that the scale of colours takes. */
 const SCALE = 84;
+/** Height of a row of words. */
+const ROW = 14;
 
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
 export function drawOverlay(
   canvas,
-  { camera, deformation, zones, ends, height, most, line: cut, cross, colours, length, factor },
+  { camera, deformation, zones, edges, height, ends, path, cross, colours, length, factor },
 ) {
   const context = canvas.getContext('2d');
   if (!context) return;
@@ -35,21 +37,25 @@ export function drawOverlay(
   scale(context, camera, colours, length, factor);
   context.strokeStyle = colours('--ink');
   context.lineWidth = 1;
-  for (const x of ends) {
+  for (const x of edges) {
     const [px, py] = camera.toScreen(x, height);
     line(context, px, py - 14, px, py + 14);
   }
-  if (most) marked(context, camera, most, deformation);
-  if (cut) {
-    const [from, to] = cut.map((point) => camera.toScreen(...point));
-    for (const [style, width] of /** @type {[string, number][]} */ ([
-      ['#000', 3],
-      ['#fff', 1.25],
-    ])) {
-      context.strokeStyle = style;
-      context.lineWidth = width;
-      line(context, from[0], from[1], to[0], to[1]);
+  // The first of two words that would cover each other stays where it is.
+  let before = /** @type {[number, number] | undefined} */ (undefined);
+  for (const end of ends) before = marked(context, camera, end, deformation, colours, before);
+  for (const [style, width] of /** @type {[string, number][]} */ ([
+    ['#000', 3],
+    ['#fff', 1.25],
+  ])) {
+    context.strokeStyle = style;
+    context.lineWidth = width;
+    context.beginPath();
+    for (const [from, to] of path) {
+      context.moveTo(...camera.toScreen(...from));
+      context.lineTo(...camera.toScreen(...to));
     }
+    context.stroke();
   }
   context.strokeStyle = colours('--ink');
   context.lineWidth = 1;
@@ -80,11 +86,21 @@ function outline(context, camera, polygons, deformation, lift) {
   }
 }
 
-/** The node where the quantity is largest. @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {NonNullable<Over['most']>} most @param {number} deformation */
-function marked(context, camera, { x, y, u, v, lift, text }, deformation) {
+/**
+ * A node where the quantity is largest, or least, in ink on a rim of the ground.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Over['camera']} camera
+ * @param {Over['ends'][0]} end
+ * @param {number} deformation
+ * @param {Over['colours']} colours
+ * @param {[number, number]} [before] where the word of another one stands
+ * @returns {[number, number]} where its word stands
+ */
+function marked(context, camera, { x, y, u, v, lift, text }, deformation, colours, before) {
   const [px, py] = camera.toScreen(x + deformation * u, y + deformation * v + lift);
+  const [ink, ground] = [colours('--ink'), colours('--panel')];
   context.lineWidth = 3;
-  for (const style of ['#000', '#fff']) {
+  for (const style of [ground, ink]) {
     context.strokeStyle = style;
     context.beginPath();
     context.arc(px, py, 4, 0, 2 * Math.PI);
@@ -93,13 +109,16 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation) {
   }
   context.lineJoin = 'round';
   context.lineWidth = 3;
-  context.strokeStyle = '#000';
+  context.strokeStyle = ground;
   // Beside the scale of colours there is no room.
   const { width } = context.measureText(text);
   const at = px + 9 + width > camera.width - SCALE && px - 9 - width > 0 ? px - 9 - width : px + 9;
-  context.strokeText(text, at, py + 4);
-  context.fillStyle = '#fff';
-  context.fillText(text, at, py + 4);
+  const covers = before && Math.abs(before[1] - py - 4) < ROW && Math.abs(before[0] - at) < width;
+  const line = py + 4 + (covers ? (before[1] > py + 4 ? -ROW : ROW) : 0);
+  context.strokeText(text, at, line);
+  context.fillStyle = ink;
+  context.fillText(text, at, line);
+  return [at, line];
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Over['camera']} camera @param {Over['colours']} colours @param {string} unit @param {number} factor */

@@ -1,5 +1,7 @@
 /** Colours for bands of values, and round figures between them. */
 
+import { plain } from '../lib/units.js';
+
 /** @typedef {[number, number, number]} Rgb each from 0 to 1 */
 
 /** Dark to light, even to the eye and safe for colour-blind readers (viridis). */
@@ -59,6 +61,28 @@ export function bands(low, high) {
     signed ? 0.5 + (first + k + 0.5) / (2 * most) : count > 1 ? k / (count - 1) : 0.5;
   const stops = (signed ? DIVERGING : SEQUENTIAL).map(rgb);
   return { low: first * step, step, colours: Array.from({ length: count }, (_, k) => between(stops, place(k))) };
+}
+
+/**
+ * Bands from one limit to the other, whatever these are.
+ * @param {number} low
+ * @param {number} high
+ * @returns {Bands}
+ */
+export function bandsWithin(low, high) {
+  const round = bands(low, high);
+  const slack = 1e-9 * round.step;
+  const end = round.low + round.step * round.colours.length;
+  if (Math.abs(round.low - low) <= slack && Math.abs(end - high) <= slack) return round;
+  return { ...round, low, step: (high - low) / round.colours.length };
+}
+
+/** What stands at the limit below a band, counted from 0; behind the last one, its upper limit. @param {Bands} bands @param {number} k */
+export function limitOf({ low, step, colours }, k) {
+  const value = low + k * step;
+  // Within a hair of 0 is 0, and between limits that are not round four figures tell enough.
+  if (Math.abs(value) < 1e-6 * step) return plain(0);
+  return plain(k === 0 || k === colours.length ? value : Number(value.toPrecision(4)));
 }
 
 /** @param {number} rough @returns {number} 1, 2, 2.5 or 5 times a power of ten, not less */

@@ -8,6 +8,7 @@ import { factor, figure, loaded, unit } from '../lib/units.js';
 import { Panel } from '../result/panel.js';
 import { Camera } from './camera.js';
 import { ColourRange } from './colours.js';
+import { withoutLoad } from './cut.js';
 import { CutTool } from './cut-tool.js';
 import { Renderer } from './gl.js';
 import { lifts } from './lift.js';
@@ -16,7 +17,7 @@ import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
 import { compose } from './picture.js';
 import { steer } from './pointer.js';
-import { QUANTITIES, arraysOf, nameOf, valuesOf } from './quantities.js';
+import { QUANTITIES, arraysOf, nameOf, parityOf, valuesOf } from './quantities.js';
 import { READ, colourBar, extremes, readout, scaleOf } from './read.js';
 import { fieldTools } from './tools.js';
 
@@ -72,8 +73,8 @@ export class FieldPanel {
   #source;
   /** Whose steps have all been looked at. @type {FieldSource | undefined} */
   #surveyed;
-  /** @type {import('./read.js').Extreme | undefined} */
-  #most;
+  /** @type {import('./read.js').Extreme[]} */
+  #ends = [];
   /** @type {(deformation: number) => import('./lift.js').Lifts} */
   #lifts = () => ({ upper: 0, lower: 0, contact: 0 });
 
@@ -130,7 +131,13 @@ export class FieldPanel {
         if (!at) this.#reading = undefined;
         this.#later(false);
       },
-      line: (from, to) => this.cutter.draw(this.#camera.toWorld(...from), this.#camera.toWorld(...to)),
+      line: (from, to) => {
+        const mirrored = this.#shown?.report.mesh.symmetric ?? false;
+        const [begin, end] = [from, to].map((at) =>
+          withoutLoad(this.#bodies, this.#deformation, mirrored, this.#camera.toWorld(...at)),
+        );
+        this.cutter.draw(begin, end);
+      },
     });
     new ResizeObserver(() => this.#fit()).observe(this.stage);
     onTheme(() => this.#later());
@@ -375,6 +382,7 @@ export class FieldPanel {
     return {
       analysis: report.analysis,
       symmetric: report.mesh.symmetric,
+      own,
       units,
       length: factor('length', own, units),
       stress: factor('stress', own, units),
@@ -386,8 +394,8 @@ export class FieldPanel {
     if (!this.#shown) return;
     const { report } = this.#shown;
     const { factor: times, unit: name } = this.#scale();
-    const own = extremes(this.#bodies, this.#quantity, report.mesh.symmetric);
-    this.#most = own.most;
+    const own = extremes(this.#bodies, this.#quantity, report);
+    this.#ends = own.ends;
     this.#bands = this.range.bands({
       quantity: this.#quantity,
       steps: report.steps.length,
@@ -396,6 +404,9 @@ export class FieldPanel {
       signed: QUANTITIES[this.#quantity].signed ?? false,
       factor: times,
       unit: name,
+      kind: QUANTITIES[this.#quantity].kind,
+      units: this.#scales().own,
+      whole: this.#source?.whole ?? true,
     });
     this.bar.replaceChildren(...colourBar(this.#bands, name));
     this.over.setAttribute(
@@ -407,10 +418,11 @@ export class FieldPanel {
 
   /** Of a step whose field is here. @param {number} at @returns {[number, number] | undefined} */
   #limitsOf(at) {
-    const { steps, mesh } = /** @type {Asked} */ (this.#shown).report;
+    const { report } = /** @type {Asked} */ (this.#shown);
+    const { steps } = report;
     const fields = steps[at].fields ?? this.#source?.peek(at, arraysOf(this.#quantity));
     if (!fields) return undefined;
-    const { low, high } = extremes(bodiesOf(steps[at], fields), this.#quantity, mesh.symmetric);
+    const { low, high } = extremes(bodiesOf(steps[at], fields), this.#quantity, report);
     return [low, high];
   }
 
@@ -456,33 +468,33 @@ export class FieldPanel {
     const scales = this.#scales();
     const { factor: times, unit: name } = this.#scale();
     if (meshes) this.#drawMeshes(this.#renderer, report, colours);
-    drawOverlay(this.over, {
-      camera: this.#camera,
-      deformation: this.#deformation,
-      zones: this.#bodies,
-      ends: step.contact.patches
-        .flatMap(({ left, right }) =>
-          report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right],
-        )
-        .filter((x) => x !== 0),
-      height: this.#lifts(this.#deformation).contact,
-      cross: this.#probe,
-      most: this.#most && {
-        ...this.#most,
-        lift: this.#bodies.find((body) => body.name === this.#most?.name)?.lift ?? 0,
-        text: `max ${figure(this.#most.value * times, 4)} ${name}`,
-      },
-      line: this.cutter.line,
-      colours,
-      length: unit('length', scales.units),
-      factor: scales.length,
-    });
     if (meshes || this.cutter.stale)
       this.cutter.read(this.#bodies, this.#deformation, {
         quantity: this.#quantity,
         mirrored: report.mesh.symmetric,
         scales,
       });
+    drawOverlay(this.over, {
+      camera: this.#camera,
+      deformation: this.#deformation,
+      zones: this.#bodies,
+      edges: step.contact.patches
+        .flatMap(({ left, right }) =>
+          report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right],
+        )
+        .filter((x) => x !== 0),
+      height: this.#lifts(this.#deformation).contact,
+      cross: this.#probe,
+      ends: this.#ends.map((end) => ({
+        ...end,
+        lift: this.#bodies.find(({ name }) => name === end.name)?.lift ?? 0,
+        text: `${end.end} ${figure(end.value * times, 4)} ${name}`,
+      })),
+      path: this.cutter.path,
+      colours,
+      length: unit('length', scales.units),
+      factor: scales.length,
+    });
     this.#read(scales);
     performance.mark('field-drawn');
   }
@@ -498,7 +510,7 @@ export class FieldPanel {
       bands: { low: low / times, step: step / times, colours: swatches },
       deformation: this.#deformation,
       mirrored: report.mesh.symmetric,
-      odd: QUANTITIES[this.#quantity].odd ?? false,
+      odd: parityOf(this.#quantity, report.analysis, -1) < 0,
       lines: this.#lines,
       isolines: this.#isolines,
       floor: strain ? (PLAIN * (low + step * swatches.length)) / times : -Infinity,

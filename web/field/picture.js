@@ -1,7 +1,7 @@
 /** The field as a picture by itself: title, quantity with its unit, and the scale of colours beside it. */
 
 import { h } from '../lib/dom.js';
-import { plain } from '../lib/units.js';
+import { limitOf } from './palette.js';
 
 const [HEAD, SIDE, BAND] = [42, 96, 20];
 
@@ -26,7 +26,7 @@ export function compose(layers, bands, { title, quantity, colours: ink }) {
   context.fillText(title, 8, 16, width + SIDE - 16);
   context.font = '11px system-ui, sans-serif';
   context.fillText(quantity, 8, 33);
-  const { low, step, colours } = bands;
+  const { colours } = bands;
   const top = HEAD + 12;
   [...colours].reverse().forEach((rgb, k) => {
     context.fillStyle = `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`;
@@ -34,6 +34,6 @@ export function compose(layers, bands, { title, quantity, colours: ink }) {
   });
   context.fillStyle = ink('--ink');
   for (let k = 0; k <= colours.length; k++)
-    context.fillText(plain(low + (colours.length - k) * step), width + 32, top + BAND * k + 4);
+    context.fillText(limitOf(bands, colours.length - k), width + 32, top + BAND * k + 4);
   return copy;
 }

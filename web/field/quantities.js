@@ -3,7 +3,7 @@
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('../types.js').Scalar} Scalar */
 /** @typedef {'von_mises' | 'equivalent_plastic_strain' | 'tau_max' | 'sigma_1' | 'sigma_2' | 'sigma_3' | 'mean_stress' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'tau_xy' | 'displacement_x' | 'displacement_y'} Quantity */
-/** @typedef {{name: string, round?: string, kind: 'stress' | 'length' | 'strain', signed?: boolean, odd?: boolean}} Kind `round`: its name in axisymmetry; `odd`: changes its sign across the axis */
+/** @typedef {{name: string, round?: string, kind: 'stress' | 'length' | 'strain', signed?: boolean, odd?: boolean}} Kind `round`: its name in axisymmetry; `odd`: changes its sign across the plane of symmetry */
 
 /** @type {Record<Quantity, Kind>} */
 export const QUANTITIES = {
@@ -27,6 +27,14 @@ export const nameOf = (quantity, analysis) => {
   const { name, round } = QUANTITIES[quantity];
   return analysis === 'axisymmetric' ? (round ?? name) : name;
 };
+
+/**
+ * What a value on the right is to be taken by on this side: across the plane of symmetry shear and lateral displacement change their
+ * sign; in axisymmetry r points outward on both sides.
+ * @param {Quantity} quantity @param {string} analysis @param {1 | -1} side @returns {1 | -1}
+ */
+export const parityOf = (quantity, analysis, side) =>
+  QUANTITIES[quantity].odd && analysis !== 'axisymmetric' ? side : 1;
 
 /** Both principal stresses in the plane, the larger first. @param {number} x @param {number} y @param {number} xy @returns {[number, number]} */
 function inPlane(x, y, xy) {

@@ -1,63 +1,67 @@
 /** The field in figures: limits of the colours, and the point under the probe. */
 
 import { h } from '../lib/dom.js';
-import { figure, plain, unit } from '../lib/units.js';
+import { figure, unit } from '../lib/units.js';
 import { locate, valueAt, vectorAt } from './locate.js';
-import { QUANTITIES, arraysOf, nameOf, valueOf, valuesOf } from './quantities.js';
+import { limitOf } from './palette.js';
+import { QUANTITIES, arraysOf, nameOf, parityOf, valueOf, valuesOf } from './quantities.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('./quantities.js').Quantity} Quantity */
 /** @typedef {{name: 'upper' | 'lower', mesh: Mesh, lift: number, moved: number}} Body */
-/** @typedef {{analysis: string, symmetric: boolean, units: import('../lib/units.js').UnitSet, length: number, stress: number}} Scales factors from units of the job to those shown */
-/** @typedef {{value: number, name: string, x: number, y: number, u: number, v: number, lift: number}} Extreme at a node */
+/** @typedef {{analysis: string, symmetric: boolean, own: import('../lib/units.js').Units, units: import('../lib/units.js').UnitSet, length: number, stress: number}} Scales `own`: units of the job; `units`: those shown; factors from one to the other */
+/** @typedef {{end: 'max' | 'min', value: number, name: string, x: number, y: number, u: number, v: number}} Extreme at a node */
 
 /**
  * @param {Body[]} bodies
  * @param {Quantity} quantity
- * @param {boolean} mirrored
- * @returns {{low: number, high: number, most?: Extreme}} its limits, and where it is largest in size
+ * @param {{analysis: string, mesh: {symmetric: boolean}}} report
+ * @returns {{low: number, high: number, ends: Extreme[]}} its limits, and where they are: the least value only of what has a sign
  */
-export function extremes(bodies, quantity, mirrored) {
-  let [low, high] = [Infinity, -Infinity];
-  let most = /** @type {{body: Body, node: number, value: number} | undefined} */ (undefined);
-  const { signed, odd } = QUANTITIES[quantity];
+export function extremes(bodies, quantity, { analysis, mesh: { symmetric } }) {
+  const least = { value: Infinity, node: -1, body: bodies[0] };
+  const most = { value: -Infinity, node: -1, body: bodies[0] };
   for (const body of bodies) {
     const values = valuesOf(body.mesh, quantity, body.moved);
-    for (let k = 0; k < values.length; k++) {
-      const value = values[k];
-      if (value < low) low = value;
-      if (value > high) high = value;
-      if (!most || (signed ? Math.abs(value) > Math.abs(most.value) : value > most.value))
-        most = { body, node: k, value };
+    for (let node = 0; node < values.length; node++) {
+      const value = values[node];
+      if (value < least.value) Object.assign(least, { value, node, body });
+      if (value > most.value) Object.assign(most, { value, node, body });
     }
   }
-  const size = Math.max(-low, high);
-  const [nodes, moved] = [most?.body.mesh.nodes, most?.body.mesh.displacement];
-  const at =
-    most && nodes && moved
-      ? {
-          value: most.value,
-          name: most.body.name,
-          x: nodes[2 * most.node],
-          y: nodes[2 * most.node + 1],
-          u: moved[2 * most.node],
-          v: moved[2 * most.node + 1],
-          lift: most.body.lift,
-        }
-      : undefined;
-  return mirrored && odd ? { low: -size, high: size, most: at } : { low, high, most: at };
+  const { signed } = QUANTITIES[quantity];
+  /** @param {Extreme['end']} end @param {typeof most} found @param {1 | -1} side @returns {Extreme[]} */
+  const at = (end, { value, node, body }, side) => {
+    if (node < 0) return [];
+    const [{ nodes, displacement: moved }, parity] = [body.mesh, parityOf(quantity, analysis, side)];
+    const [x, y, u, v] = [nodes[2 * node], nodes[2 * node + 1], moved[2 * node], moved[2 * node + 1]];
+    return [{ end, value: parity * value, name: body.name, x: side * x, y, u: side * u, v }];
+  };
+  if (symmetric && parityOf(quantity, analysis, -1) < 0) {
+    // What is least on one side is largest on the other.
+    const mirrors = -least.value > most.value;
+    const largest = mirrors ? least : most;
+    const size = Math.abs(largest.value);
+    const [high, low] = /** @type {[1 | -1, 1 | -1]} */ (mirrors ? [-1, 1] : [1, -1]);
+    return { low: -size, high: size, ends: [...at('max', largest, high), ...at('min', largest, low)] };
+  }
+  return {
+    low: least.value,
+    high: most.value,
+    ends: [...at('max', most, 1), ...(signed ? at('min', least, 1) : [])],
+  };
 }
 
 /** The bands from the highest down, each with its upper limit. @param {import('./palette.js').Bands} bands @param {string} unit */
-export function colourBar({ low, step, colours }, unit) {
-  const swatches = colours.map((rgb, k) => {
-    const swatch = h('li', {}, plain(low + (k + 1) * step));
+export function colourBar(bands, unit) {
+  const swatches = bands.colours.map((rgb, k) => {
+    const swatch = h('li', {}, limitOf(bands, k + 1));
     swatch.style.setProperty('--band', `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`);
     return swatch;
   });
   return [
     ...swatches.reverse(),
-    h('li', { class: 'last' }, plain(low)),
+    h('li', { class: 'last' }, limitOf(bands, 0)),
     ...(unit ? [h('li', { class: 'unit' }, unit)] : []),
   ];
 }
@@ -73,6 +77,13 @@ export function scaleOf(quantity, { units, length, stress }) {
 
 /** Stresses that are read out. @type {Quantity[]} */
 const STRESSES = ['von_mises', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy', 'tau_max'];
+/** Beside the largest of them, less than this is the rounding of single precision. */
+const NOISE = 1e-7;
+/** @param {number[]} values of one kind */
+const rounded = (values) => {
+  const noise = NOISE * Math.max(...values.map(Math.abs));
+  return values.map((value) => (Math.abs(value) < noise ? 0 : value));
+};
 /** Arrays that a reading is made of. */
 export const READ = [
   ...new Set([...STRESSES, /** @type {Quantity} */ ('equivalent_plastic_strain')].flatMap(arraysOf)),
@@ -94,11 +105,15 @@ export function readout(bodies, shown, scales, deformation, [x, y]) {
   for (const { name, mesh, lift, moved } of bodies) {
     const place = locate(mesh, deformation, lift, side * x, y);
     if (!place) continue;
-    const [px, py] = vectorAt(place, mesh.nodes).map((value) => value * scales.length);
+    const [px, py] = rounded(vectorAt(place, mesh.nodes).map((value) => value * scales.length));
     const there = (/** @type {Quantity} */ quantity) => arraysOf(quantity).every((name) => mesh[name]);
+    const valueOfThis = (/** @type {Quantity} */ quantity) =>
+      valueAt(place, valueOf(mesh, quantity, moved)) * parityOf(quantity, scales.analysis, side);
+    const size = Math.max(0, ...STRESSES.filter(there).map((quantity) => Math.abs(valueOfThis(quantity))));
     const say = (/** @type {Quantity} */ quantity) => {
       const { factor } = scaleOf(quantity, scales);
-      const value = valueAt(place, valueOf(mesh, quantity, moved)) * (QUANTITIES[quantity].odd ? side : 1);
+      const [value] =
+        QUANTITIES[quantity].kind === 'stress' ? rounded([valueOfThis(quantity), size]) : [valueOfThis(quantity)];
       return `${nameOf(quantity, scales.analysis)
         .replace(' stress', '')
         .replace(/^.* (?=[στ])/, '')} ${figure(factor * value, 4)}`;

@@ -59,8 +59,9 @@ function valueOf(plain, text) {
 
 /** What stands before the unit, and the unit, where there is one. @param {string} text @returns {{digits: string, name: string}} */
 export function parted(text) {
-  const [, digits = text.trim(), name = ''] =
-    /^\s*([+\-−–]?[\d.,\s'’]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(text) ?? [];
+  const plain = withExponents(text);
+  const [, digits = plain.trim(), name = ''] =
+    /^\s*([+\-−–]?[\d.,\s'’]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(plain) ?? [];
   return { digits, name };
 }
 
@@ -81,6 +82,20 @@ export function readQuantity(text, quantity, units, { unit = '', meaning } = {})
   return value === undefined ? { problem: `“${name || unit}” is no unit known here for this figure` } : { value };
 }
 
+/**
+ * A figure of what is shown, in the units of the job: with a unit of its own behind it, or else in those that are shown.
+ * @param {string} text
+ * @param {Quantity} quantity
+ * @param {Units} units of the job
+ * @param {number} times from these to the units shown
+ * @returns {Reading}
+ */
+export function readShown(text, quantity, units, times) {
+  if (parted(text).name) return readQuantity(text, quantity, units);
+  const reading = readNumber(text);
+  return 'problem' in reading ? reading : { value: reading.value / times };
+}
+
 /** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
 export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
 
@@ -94,9 +109,20 @@ export const groupsJoined = (text) =>
 const GROUPED =
   /^[+-]?(?:\d{1,3}(?:[\s'’]\d{3})+|\d*)(?:[.,](?:\d{3}(?:[\s'’]\d{3})*(?:[\s'’]\d{1,3})?|\d*))?(?:e[+-]?\d+)?$/i;
 
-/** Without what groups digits, with a plain minus. @param {string} text */
+/** Powers of ten as this page and people write them: 4.5·10⁸, 4.5×10^8, 10⁻⁵. */
+const POWER = /(?:([\d.,])\s*[·⋅×*]\s*|(?<![\d.,]))10(?:\^([+\-−]?\d+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))/g;
+const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+
+/** The same with powers of ten as exponents. @param {string} text */
+const withExponents = (text) =>
+  text.replace(POWER, (_, digit = '1', level, raised = '') => {
+    const lowered = [...raised].map((sign) => (sign === '⁻' ? '-' : sign === '⁺' ? '' : RAISED.indexOf(sign))).join('');
+    return `${digit}e${level?.replace('−', '-') ?? lowered}`;
+  });
+
+/** Without what groups digits, with a plain minus and an exponent for a power of ten. @param {string} text */
 function tidy(text) {
-  const plain = text.trim().replace(/[−–]/g, '-');
+  const plain = withExponents(text).trim().replace(/[−–]/g, '-');
   return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
 }
 

@@ -1,6 +1,6 @@
 /** Quantities, their units in both systems, and how figures are written. */
 
-/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'strain' | 'stiffness' | 'line_stiffness'} Quantity */
+/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
 /** @typedef {'mm_N_MPa' | 'SI'} Units of a job */
 /** @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the length that line loads are counted by */
 
@@ -87,6 +87,10 @@ function inSi(quantity, set) {
       return force / length;
     case 'line_stiffness':
       return force / per / length;
+    case 'energy':
+      return force * length;
+    case 'line_energy':
+      return (force / per) * length;
     default:
       return 1;
   }
@@ -126,6 +130,9 @@ export const forceOf = (job) => (job.analysis === 'axisymmetric' ? 'force' : 'li
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its dP/dα */
 export const stiffnessOf = (job) => (job.analysis === 'axisymmetric' ? 'stiffness' : 'line_stiffness');
 
+/** @param {{analysis?: unknown}} job @returns {Quantity} of its work */
+export const energyOf = (job) => (job.analysis === 'axisymmetric' ? 'energy' : 'line_energy');
+
 /** @param {Quantity} quantity @param {Units | UnitSet} units @returns {string} name of its unit */
 export function unit(quantity, units) {
   const { length, per, stress, force } = setOf(units);
@@ -144,6 +151,10 @@ export function unit(quantity, units) {
       return `${force}/${length}`;
     case 'line_stiffness':
       return length === per ? `${force}/${per}²` : `${force}/(${per}·${length})`;
+    case 'energy':
+      return `${force}·${length}`;
+    case 'line_energy':
+      return length === per ? force : `${force}·${length}/${per}`;
     default:
       return '';
   }

@@ -159,7 +159,7 @@ function path(curve, x, y) {
     svg('path', {
       d,
       stroke: ink(curve.colour),
-      'stroke-width': curve.dashed ? 1.1 : 1.6,
+      'stroke-width': curve.width ?? (curve.dashed ? 1.1 : 1.6),
       'stroke-dasharray': dashOf(curve)?.join(' '),
     }),
     dots,
@@ -232,7 +232,7 @@ const legendItem = (curve, x, y) =>
     svg('path', {
       d: `M${x} ${y - 4}h24`,
       stroke: ink(curve.colour),
-      'stroke-width': 1.8,
+      'stroke-width': curve.width ?? 1.8,
       'stroke-dasharray': dashOf(curve)?.join(' '),
     }),
     svg('text', { x: x + 30, y, fill: ink('--ink') }, curve.label + (curve.right ? ' (right)' : '')),

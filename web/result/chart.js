@@ -18,6 +18,8 @@ import { placeWords } from './labels.js';
  * @property {boolean} [right] on the second ordinate
  * @property {boolean} [points]
  * @property {boolean} [filled]
+ * @property {boolean} [gaps] whether it is broken where it has no value
+ * @property {number} [width] of its line, where that tells curves apart
  *
  * @typedef {object} Mark a line across
  * @property {'x' | 'y'} across which axis it stands on
@@ -140,7 +142,9 @@ export class Chart {
     if (!plot || !width) return;
     const Plotter = /** @type {any} */ (globalThis).uPlot;
     const tables = plot.curves.map(({ x, y }) => [x, y]);
-    const data = tables.length ? Plotter.join(tables) : [[], []];
+    // A gap is as wide as from one value to the next, whatever places other curves have between.
+    const modes = plot.curves.map(({ gaps }) => [0, gaps ? 2 : 1]);
+    const data = tables.length ? Plotter.join(tables, modes) : [[], []];
     this.#drawn = plot;
     if (this.#uplot && kindOf(plot, width) === this.#made) this.#uplot.setData(data);
     else {
@@ -200,8 +204,8 @@ export class Chart {
         ...plot.curves.map((curve) => ({
           scale: curve.right ? 'right' : 'y',
           stroke: colour(curve.colour),
-          width: curve.dashed ? 1.25 : 1.75,
-          spanGaps: true,
+          width: curve.width ?? (curve.dashed ? 1.25 : 1.75),
+          spanGaps: !curve.gaps,
           dash: dashOf(curve),
           points: { show: Boolean(curve.points), size: 5, fill: colour(curve.colour) },
           fill: curve.filled ? `${colour(curve.colour)}18` : undefined,
@@ -251,7 +255,7 @@ const home = ({ range, curves }) =>
 const kindOf = ({ x, y, right, log, turns, range, curves, words }, width) =>
   JSON.stringify([
     [width, x, y, right, log, range !== undefined, turns && words],
-    curves.map(({ label, colour, dashed, dash, right, points, filled }) => [
+    curves.map(({ label, colour, dashed, dash, right, points, filled, gaps, width }) => [
       label,
       colour,
       dashed,
@@ -259,6 +263,8 @@ const kindOf = ({ x, y, right, log, turns, range, curves, words }, width) =>
       right,
       points,
       filled,
+      gaps,
+      width,
     ]),
   ]);
 
@@ -275,7 +281,7 @@ function valueAt(curve, x) {
 /** @param {CanvasRenderingContext2D} context @param {Curve} curve @param {number} x @param {number} y */
 function drawEntry(context, curve, x, y) {
   context.strokeStyle = colour(curve.colour);
-  context.lineWidth = 2;
+  context.lineWidth = curve.width ?? 2;
   context.setLineDash(dashOf(curve) ?? []);
   context.beginPath();
   context.moveTo(x, y - 4);
@@ -286,7 +292,11 @@ function drawEntry(context, curve, x, y) {
 
 /** @param {Curve} curve */
 function swatch(curve) {
-  const line = svg('path', { d: 'M0 4h24', 'stroke-width': 2, 'stroke-dasharray': dashOf(curve)?.join(' ') });
+  const line = svg('path', {
+    d: 'M0 4h24',
+    'stroke-width': curve.width ?? 2,
+    'stroke-dasharray': dashOf(curve)?.join(' '),
+  });
   line.style.stroke = `var(${curve.colour})`;
   return svg('svg', { class: 'swatch', viewBox: '0 0 24 8', 'aria-hidden': 'true' }, line);
 }

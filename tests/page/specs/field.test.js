@@ -225,7 +225,7 @@ service.test('a cut anywhere has its curve', async (page) => {
   await page.getByLabel('Cut to x').fill('60');
   await page.getByLabel('Cut to y').fill('1');
   await page.keyboard.press('Enter');
-  await page.getByRole('img', { name: 'The cut misses the bodies.' }).waitFor();
+  await page.locator('.cut').getByText('The cut misses the bodies.').waitFor();
   assert.notEqual(words, await plot.getAttribute('aria-label'));
 });
 

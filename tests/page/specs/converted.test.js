@@ -1,0 +1,97 @@
+/** Results in other units: every figure of a report is converted by what it is. No browser. */
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { readNumber, readShown } from '../../../web/lib/number.js';
+import { figure, plain } from '../../../web/lib/units.js';
+import { LEFT, QUANTITIES, inUnits } from '../../../web/result/converted.js';
+
+const { schemas } = JSON.parse(readFileSync(new URL('../../../api/openapi.json', import.meta.url), 'utf8')).components;
+
+/** What the interface says of a unit, and what the page makes of it. @type {[RegExp, string | undefined][]} */
+const SAID = [
+  [/Unit: mm \(SI: m\)/, 'length'],
+  [/Unit: MPa \(SI: Pa\)/, 'stress'],
+  [/Unit: N\/mm \(SI: N\/m\) of thickness; N in axisymmetry/, 'load'],
+  [/Unit: N\/mm² \(SI: N\/m²\); in axisymmetry N\/mm/, 'slope'],
+  [/Unit: mm² \(SI: m²\)/, 'area'],
+  [/Unit: N \(SI: N\) of thickness, force times length/, 'energy'],
+  // By the name of the figure that was looked for.
+  [/Unit: that of the figure/, undefined],
+  [/Unit: degree|Unit: ms|Without unit/, undefined],
+];
+
+/**
+ * Every number of a report with its key and what is said of it.
+ * @param {any} node @param {string} key @param {string} said @param {string[]} seen
+ * @returns {Generator<[string, string]>}
+ */
+function* numbers(node, key, said, seen = []) {
+  if (node.$ref) {
+    const name = node.$ref.split('/').pop();
+    if (!seen.includes(name))
+      yield* numbers(schemas[name], key, node.description ?? schemas[name].description ?? said, [...seen, name]);
+    return;
+  }
+  const text = node.description ?? said;
+  if ([node.type].flat().some((type) => type === 'number')) yield [key, text];
+  for (const [name, one] of Object.entries(node.properties ?? {}))
+    if (!LEFT.has(name)) yield* numbers(one, name, '', seen);
+  for (const part of [node.items, node.additionalProperties])
+    if (part?.type || part?.$ref) yield* numbers(part, key, text, seen);
+  for (const part of [node.oneOf, node.anyOf, node.allOf, node.prefixItems].flat())
+    if (part) yield* numbers(part, key, text, seen);
+}
+
+test('every figure of a report has the kind of unit that the interface names', () => {
+  let count = 0;
+  for (const [key, text] of numbers(schemas.Report, '', '')) {
+    const [, kind] = SAID.find(([said]) => said.test(text)) ?? [null, 'no unit that is known'];
+    assert.equal(QUANTITIES[key], kind, `${key}: ${text}`);
+    count += 1;
+  }
+  assert.ok(count > 60, `${count} figures`);
+});
+
+test('initial stresses, work and reversed yield come in the units that are shown', () => {
+  const set = { length: 'µm', per: 'mm', stress: 'GPa', force: 'kN' };
+  const part = {
+    subsurface: { lower: { initial_sigma_x: [-204], initial_sigma_z: [10] } },
+    flow: { energy: { work: 2 }, surfaces: { lower: { pile_up_position: 0.5, reverse_area: 0.25 } } },
+  };
+  const converted = inUnits(part, { analysis: 'plane_strain', units: 'mm_N_MPa' }, set);
+  const rounded = JSON.parse(
+    JSON.stringify(converted, (_, value) => (typeof value === 'number' ? Number(value.toPrecision(12)) : value)),
+  );
+  assert.deepEqual(rounded, {
+    subsurface: { lower: { initial_sigma_x: [-0.204], initial_sigma_z: [0.01] } },
+    flow: { energy: { work: 2 }, surfaces: { lower: { pile_up_position: 500, reverse_area: 250000 } } },
+  });
+  assert.equal(
+    inUnits({ work: 2 }, { analysis: 'axisymmetric', units: 'mm_N_MPa' }, { ...set, length: 'mm' }).work,
+    2e-3,
+  );
+});
+
+test('what the page writes, it can read', () => {
+  for (const value of [4.5e8, -5e-5, 1e8, -1e-7, 5.5e8, 1.23456e12, -0.25, 612.6, 3e-20, 0])
+    for (const write of [plain, (/** @type {number} */ one) => figure(one, 6)]) {
+      const reading = readNumber(write(value));
+      assert.ok('value' in reading && Math.abs(reading.value - value) <= 1e-5 * Math.abs(value), write(value));
+    }
+  for (const [text, value] of /** @type {[string, number][]} */ ([
+    ['4.5·10⁸', 4.5e8],
+    ['4.5×10^8', 4.5e8],
+    ['10⁻⁵', 1e-5],
+    ['−10⁸', -1e8],
+    ['450 MPa', 4.5e8],
+    ['0.45 GPa', 4.5e8],
+  ])) {
+    const reading = readShown(text, 'stress', 'SI', 1);
+    assert.equal('value' in reading && reading.value, value, text);
+  }
+  assert.deepEqual(readShown('0.2', 'stress', 'mm_N_MPa', 1e-3), { value: 200 });
+  for (const text of ['·10⁸', '4.5·10', '10^', '1.5·9⁸', '4·10⁸·10⁸'])
+    assert.ok('problem' in readShown(text, 'stress', 'SI', 1), text);
+});
