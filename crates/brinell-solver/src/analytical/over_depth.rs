@@ -38,10 +38,19 @@ impl DepthLimit {
         Self::first(half_width, yield_stress, |z| hertz.stress_on_axis(z, poisson_ratio).von_mises())
     }
 
-    /// Onset of yield of a point contact; `half_width` is the contact radius of a unit peak pressure \[mm/MPa\]: `πR/2E*`.
+    /// Onset of yield of a point contact, on the axis or at the surface on the edge of the contact circle, where the radial tension
+    /// `(1 - 2ν) p0/3` and as much hoop pressure have the von Mises stress `(1 - 2ν) p0/√3`; `half_width` is the contact radius of a
+    /// unit peak pressure \[mm/MPa\]: `πR/2E*`.
+    ///
+    /// # Reference
+    /// K. L. Johnson, *Contact Mechanics* (1985), eq. 3.49.
     pub fn point_onset(poisson_ratio: f64, half_width: f64, yield_stress: impl Fn(f64) -> f64) -> Self {
         let hertz = HertzPoint::from_peak_pressure(1.0, 1.0, std::f64::consts::FRAC_PI_2);
-        Self::first(half_width, yield_stress, |z| hertz.stress_on_axis(z, poisson_ratio).von_mises())
+        let edge = (1.0 - 2.0 * poisson_ratio) / 3f64.sqrt();
+        Self::first(half_width, yield_stress, |z| {
+            let on_axis = hertz.stress_on_axis(z, poisson_ratio).von_mises();
+            if z == 0.0 { on_axis.max(edge) } else { on_axis }
+        })
     }
 
     /// Elastic shakedown limit of a line contact that rolls freely, for a yield stress over depth \[MPa\].

@@ -9,7 +9,7 @@
 //!                 h/a of the widest contact
 //! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
 //!                 memory 0.12 + 1.5 h/a; of those whose contact is in several parts, or in a hole, 4 h/a
-//! force           0; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
+//! force           0; of the onset of yield max(|Δ|, 0.2 h/a); under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
 //! and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
@@ -160,7 +160,7 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     };
     let contact_stiffness = stiffness_bar(step, yields, size, difference);
     let (approach, force) = match step.load {
-        ContactLoad::Force(_) => (approach, 0.0),
+        ContactLoad::Force(_) => (approach, step.onset_error.unwrap_or(0.0)),
         ContactLoad::Approach(_) => {
             // What an error of the approach is on the curve of force over approach.
             let force = step.force();

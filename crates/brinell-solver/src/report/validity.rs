@@ -60,6 +60,8 @@ const VERY_LARGE_STRAIN: f64 = 0.2;
 /// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
 /// half-width, so one of 10 elements may turn out to have 9.5.
 const COARSE_MESH: f64 = 9.0;
+/// Relative error of the force of an onset of yield beyond which that is said.
+const UNCERTAIN_ONSET: f64 = 0.03;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -87,6 +89,13 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             edge.width(),
             edge.peak_pressure(),
             step.spacing
+        ));
+    }
+    if let Some(error) = step.onset_error.filter(|error| *error > UNCERTAIN_ONSET) {
+        messages.push(format!(
+            "The force under which yield begins is known to {:.0} % only: the strength of the material changes, or stress has a peak, \
+             within few elements. More elements (`mesh.elements_per_half_width`) tell it better.",
+            100.0 * error
         ));
     }
     if let Some(tip) = &step.rounded_tip {

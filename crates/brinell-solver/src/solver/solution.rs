@@ -89,6 +89,8 @@ pub struct StepSolution {
     pub rounded_tip: Option<RoundedTip>,
     /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
     pub missed: Option<f64>,
+    /// Of the onset of yield: relative error of the force, by how much meshes of half the density change it.
+    pub onset_error: Option<f64>,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.

@@ -1,5 +1,8 @@
 //! First yield of a line contact: p0/σ_y = 1.794 at a depth of 0.704 a (ν = 0.3, von Mises, plane strain).
 
+use brinell_solver::analytical::{DepthLimit, HertzLine, HertzPoint};
+use brinell_solver::report::StepReport;
+use brinell_solver::solver::SolveStatus;
 use serde_json::{Value, json};
 
 use crate::problems::{assert_within, cylinder, report};
@@ -36,4 +39,89 @@ fn the_reported_onset_force_is_the_closed_form() {
     assert_eq!(plasticity.max_equivalent_plastic_strain, 0.0);
     assert_eq!(plasticity.area, 0.0);
     assert_eq!(step.history.len(), 1);
+}
+
+/// A roller or ball on a block, with strength over depth, and the force under which the block begins to yield.
+fn onset_on_block(analysis: &str, poisson_ratio: f64, over_depth: &Value) -> StepReport {
+    let elastic = json!({"young_modulus": 210_000.0, "poisson_ratio": poisson_ratio});
+    let mut yielding = elastic.clone();
+    yielding["plasticity"] = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 4000.0, "over_depth": over_depth});
+    let job = json!({"analysis": analysis, "load": {"onset": true},
+        "upper": {"shape": {"type": "cylinder", "radius": 100.0}, "material": elastic},
+        "lower": {"shape": {"type": "block", "width": 600.0, "depth": 400.0}, "material": yielding}});
+    let step = report(&job).steps.remove(0);
+    assert_eq!(step.status, SolveStatus::Converged);
+    step
+}
+
+/// E* of that roller and block.
+fn effective(poisson_ratio: f64) -> f64 {
+    0.5 * 210_000.0 / (1.0 - poisson_ratio * poisson_ratio)
+}
+
+/// `σ_x = σ_z = -p0` in the middle of the surface.
+#[test]
+fn yield_begins_at_the_surface_where_it_is_highest_there() {
+    let (uniform, soft) = (json!([[0, 1.0]]), json!([[0, 0.3], [0.4, 1.0]]));
+    for (analysis, nu, over_depth, peak, modulus) in [
+        ("plane_stress", 0.3, &uniform, 500.0, 105_000.0),
+        ("plane_stress", 0.3, &soft, 150.0, 105_000.0),
+        ("plane_strain", 0.0, &uniform, 500.0, effective(0.0)),
+        ("plane_strain", 0.1, &uniform, 500.0 / 0.8, effective(0.1)),
+        ("plane_strain", 0.3, &soft, 150.0 / 0.4, effective(0.3)),
+    ] {
+        let step = onset_on_block(analysis, nu, over_depth);
+        let onset = step.yield_onset.unwrap();
+        let force = HertzLine::from_peak_pressure(peak, 100.0, modulus).force();
+        assert_within(onset.force, force, 5e-3);
+        let error = (onset.force / force - 1.0).abs();
+        assert!(error <= step.estimated_error.unwrap().force, "{analysis} {nu}: {error}");
+        assert!(onset.depth < 1e-4 && onset.position < 0.1 * step.contact.half_width, "{onset:?}");
+    }
+}
+
+/// Beside a contact circle radial tension and hoop pressure of `(1 - 2ν) p0/3`.
+#[test]
+fn yield_begins_at_the_edge_of_a_contact_circle_where_the_skin_is_soft() {
+    let step = onset_on_block("axisymmetric", 0.0, &json!([[0, 0.3], [0.4, 1.0]]));
+    let onset = step.yield_onset.unwrap();
+    let force = HertzPoint::from_peak_pressure(150.0 * 3f64.sqrt(), 100.0, effective(0.0)).force();
+    let error = (onset.force / force - 1.0).abs();
+    assert!(error < 0.025 && error <= step.estimated_error.unwrap().force, "{error}");
+    assert!((onset.position / step.contact.half_width - 1.0).abs() < 1e-6, "{onset:?}");
+    assert_within(step.hertz.unwrap().yield_onset_force.unwrap(), force, 1e-3);
+}
+
+/// Places that 20 elements do not resolve: close below the surface on the axis, and below the end of the contact.
+#[test]
+fn the_bar_of_an_onset_holds_the_closed_form() {
+    let strength = |depth: f64| 500.0 * (0.3 + 0.7 * (depth / 0.4).min(1.0));
+    let soft = json!([[0, 0.3], [0.4, 1.0]]);
+    let ball = DepthLimit::point_onset(0.3, 0.5 * std::f64::consts::PI * 100.0 / effective(0.3), strength);
+    let ball = HertzPoint::from_peak_pressure(ball.peak_pressure, 100.0, effective(0.3)).force();
+    // Of a line contact at all places of the section.
+    let unit = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
+    let stresses: Vec<(f64, f64)> = (1..100u32)
+        .map(|k| 0.02 * f64::from(k))
+        .map(|z| {
+            let beside = (0..120u32).map(|k| unit.stress(0.01 * f64::from(k), z, 0.45).von_mises());
+            (z, beside.fold(0.0, f64::max))
+        })
+        .collect();
+    let bears = |p0: f64| {
+        let a = 200.0 * p0 / effective(0.45);
+        stresses.iter().all(|&(z, stress)| p0 * stress <= strength(z * a))
+    };
+    let (mut low, mut high) = (0.0, 5000.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if bears(middle) { low = middle } else { high = middle }
+    }
+    let roller = HertzLine::from_peak_pressure(low, 100.0, effective(0.45)).force();
+    for (analysis, nu, force) in [("axisymmetric", 0.3, ball), ("plane_strain", 0.45, roller)] {
+        let step = onset_on_block(analysis, nu, &soft);
+        let (error, bar) = ((step.contact.force / force - 1.0).abs(), step.estimated_error.unwrap().force);
+        assert!(error <= bar && bar < 0.3, "{analysis}: {error} in {bar}");
+        assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis}");
+    }
 }

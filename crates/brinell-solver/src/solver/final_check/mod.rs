@@ -286,6 +286,7 @@ fn judge(
         rounded_edge: None,
         rounded_tip: None,
         missed: None,
+        onset_error: None,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),

@@ -11,7 +11,7 @@
 use super::bracket::{Bracket, Next};
 use super::load_sequence::LoadSequence;
 use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
-use super::utilization::highest_utilization;
+use super::utilization::{highest_at_ends, highest_utilization};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::error::{Unreachable, UnreachableReason};
@@ -21,6 +21,11 @@ use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::solution::{BodySolution, Solution, StepSolution};
 use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
 
+/// Error at least of the force under which yield begins, over h/a.
+const ONSET_FLOOR: f64 = 0.2;
+/// Error of the utilization at the ends of the contact over its change to half the density.
+const ENDS_MARGIN: f64 = 1.5;
+const MOST_HIDDEN: f64 = 0.15;
 /// How much coarser than asked the meshes are on which the force is looked for, the same where the figure follows the width of
 /// the contact, which a mesh knows to half an element, and the fewest elements.
 const COARSER: u32 = 3;
@@ -33,6 +38,8 @@ const NEAR: f64 = 0.01;
 const TOLERANCE: f64 = 1e-3;
 /// The same for the onset of yield, which scatters less.
 const ONSET_TOLERANCE: f64 = 2e-4;
+/// Deviation of the utilization from which on an onset counts as missed: at the edge of a contact circle it scatters with the radius.
+const ONSET_MISSED: f64 = 1e-3;
 /// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
 const MISSED: f64 = 0.01;
 const MISSED_ELEMENTS: f64 = 0.5;
@@ -244,6 +251,12 @@ impl ForceSearch<'_> {
             force *= (-at[1] / slope).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION).exp();
         }
         let Some(mut best) = best else { return Err(SolveError::NoLoad) };
+        if self.sought == Sought::Onset {
+            let error = self.force_error(&best, slope, solution, observer)?;
+            if let Some(step) = best.steps.last_mut() {
+                step.onset_error = Some(error);
+            }
+        }
         // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
         let steepness = solution.sensitivity.map_or(1.0, |slope| (slope / self.expected_slope()).max(1.0));
         if best.deviation() > (steepness * self.missed()).max(tolerance) {
@@ -252,6 +265,36 @@ impl ForceSearch<'_> {
             }
         }
         Ok(best.steps)
+    }
+
+    /// Relative error of the force under which yield begins, by how much half the density changes utilization under it: where it
+    /// is highest, and at the ends of the contact, where more may be hidden from the mesh.
+    fn force_error(
+        &self,
+        found: &Trial,
+        slope: f64,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<f64, SolveError> {
+        let elements = self.sequence.job.mesh.elements_per_half_width;
+        let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
+        let job = self.coarser_job(half);
+        let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
+        let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
+        let trial = self.trial(&sequence, None, force, solution, &mut SilentObserver { inner: observer })?;
+        let change = match trial {
+            Ok(trial) if trial.is_converged() => {
+                let at_ends = |trial: &Trial| {
+                    let highest = trial.steps.last().and_then(|step| highest_at_ends(step, self.problem));
+                    highest.map_or(f64::MIN_POSITIVE, |highest| highest.ratio).ln()
+                };
+                let (ends, highest) = (at_ends(found), found.ratio.ln());
+                let hidden = (ENDS_MARGIN * (ends - at_ends(&trial)).abs()).min(MOST_HIDDEN) + ends - highest;
+                (trial.ratio.ln() - highest).abs().max(hidden) / slope
+            }
+            _ => 0.0,
+        };
+        Ok(found.ratio.ln().abs() / slope + change.max(ONSET_FLOOR / f64::from(elements)))
     }
 
     /// Solves under one force, with a stepper on its meshes as long as they serve.
@@ -312,7 +355,7 @@ impl ForceSearch<'_> {
     fn missed(&self) -> f64 {
         let elements = f64::from(self.sequence.job.mesh.elements_per_half_width);
         match self.sought {
-            Sought::Onset => 0.0,
+            Sought::Onset => ONSET_MISSED,
             Sought::Target(_) if self.is_of_width() => MISSED.max(2.0 * MISSED_ELEMENTS / elements),
             Sought::Target(_) => MISSED,
         }
@@ -336,7 +379,12 @@ impl ForceSearch<'_> {
     fn coarse_job(&self) -> Job {
         let job = self.sequence.job;
         let coarser = if self.is_of_width() { COARSER_FOR_WIDTH } else { COARSER };
-        let elements = (job.mesh.elements_per_half_width / coarser).max(FEWEST_ELEMENTS);
+        self.coarser_job((job.mesh.elements_per_half_width / coarser).max(FEWEST_ELEMENTS))
+    }
+
+    /// The job with other elements.
+    fn coarser_job(&self, elements: u32) -> Job {
+        let job = self.sequence.job;
         let SolverSettings { theory, increments, .. } = job.solver;
         Job {
             mesh: MeshSettings { elements_per_half_width: elements },

@@ -7,4 +7,5 @@ mod increments;
 mod load_sequence;
 mod load_stepper;
 pub(crate) mod run;
+mod surface_stress;
 pub(super) mod utilization;

@@ -1,5 +1,6 @@
 //! How near a contact is to yield.
 
+use super::surface_stress::{SurfacePoint, at_contact_circle, surface_points};
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::shape_functions;
 use crate::material::von_mises;
@@ -14,38 +15,83 @@ pub(crate) struct Utilization {
     pub ratio: f64,
     /// 0 is the upper body, 1 the lower one.
     pub body: usize,
-    /// Centroid `[x, y]` of the element \[mm\].
+    /// Place `[x, y]` \[mm\].
     pub position: [f64; 2],
 }
 
-/// The element with the highest von Mises stress over the yield stress at its place, by element means: single Gauss points lie
-/// above the field by half a percent; where strength varies with depth, by recovered stresses at points within the
-/// elements. Of two bodies alike, the lower one; `None` if no body can yield.
+/// The place with the highest von Mises stress over the yield stress there: of the middles of elements, by their means (single
+/// Gauss points lie above the field by half a percent), and of the surface; where strength varies with depth, by recovered
+/// stresses at points within the elements. Of two bodies alike, the lower one; `None` if no body can yield.
 pub(crate) fn highest_utilization(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
+    highest_within(step, problem, &|_| true)
+}
+
+/// Half-widths around the ends of a contact within which stress varies too fast for elements.
+const AROUND_ENDS: f64 = 0.3;
+
+/// The same near the ends of the contact alone.
+pub(crate) fn highest_at_ends(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
+    let patch = step.patch?;
+    let reach = AROUND_ENDS * patch.half_width();
+    let is_near = |x: f64| [patch.left, patch.right].iter().any(|end| (x - end).abs() < reach);
+    highest_within(step, problem, &|[x, depth]| depth < reach && is_near(x))
+}
+
+/// The same of the elements with their middle at certain places `[x, depth]` \[mm\].
+fn highest_within(
+    step: &StepSolution,
+    problem: &Problem,
+    counts: &dyn Fn([f64; 2]) -> bool,
+) -> Option<Utilization> {
     let solutions = step.bodies.iter().zip(&problem.bodies).enumerate();
     let highest = solutions.filter_map(|(body, (solution, limits))| {
         let (solution, (least, greatest)) = (solution.as_ref()?, limits.strength_range());
-        let (ratio, position) = if least < greatest {
-            highest_of_graded(solution, step.symmetric, limits)?
+        let surface = surface_points(step, solution);
+        let inside = if least < greatest {
+            highest_of_graded(solution, step.symmetric, limits, &surface, counts)?
         } else {
-            highest_of_elements(solution, limits)?
+            highest_of_elements(solution, limits, counts)?
         };
+        let at_surface = highest_of_surface(step, &surface, limits)
+            .into_iter()
+            .flatten()
+            .filter(|(_, position)| counts(solution.mesh.frame.place(*position)));
+        let (ratio, position) =
+            at_surface.fold(inside, |highest, next| if next.0 > highest.0 { next } else { highest });
         Some(Utilization { ratio, body, position })
     });
     highest.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
 }
 
 /// The highest ratio of an element and its centroid.
-fn highest_of_elements(solution: &BodySolution, limits: &ProblemBody) -> Option<(f64, [f64; 2])> {
+fn highest_of_elements(
+    solution: &BodySolution,
+    limits: &ProblemBody,
+    counts: &dyn Fn([f64; 2]) -> bool,
+) -> Option<(f64, [f64; 2])> {
     let frame = solution.mesh.frame;
     let elements = solution.stress.points.iter().filter_map(|points| {
         let mean = GaussPoint::mean(points);
-        if frame.is_near_core(mean.position) {
+        if frame.is_near_core(mean.position) || !counts(frame.place(mean.position)) {
             return None;
         }
         Some((von_mises(mean.stress) / limits.yield_stress_at(mean.position)?, mean.position))
     });
     elements.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The highest ratio at the surface and its place, and the one at the edge of a contact circle.
+fn highest_of_surface(
+    step: &StepSolution,
+    points: &[SurfacePoint],
+    limits: &ProblemBody,
+) -> [Option<(f64, [f64; 2])>; 2] {
+    let ratio =
+        |stress: f64, position: [f64; 2]| Some((stress / limits.yield_stress_at(position)?, position));
+    let ratios = points.iter().filter_map(|point| ratio(von_mises(point.stress), point.position));
+    let edge = at_contact_circle(step, points)
+        .and_then(|[radius, stress]| ratio(stress, [radius, limits.outline.height(radius)]));
+    [ratios.max_by(|a, b| a.0.total_cmp(&b.0)), edge]
 }
 
 /// Parts of an element's side at whose ends a strength that varies is looked at.
@@ -57,10 +103,21 @@ fn highest_of_graded(
     solution: &BodySolution,
     symmetric: bool,
     limits: &ProblemBody,
+    surface: &[SurfacePoint],
+    counts: &dyn Fn([f64; 2]) -> bool,
 ) -> Option<(f64, [f64; 2])> {
     let mesh = &solution.mesh;
-    let stress: Vec<[f64; 4]> =
+    let mut stress: Vec<[f64; 4]> =
         Recovery::new(solution, symmetric).nodes().into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
+    // Between two points of the surface.
+    for (&node, points) in mesh.contact_nodes.iter().skip(1).zip(surface.windows(2)) {
+        let mean = |k: usize| points.iter().map(|point| 0.5 * point.stress[k]).sum();
+        stress[node as usize] = std::array::from_fn(mean);
+    }
+    if let (true, Some(&node), [first, second, ..]) = (symmetric, mesh.contact_nodes.first(), surface) {
+        // Even about the axis.
+        stress[node as usize] = std::array::from_fn(|k| (9.0 * first.stress[k] - second.stress[k]) / 8.0);
+    }
     let is_near_core = |node: u32| mesh.frame.is_near_core(mesh.nodes[node as usize]);
     let at_node = |node: u32| {
         let (stress, position) = (stress[node as usize], mesh.nodes[node as usize]);
@@ -73,14 +130,16 @@ fn highest_of_graded(
     let (yield_stress, profile) = (limits.yield_stress()?, limits.material.as_ref()?.strength()?);
     let mut best = (0.0, [0.0; 2]);
     for (element, nodes) in mesh.elements.iter().enumerate() {
-        if nodes.iter().any(|&node| is_near_core(node)) {
+        let corners = mesh.corners(element);
+        let middle =
+            std::array::from_fn(|axis| 0.25 * corners.iter().map(|corner| corner[axis]).sum::<f64>());
+        if nodes.iter().any(|&node| is_near_core(node)) || !counts(mesh.frame.place(middle)) {
             continue;
         }
         let depths = nodes.map(|node| depth[node as usize]);
         let (least, greatest) =
             depths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (z.min(a), z.max(b)));
         let crossed = profile.points().iter().filter(|[z, _]| least < *z && *z < greatest);
-        let corners = mesh.corners(element);
         let mut look = |natural: [f64; 2], limit: Option<f64>| -> Option<()> {
             let shape = shape_functions(natural);
             let mix = |values: &dyn Fn(usize) -> f64| (0..4).map(|c| shape[c] * values(c)).sum::<f64>();

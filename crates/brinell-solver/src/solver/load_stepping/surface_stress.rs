@@ -1,0 +1,86 @@
+//! Stresses at the surface of a contact of elastic bodies.
+//!
+//! Elements know stresses at their middles, half an element below. At the surface itself more is known:
+//! ```text
+//! σ_n = -p                 contact pressure, 0 beside the contact
+//! ε_t = Δu·t / Δs          strain along the surface, exact to second order half-way between two nodes
+//! ε_θ = u_r / r            of a body of revolution; 0 in plane strain
+//! ```
+//! Hooke's law gives the other components. There is no friction and no shear stress.
+
+use crate::fem::element::StressState;
+use crate::material::{ElasticModuli, von_mises};
+use crate::solver::solution::{BodySolution, PairState, StepSolution};
+
+/// A point of the surface half-way between two neighbouring pairs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SurfacePoint {
+    /// `[x, y]` \[mm\].
+    pub position: [f64; 2],
+    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
+    pub stress: [f64; 4],
+    /// Whether it lies beside the contact.
+    is_free: bool,
+}
+
+/// The points of a body in order of x; none of a body that had stress before the load.
+pub(super) fn surface_points(step: &StepSolution, body: &BodySolution) -> Vec<SurfacePoint> {
+    if body.initial_stress.is_some() || body.displacement.is_empty() {
+        return Vec::new();
+    }
+    let nodes = body.mesh.contact_nodes.windows(2);
+    let pairs = step.pairs.windows(2);
+    nodes.zip(pairs).filter_map(|(nodes, pairs)| point(step.stress_state, body, nodes, pairs)).collect()
+}
+
+fn point(
+    state: StressState,
+    body: &BodySolution,
+    nodes: &[u32],
+    pairs: &[PairState],
+) -> Option<SurfacePoint> {
+    let (&[left, right], [a, b]) = (nodes, pairs) else { return None };
+    let at = |node: u32| (body.mesh.nodes[node as usize], body.displacement[node as usize]);
+    let ((from, u_from), (to, u_to)) = (at(left), at(right));
+    let along: [f64; 2] = std::array::from_fn(|k| to[k] - from[k]);
+    let length = along[0].hypot(along[1]);
+    let tangent = along.map(|component| component / length);
+    let strain = (0..2).map(|k| (u_to[k] - u_from[k]) * tangent[k]).sum::<f64>() / length;
+    let position: [f64; 2] = std::array::from_fn(|k| 0.5 * (from[k] + to[k]));
+    let hoop = match state {
+        StressState::Axisymmetric => 0.5 * (u_from[0] + u_to[0]) / position[0],
+        StressState::PlaneStrain | StressState::PlaneStress => 0.0,
+    };
+    let pressure = 0.5 * (a.pressure + b.pressure);
+    let [t, n, z] = principal(state, body.model.elastic(), [strain, hoop], -pressure);
+    let [c, s] = tangent;
+    Some(SurfacePoint {
+        position,
+        stress: [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s],
+        is_free: a.force == 0.0 && b.force == 0.0,
+    })
+}
+
+/// `[σ_t, σ_n, σ_z]` for strains along the surface and out of the plane and a normal stress \[MPa\].
+fn principal(state: StressState, moduli: ElasticModuli, [along, across]: [f64; 2], normal: f64) -> [f64; 3] {
+    let (lame, twice_shear) = (moduli.lame(), 2.0 * moduli.shear);
+    let uniaxial = lame + twice_shear;
+    if state == StressState::PlaneStress {
+        let lame = lame * twice_shear / uniaxial;
+        let inward = (normal - lame * along) / (lame + twice_shear);
+        return [twice_shear * along + lame * (along + inward), normal, 0.0];
+    }
+    let inward = (normal - lame * (along + across)) / uniaxial;
+    let volumetric = lame * (along + inward + across);
+    [twice_shear * along + volumetric, normal, twice_shear * across + volumetric]
+}
+
+/// Highest von Mises stress at the edge of the contact circle of a body of revolution \[MPa\], where stress along the surface has
+/// a peak that elements do not resolve: beside the contact it falls as 1/r², as that of a force on a point does.
+pub(super) fn at_contact_circle(step: &StepSolution, points: &[SurfacePoint]) -> Option<[f64; 2]> {
+    let is_disc = step.stress_state == StressState::Axisymmetric && step.parts.len() == 1;
+    let radius = step.patch.filter(|patch| is_disc && patch.left <= 0.0)?.right;
+    // The outermost, because the others come into contact one after the other while a force is sought.
+    let outside = points.last().filter(|point| point.is_free)?;
+    Some([radius, von_mises(outside.stress) * (outside.position[0] / radius).powi(2)])
+}
