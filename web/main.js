@@ -1,20 +1,22 @@
 /** Puts the page together. */
 
-import { Problem, ask, faultsOf, hasKey, post } from './api/client.js';
+import { Problem, ask, faultsOf } from './api/client.js';
 import { onReconnect } from './api/connection.js';
 import { fetchResult } from './api/result.js';
 import { byId, copy, h, toast } from './lib/dom.js';
-import { isObject, kept } from './lib/kept.js';
+import { keepFocus } from './lib/focus.js';
+import { isObject, kept, tab } from './lib/kept.js';
 import { same } from './lib/pointer.js';
 import { duration, forceOf } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
-import { showTitle, startKeys, startMenus, startParts } from './shell.js';
+import { showTitle, startKeys, startMemory, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
 import { examplesOf } from './setup/examples.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
 import { Live } from './setup/live.js';
+import { refusalWords, send, sentence, waitingWords } from './setup/send.js';
 import { startSketch } from './setup/sketch.js';
 import { FieldSource } from './field/source.js';
 import { JobList } from './jobs/list.js';
@@ -33,6 +35,7 @@ const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2
 const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
 const WELCOME = 'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
+startMemory();
 startTheme();
 const draft = new Draft();
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
@@ -81,7 +84,8 @@ const watch = new Watch({
 /** Answers that are shown while a slider moves. */
 const live = new Live({
   solved: ({ job, solved }, report) => {
-    if (current?.id !== '') history.pushState(null, '', location.pathname);
+    // What a slider shows has no address.
+    if (location.hash) history.pushState(null, '', location.pathname);
     current = { id: '', job };
     first = { id: '', report, job: solved, colour: COLOURS[0], label: '' };
     const { total } = report.timings_ms;
@@ -93,7 +97,7 @@ const live = new Live({
   },
   failed: ({ status, message }) => {
     if (status === 202) watch.showLive('this job takes too long to follow a slider');
-    else if (status !== 422) refuse(message);
+    else if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
   },
 });
 
@@ -138,52 +142,49 @@ function refuse(words) {
   byId('solve-state').textContent = words;
 }
 
+/** What is being sent. @type {{job: import('./types.js').Job, controller: AbortController} | undefined} */
+let sending;
+/** How often an address was followed. */
+let visits = 0;
+
 async function solve() {
-  const button = /** @type {HTMLButtonElement} */ (byId('solve'));
-  // A key that is held down, or a second click, makes no second job.
-  if (button.disabled) return;
   const damaged = readJson();
   if (damaged) return refuse(`The JSON beside is not a job: ${damaged}`);
-  button.disabled = true;
   draft.settle();
   const job = structuredClone(draft.job);
+  // A key that is held down, or a second click, makes no second job; another set-up goes before the one that waits.
+  if (sending && same(sending.job, job)) return;
+  sending?.controller.abort();
+  const mine = { job, controller: new AbortController() };
+  sending = mine;
+  const begun = visits;
+  byId('solve').setAttribute('aria-disabled', 'true');
   try {
-    const { id } = await post('v1/jobs', job);
+    const { id } = await send(job, mine.controller.signal, (problem) => {
+      if (sending === mine) refuse(waitingWords(problem));
+    });
+    if (sending !== mine) return;
     refuse('');
+    if (visits !== begun) {
+      toast('The job is made: the list of jobs has it');
+      return list.refresh();
+    }
     live.stop();
     current = { id, job };
     history.pushState(null, '', link.jobFragment(id, [...compared.keys()]));
     keep();
     follow(id);
   } catch (error) {
+    if (sending !== mine) return;
     if (!(error instanceof Problem)) throw error;
     if (error.status === 422 || error.status === 400) check.refuse(error, job);
     form.focusFault();
-    refuse(refusal(error));
+    refuse(refusalWords(error, form.faults));
   } finally {
-    button.disabled = false;
-  }
-}
-
-/** @param {Problem} problem @returns {string} what it means for who wants an answer */
-function refusal({ status, message, errors }) {
-  switch (status) {
-    case 0:
-    case 502:
-    case 504:
-      return 'The service does not answer, nothing was sent. It is asked again until it does.';
-    case 401:
-      return hasKey() ? 'The service does not know this API key, or no longer.' : 'The service asks for an API key.';
-    case 429:
-      return 'The queue is full. Try again in a moment.';
-    case 422:
-      if (form.faults)
-        return form.faults === 1
-          ? 'One field is wrong: the cursor is in it.'
-          : `${form.faults} fields are wrong: the cursor is in the first.`;
-      return errors[0]?.detail ?? message;
-    default:
-      return message;
+    if (sending === mine) {
+      sending = undefined;
+      byId('solve').removeAttribute('aria-disabled');
+    }
   }
 }
 
@@ -215,8 +216,8 @@ function leave(words) {
 
 /** Keeps the draft for when this tab is loaded again. */
 function keep() {
-  sessionStorage.setItem(KEPT, JSON.stringify(draft.job));
-  sessionStorage.setItem(KEPT_AT, location.hash);
+  tab.set(KEPT, JSON.stringify(draft.job));
+  tab.set(KEPT_AT, location.hash);
 }
 
 /** The job that was asked for last: answers may overtake each other. */
@@ -234,7 +235,11 @@ async function open(id, edited) {
     follow(id);
   } catch (error) {
     if (wanted !== id) return;
-    const { status, message } = error instanceof Problem ? error : { status: -1, message: String(error) };
+    const problem = error instanceof Problem ? error : undefined;
+    const { status, message } = problem ?? { status: -1, message: String(error) };
+    // What is away altogether is asked for when it is back.
+    if (problem?.passing && status !== 0)
+      setTimeout(() => wanted === id && open(id, edited), 1000 * problem.retryAfter);
     leave(
       status === 404
         ? 'This link leads to a job that is not here: removed after its time, or made on another service.'
@@ -242,7 +247,7 @@ async function open(id, edited) {
           ? 'This job is shown to holders of an API key.'
           : status === 0
             ? 'The service does not answer. The job is shown when it does.'
-            : message,
+            : `${sentence(message)}${problem?.passing ? ' It is asked again.' : ''}`,
     );
   }
 }
@@ -335,12 +340,15 @@ async function begin() {
   draft.addEventListener('change', () => {
     choice.value = examples.find(({ job }) => same(job, draft.job))?.title ?? '';
   });
-  const before = kept(sessionStorage, KEPT, (job) => (isObject(job) ? job : undefined));
+  const before = kept(tab, KEPT, (job) => (isObject(job) ? job : undefined));
   draft.replace(before ?? examples[0]?.job ?? {}, before ? 'kept' : 'example');
   nothing(WELCOME);
   draft.addEventListener('change', keep);
-  await applyAddress(before !== undefined && sessionStorage.getItem(KEPT_AT) === location.hash);
-  addEventListener('hashchange', () => applyAddress());
+  await applyAddress(before !== undefined && tab.get(KEPT_AT) === location.hash);
+  addEventListener('hashchange', () => {
+    visits += 1;
+    applyAddress();
+  });
 }
 
 byId('solve').addEventListener('click', (event) => {
@@ -359,9 +367,11 @@ addEventListener('keydown', (event) => {
 });
 draft.addEventListener('change', () => {
   compareWithDraft();
-  refuse('');
-  /** @type {HTMLButtonElement} */ (byId('undo')).disabled = !draft.undoable;
-  /** @type {HTMLButtonElement} */ (byId('redo')).disabled = !draft.redoable;
+  // What is said of a job that waits to be sent stays.
+  if (!sending) refuse('');
+  // Not `disabled`: a button that has the focus would lose it.
+  byId('undo').setAttribute('aria-disabled', String(!draft.undoable));
+  byId('redo').setAttribute('aria-disabled', String(!draft.redoable));
 });
 byId('undo').addEventListener('click', () => draft.undo());
 byId('redo').addEventListener('click', () => draft.redo());
@@ -370,21 +380,23 @@ addEventListener('keydown', (event) => {
   const inText = event.target instanceof Element && event.target.closest('#json, #jobs, dialog');
   if (!(event.ctrlKey || event.metaKey) || inText || !['z', 'y'].includes(key)) return;
   event.preventDefault();
-  // What is typed is shown as the draft has it: the field no longer counts as being typed in.
-  const field = /** @type {HTMLElement | null} */ (document.activeElement);
-  field?.blur();
-  if (key === 'y' || event.shiftKey) draft.redo();
-  else draft.undo();
-  field?.focus();
+  keepFocus(document.body, () => {
+    // What is typed is shown as the draft has it: the field no longer counts as being typed in.
+    /** @type {HTMLElement | null} */ (document.activeElement)?.blur();
+    if (key === 'y' || event.shiftKey) draft.redo();
+    else draft.undo();
+  });
 });
 onReconnect(() => {
-  refuse('');
+  if (!sending) refuse('');
   // A definition that the address carries has come, and may have been changed since.
   if (link.read().job) applyAddress();
   list.refresh();
 });
 byId('restore').addEventListener('click', () => {
   if (current) draft.replace(current.job, 'job');
+  // The button is gone: what it was about is the result.
+  byId('result').focus({ preventScroll: true });
 });
 byId('share-job').addEventListener('click', async () =>
   copy(await link.draftLink(draft.job), 'Link to this definition'),

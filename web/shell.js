@@ -1,7 +1,9 @@
 /** What stands around the contents: which parts are shown, the API key, menus, the title of the tab. */
 
 import { hasKey, onKeyWanted, useKey } from './api/client.js';
+import { announce } from './api/connection.js';
 import { byId } from './lib/dom.js';
+import { browser, onKept } from './lib/kept.js';
 
 const NAME = document.title;
 
@@ -9,6 +11,13 @@ const NAME = document.title;
 export const showTitle = (state) => {
   document.title = state ? `${state} · Brinell` : NAME;
 };
+
+/** Says where the browser keeps nothing. */
+export function startMemory() {
+  onKept((keeps) => {
+    byId('memory').hidden = keeps;
+  });
+}
 
 /** Menus close by Escape and by a click elsewhere. */
 export function startMenus() {
@@ -32,7 +41,7 @@ export function startParts(jobsShown) {
     const turn = (/** @type {boolean} */ on) => {
       byId(part).hidden = !on;
       button.setAttribute('aria-pressed', String(on));
-      localStorage.setItem(`show-${part}`, String(on));
+      browser.set(`show-${part}`, String(on));
       if (part === 'jobs') jobsShown();
     };
     button.addEventListener('click', () => {
@@ -40,7 +49,7 @@ export function startParts(jobsShown) {
       // On a narrow page the parts are stacked, and this one may be far below.
       if (!byId(part).hidden && innerWidth <= 900) byId(part).scrollIntoView();
     });
-    turn(localStorage.getItem(`show-${part}`) === 'true');
+    turn(browser.get(`show-${part}`) === 'true');
   }
 }
 
@@ -68,7 +77,7 @@ export function startKeys() {
   dialog.addEventListener('close', () => {
     declined = dialog.returnValue !== 'save';
     if (declined) return;
-    useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim());
-    location.reload();
+    if (useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim())) location.reload();
+    else announce();
   });
 }

@@ -1,6 +1,8 @@
 /** Asking the service. Addresses are relative, so the page works behind any path. */
 
-import { reportLost } from './connection.js';
+import { tab } from '../lib/kept.js';
+import { NOTHING, UNREADABLE, isPassing, wordsOf } from './answers.js';
+import { awaited, reportLost } from './connection.js';
 
 /** @typedef {{pointer: string, detail: string}} FieldError */
 
@@ -15,7 +17,7 @@ export const faultsOf = ({ errors = [] }) =>
     detail,
   }));
 
-/** An RFC 9457 problem, or a connection that failed (status 0). */
+/** An RFC 9457 problem, or no answer (status 0), or one that cannot be read (−1). */
 export class Problem extends Error {
   /** @param {number} status @param {string} detail @param {any} [body] */
   constructor(status, detail, body = {}) {
@@ -27,7 +29,18 @@ export class Problem extends Error {
     /** @type {{line?: number, column?: number, estimate?: {equations: number, bytes: number}}} */
     this.body = body;
   }
+
+  /** Time [s] after which the service wants to be asked again. */
+  retryAfter = 2;
+
+  /** Whether the same question may soon have another answer. */
+  get passing() {
+    return isPassing(this.status);
+  }
 }
+
+/** Time [ms] for an answer, and for each byte that is sent. */
+const [LIMIT, FOR_BYTE] = [10_000, 0.02];
 
 const KEY = 'api-key';
 const asked = /** @type {Set<(refused: boolean) => void>} */ (new Set());
@@ -37,53 +50,87 @@ export const onKeyWanted = (listener) => asked.add(listener);
 
 /** Tells that the service has refused a question for want of a key. */
 export function keyWanted() {
-  const refused = sessionStorage.getItem(KEY) !== null;
+  const refused = tab.get(KEY) !== null;
   for (const listener of asked) listener(refused);
 }
 
-/** @param {string} key kept for this tab only */
-export const useKey = (key) => (key ? sessionStorage.setItem(KEY, key) : sessionStorage.removeItem(KEY));
+/** @param {string} key for this tab only @returns {boolean} whether it is kept when the page is loaded anew */
+export function useKey(key) {
+  if (key) return tab.set(KEY, key);
+  tab.remove(KEY);
+  return true;
+}
 
 /** Whether this tab has a key. */
-export const hasKey = () => sessionStorage.getItem(KEY) !== null;
+export const hasKey = () => tab.get(KEY) !== null;
 
 /** @returns {Record<string, string>} */
 export function authorization() {
-  const key = sessionStorage.getItem(KEY);
+  const key = tab.get(KEY);
   return key ? { Authorization: `Bearer ${key}` } : {};
 }
 
 /**
+ * @template T
  * @param {string} path beginning with `v1/`
- * @param {RequestInit & {json?: unknown}} [options] `json` is sent as a body
- * @returns {Promise<Response>} of a good status
- * @throws {Problem}
+ * @param {RequestInit & {json?: unknown, limit?: number}} options `json` is sent as a body; `limit` [ms] until it is answered
+ * @param {(response: Response) => T | Promise<T>} read what is wanted of an answer of a good status
+ * @returns {Promise<T>}
+ * @throws {Problem} and what `fetch` throws where the signal of the options says stop
  */
-export async function request(path, { json, headers, ...options } = {}) {
-  const body = json === undefined ? {} : { body: typeof json === 'string' ? json : JSON.stringify(json) };
+export async function request(path, { json, headers, signal, limit = LIMIT, ...options }, read) {
+  const body = json === undefined ? undefined : typeof json === 'string' ? json : JSON.stringify(json);
   const type = json === undefined ? undefined : { 'Content-Type': 'application/json' };
-  let response;
+  const controller = new AbortController();
+  const stop = () => controller.abort();
+  if (signal?.aborted) stop();
+  signal?.addEventListener('abort', stop, { once: true });
+  const timer = setTimeout(stop, limit + FOR_BYTE * (body?.length ?? 0));
+  const answered = awaited();
   try {
-    response = await fetch(path.replace(/^\//, ''), {
+    const response = await fetch(path.replace(/^\//, ''), {
       ...options,
-      ...body,
+      body,
+      signal: controller.signal,
       headers: { ...authorization(), ...type, ...headers },
     });
+    if (!response.ok) throw await refusalOf(response);
+    return await read(response);
   } catch (error) {
-    if (/** @type {Error} */ (error).name === 'AbortError') throw error;
+    if (error instanceof Problem || signal?.aborted) throw error;
     reportLost();
-    throw new Problem(0, 'the service does not answer');
+    throw new Problem(NOTHING, wordsOf(NOTHING));
+  } finally {
+    clearTimeout(timer);
+    answered();
   }
-  if (response.ok) return response;
-  if (response.status === 401) keyWanted();
+}
+
+/** @param {Response} response @returns {Promise<Problem>} */
+async function refusalOf(response) {
+  const { status } = response;
+  if (status === 401) keyWanted();
   // A proxy before a service that is not there.
-  if (response.status === 502 || response.status === 504) reportLost();
-  const problem = await response.json().catch(() => ({}));
-  throw new Problem(response.status, String(problem.detail ?? response.statusText), problem);
+  if (status === 502 || status === 504) reportLost();
+  const body = await response.json().catch(() => ({}));
+  const problem = new Problem(status, String(body?.detail ?? wordsOf(status)), body ?? {});
+  const seconds = Number(response.headers.get('Retry-After'));
+  if (seconds > 0) problem.retryAfter = Math.min(seconds, 60);
+  return problem;
+}
+
+/** @param {Response} response */
+async function decoded(response) {
+  const text = await response.text();
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Problem(UNREADABLE, wordsOf(UNREADABLE));
+  }
 }
 
 /** @param {string} path @param {RequestInit & {json?: unknown}} [options] @returns {Promise<any>} */
-export const ask = async (path, options) => (await request(path, options)).json();
+export const ask = (path, options = {}) => request(path, options, decoded);
 
-/** @param {string} path @param {unknown} json @param {AbortSignal} [signal] @returns {Promise<any>} */
-export const post = (path, json, signal) => ask(path, { method: 'POST', json, signal });
+/** @param {string} path @param {unknown} json @param {RequestInit} [options] @returns {Promise<any>} */
+export const post = (path, json, options) => ask(path, { ...options, method: 'POST', json });

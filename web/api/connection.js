@@ -1,36 +1,70 @@
-/** Whether the service answers. While it does not, it is asked again and again, and who waits is told when it is back. */
+/**
+ * Whether the service answers. While it does not, it is asked again and again, and who waits is told when it is back. What takes
+ * long is said before it counts as lost.
+ */
 
 import { byId } from '../lib/dom.js';
 
 /** Time [ms] between two questions: the first, and the longest. */
 const [SOON, LATE] = [500, 5000];
+/** Time [ms] after which it is said that an answer is awaited. */
+const SLOW = 2500;
 
 let lost = false;
+/** Questions that wait for long. */
+let slow = 0;
 const waiting = /** @type {Set<() => void>} */ (new Set());
 const listeners = /** @type {Set<() => void>} */ (new Set());
 
 /** @param {() => void} listener called whenever the service answers again */
 export const onReconnect = (listener) => listeners.add(listener);
 
+function show() {
+  const place = byId('connection');
+  place.hidden = !lost && slow === 0;
+  place.textContent = lost ? 'Connection lost, retrying…' : 'Waiting for the service…';
+}
+
 /** To be called where a question got no answer. */
 export function reportLost() {
   if (lost) return;
   lost = true;
-  byId('connection').hidden = false;
+  show();
   probe(SOON);
+}
+
+/** To be called with a question. @returns {() => void} to be called with its answer */
+export function awaited() {
+  let counted = 0;
+  const timer = setTimeout(() => {
+    slow += counted = 1;
+    show();
+  }, SLOW);
+  return () => {
+    clearTimeout(timer);
+    slow -= counted;
+    counted = 0;
+    show();
+  };
 }
 
 /** @returns {Promise<void>} kept when the service answers */
 export const reconnected = () => (lost ? new Promise((resolve) => waiting.add(resolve)) : Promise.resolve());
 
+/** To be called when all that is shown may be asked for again. */
+export function announce() {
+  for (const listener of listeners) listener();
+}
+
 /** @param {number} pause */
 async function probe(pause) {
   await new Promise((resolve) => setTimeout(resolve, pause));
-  const answer = await fetch('livez', { cache: 'no-store' }).catch(() => undefined);
+  const limit = AbortSignal.timeout(LATE);
+  const answer = await fetch('livez', { cache: 'no-store', signal: limit }).catch(() => undefined);
   if (!answer?.ok) return probe(Math.min(LATE, 1.5 * pause));
   lost = false;
-  byId('connection').hidden = true;
+  show();
   for (const resolve of waiting) resolve();
   waiting.clear();
-  for (const listener of listeners) listener();
+  announce();
 }

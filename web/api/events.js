@@ -4,32 +4,41 @@
  */
 
 import { Problem, request } from './client.js';
+import { reconnected } from './connection.js';
 
+/** Time [ms] before the stream is asked for again. */
 const AGAIN = 1000;
+/** Time [ms] without a word, of which the service says one every 15 s, after which it counts as gone. */
+const SILENT = 40_000;
 
 /**
  * @param {string} path
  * @param {(event: string, data: any) => boolean} take one event; true ends the stream
  * @param {AbortSignal} signal
+ * @param {(problem: Problem) => Promise<boolean>} failed called when the service refuses the stream for now; true ends it
  */
-export async function follow(path, take, signal) {
+export async function follow(path, take, signal, failed) {
   let last = '';
   while (!signal.aborted) {
+    let pause = AGAIN;
     try {
-      const response = await request(path, {
-        signal,
-        headers: { Accept: 'text/event-stream', ...(last && { 'Last-Event-ID': last }) },
-      });
-      if (response.status === 204 || !response.body) return;
-      for await (const { id, event, data } of messages(response.body)) {
+      const headers = { Accept: 'text/event-stream', ...(last && { 'Last-Event-ID': last }) };
+      const stream = await request(path, { signal, headers }, ({ status, body }) => (status === 204 ? null : body));
+      if (!stream) return;
+      for await (const { id, event, data } of messages(stream)) {
         if (id) last = id;
         if (data && take(event, JSON.parse(data))) return;
       }
     } catch (error) {
       if (signal.aborted) return;
-      if (error instanceof Problem && error.status >= 400 && error.status < 500) throw error;
+      if (error instanceof Problem) {
+        if (!error.passing && error.status < 500) throw error;
+        if (error.status !== 0 && (await failed(error))) return;
+        pause = 1000 * error.retryAfter;
+      }
     }
-    await new Promise((resolve) => setTimeout(resolve, AGAIN));
+    await reconnected();
+    await new Promise((resolve) => setTimeout(resolve, pause));
   }
 }
 
@@ -39,7 +48,8 @@ async function* messages(body) {
   let rest = '';
   try {
     for (;;) {
-      const { value, done } = await reader.read();
+      const timer = setTimeout(() => reader.cancel(), SILENT);
+      const { value, done } = await reader.read().finally(() => clearTimeout(timer));
       if (done) return;
       const blocks = (rest + value).split(/\r?\n\r?\n/);
       rest = blocks.pop() ?? '';

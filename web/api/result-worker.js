@@ -1,5 +1,6 @@
 /** Fetches results and fields, packs mesh fields into typed arrays and hands them over without copying. */
 
+import { NOTHING, UNREADABLE } from './answers.js';
 import { FieldReader } from './field-arrays.js';
 
 /** Nodal fields that are shown. */
@@ -7,37 +8,73 @@ const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y',
 /** Bytes between two reports of how far it is. */
 const REPORTED = 1 << 20;
 
+/** Time [ms] without a byte after which an answer counts as lost. */
+const SILENT = 60_000;
+
 const running = /** @type {Map<number, AbortController>} */ (new Map());
 
 self.addEventListener('message', async ({ data: { number, abort, ...question } }) => {
   if (abort) return running.get(number)?.abort();
   const controller = new AbortController();
+  const silence = new Silence(controller);
   running.set(number, controller);
   try {
     const buffers = /** @type {ArrayBuffer[]} */ ([]);
-    const answer = await answerOf(question, number, controller.signal, buffers);
+    const answer = await answerOf(question, number, silence, buffers);
     /** @type {any} */ (self).postMessage({ number, ...answer }, buffers);
   } catch (error) {
-    self.postMessage({ number, status: 0, problem: {}, aborted: controller.signal.aborted, error: String(error) });
+    const aborted = controller.signal.aborted && !silence.broke;
+    const status = error instanceof SyntaxError ? UNREADABLE : NOTHING;
+    self.postMessage({ number, status, problem: {}, aborted, error: String(error) });
   } finally {
+    silence.end();
     running.delete(number);
   }
 });
 
+/** Hangs up when nothing has come for long. */
+class Silence {
+  broke = false;
+  #timer = 0;
+
+  /** @param {AbortController} controller */
+  constructor(controller) {
+    this.controller = controller;
+    this.broken();
+  }
+
+  /** To be called with every piece that comes. */
+  broken() {
+    this.end();
+    this.#timer = Number(
+      setTimeout(() => {
+        this.broke = true;
+        this.controller.abort();
+      }, SILENT),
+    );
+  }
+
+  end() {
+    clearTimeout(this.#timer);
+  }
+}
+
 /** @typedef {{url: string, options: RequestInit}} Question */
 /** @typedef {{status?: number, problem?: any, answer?: any}} Answer */
 
-/** @param {Question} question @param {number} number @param {AbortSignal} signal @param {ArrayBuffer[]} buffers @returns {Promise<Answer>} */
-async function answerOf({ url, options }, number, signal, buffers) {
-  const response = await fetch(url, { ...options, signal });
+/** @param {Question} question @param {number} number @param {Silence} silence @param {ArrayBuffer[]} buffers @returns {Promise<Answer>} */
+async function answerOf({ url, options }, number, silence, buffers) {
+  // Whoever solves waits as long as the service does.
+  if (options.method === 'POST') silence.end();
+  const response = await fetch(url, { ...options, signal: silence.controller.signal });
   const binary = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && binary) {
     const reader = new FieldReader();
-    await each(response, number, (chunk) => reader.push(chunk));
+    await each(response, number, silence, (chunk) => reader.push(chunk));
     return { answer: reader.finish(buffers) };
   }
   const parts = /** @type {Uint8Array[]} */ ([]);
-  await each(response, number, (chunk) => parts.push(chunk.slice()));
+  await each(response, number, silence, (chunk) => parts.push(chunk.slice()));
   const text = await new Blob(/** @type {BlobPart[]} */ (parts)).text();
   // 202: it takes longer than one waits, and goes on as a job.
   if (response.status === 202) return { status: 202, problem: {} };
@@ -62,13 +99,14 @@ function reading(body) {
   }
 }
 
-/** Takes an answer as it comes, in the same room again and again, and tells how far it is. @param {Response} response @param {number} number @param {(chunk: Uint8Array) => void} take */
-async function each(response, number, take) {
+/** Takes an answer as it comes, in the same room again and again, and tells how far it is. @param {Response} response @param {number} number @param {Silence} silence @param {(chunk: Uint8Array) => void} take */
+async function each(response, number, silence, take) {
   const total = Number(response.headers.get('content-length') ?? 0);
   if (!response.body) return;
   const next = reading(response.body);
   let [length, told] = [0, 0];
   for (let value = await next(); value; value = await next()) {
+    silence.broken();
     take(value);
     length += value.length;
     if (length - told > REPORTED) {

@@ -1,5 +1,6 @@
 /** Results, fetched and parsed in a worker: that of a fine mesh is tens of megabytes of JSON. */
 
+import { NOTHING, wordsOf } from './answers.js';
 import { Problem, authorization, keyWanted } from './client.js';
 import { reportLost } from './connection.js';
 
@@ -93,9 +94,9 @@ function start() {
     waiting.delete(data.number);
     rest();
     if (data.answer) return asker?.resolve(data.answer);
-    if (data.status === 0 && !data.aborted) reportLost();
+    if ([NOTHING, 502, 504].includes(data.status) && !data.aborted) reportLost();
     if (data.status === 401) keyWanted();
-    asker?.reject(new Problem(data.status, data.problem.detail ?? 'the service does not answer', data.problem));
+    asker?.reject(new Problem(data.status, data.problem?.detail ?? wordsOf(data.status), data.problem ?? {}));
   });
   // Its program did not come: the next question starts another.
   started.addEventListener('error', () => {
@@ -104,7 +105,7 @@ function start() {
     const askers = [...waiting.values()];
     waiting.clear();
     reportLost();
-    for (const { reject } of askers) reject(new Problem(0, 'the service does not answer', {}));
+    for (const { reject } of askers) reject(new Problem(NOTHING, wordsOf(NOTHING)));
   });
   return started;
 }

@@ -2,6 +2,7 @@
 
 import { ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
+import { keepFocus } from '../lib/focus.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { historyWords } from '../setup/history.js';
@@ -107,10 +108,12 @@ export class JobList {
       wanted || this.status.value || this.search.value
         ? 'No job matches.'
         : 'No jobs yet. Solve one and it appears here.';
-    byId('jobs-list').replaceChildren(
-      ...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]),
-    );
-    byId('jobs-more').hidden = !this.#next;
+    keepFocus(byId('jobs'), () => {
+      byId('jobs-list').replaceChildren(
+        ...(jobs.length ? jobs.map((job) => this.#row(job)) : [h('li', { class: 'empty' }, nothing)]),
+      );
+      byId('jobs-more').hidden = !this.#next;
+    });
   }
 
   /** Load and peak pressure. @param {JobDocument} job */
@@ -150,7 +153,7 @@ export class JobList {
       h('code', { class: 'quiet' }, job.id.slice(-8)),
       tags,
     );
-    return h('li', {}, box, open);
+    return h('li', { 'data-key': job.id }, box, open);
   }
 }
 

@@ -1,6 +1,7 @@
 /** Light and dark: as the system says, or as chosen here. */
 
 import { byId } from './dom.js';
+import { browser } from './kept.js';
 
 const ORDER = ['auto', 'light', 'dark'];
 const NAMES = { auto: 'as the system', light: 'light', dark: 'dark' };
@@ -27,12 +28,12 @@ function apply(theme) {
 }
 
 export function startTheme() {
-  const kept = localStorage.getItem('theme') ?? 'auto';
+  const kept = browser.get('theme') ?? 'auto';
   let theme = /** @type {keyof typeof NAMES} */ (ORDER.includes(kept) ? kept : 'auto');
   apply(theme);
   byId('theme').addEventListener('click', () => {
     theme = /** @type {keyof typeof NAMES} */ (ORDER[(ORDER.indexOf(theme) + 1) % ORDER.length]);
-    localStorage.setItem('theme', theme);
+    browser.set('theme', theme);
     apply(theme);
   });
   systemDark.addEventListener('change', () => apply(theme));

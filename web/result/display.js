@@ -1,7 +1,7 @@
 /** Units that results are shown in, apart from those of the job. */
 
 import { h } from '../lib/dom.js';
-import { kept } from '../lib/kept.js';
+import { browser, kept } from '../lib/kept.js';
 import { setOf } from '../lib/units.js';
 
 const KEPT = 'display-units';
@@ -21,7 +21,7 @@ const chosen = (given) =>
 /** The choice of units: what is not chosen is as in the job. */
 export class DisplayUnits {
   /** @type {Partial<Record<'length' | 'stress' | 'force', string>>} */
-  #chosen = kept(localStorage, KEPT, chosen) ?? {};
+  #chosen = kept(browser, KEPT, chosen) ?? {};
 
   /** @param {() => void} changed */
   constructor(changed) {
@@ -33,7 +33,7 @@ export class DisplayUnits {
           onchange: () => {
             if (select.value) this.#chosen[key] = select.value;
             else delete this.#chosen[key];
-            localStorage.setItem(KEPT, JSON.stringify(this.#chosen));
+            browser.set(KEPT, JSON.stringify(this.#chosen));
             changed();
           },
         },

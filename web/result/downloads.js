@@ -3,6 +3,9 @@
 import { Problem, request } from '../api/client.js';
 import { h, toast } from '../lib/dom.js';
 
+/** Time [ms] in which a file begins to come: a large one is written first. */
+const LIMIT = 120_000;
+
 /** @param {Blob} blob @param {string} name */
 export function save(blob, name) {
   const url = URL.createObjectURL(blob);
@@ -69,7 +72,11 @@ export function downloads(id, report, fields, shown) {
 /** @param {string} id @param {string} path @param {string} file @param {number} step counted from 1; 0 for all */
 async function take(id, path, file, step) {
   try {
-    const response = await request(`v1/jobs/${id}/${path}${step ? `?step=${step}` : ''}`);
+    const response = await request(
+      `v1/jobs/${id}/${path}${step ? `?step=${step}` : ''}`,
+      { limit: LIMIT },
+      (one) => one,
+    );
     save(await response.blob(), `${id.slice(-8)}-${step ? `step-${step}-` : ''}${file}`);
   } catch (error) {
     toast(`${file}: ${error instanceof Problem ? error.message : error}`);

@@ -15,6 +15,9 @@ import { progressWords } from './progress.js';
 /** @typedef {import('../types.js').Iteration} Iteration */
 /** @typedef {import('../types.js').Report} Report */
 
+/** @param {number} seconds */
+const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
+
 /** Time between two looks at the place in the queue, of which no event tells. */
 const LOOK = 2000;
 
@@ -51,6 +54,18 @@ export class Watch {
     this.place.replaceChildren(...content);
   }
 
+  /** Says that nothing is known yet of a job. @param {Problem} problem */
+  #wait({ message }) {
+    if (!this.#bar) {
+      this.on.titled('Waiting');
+      this.#put(
+        'unknown',
+        h('div', { class: 'state queued', role: 'status' }, h('b', {}, 'No answer yet'), h('span', { class: 'words' })),
+      );
+    }
+    this.#say(`${message}; it is asked again`);
+  }
+
   /** Says what is shown while a slider moves. @param {string} words */
   showLive(words) {
     this.#running?.abort();
@@ -68,6 +83,7 @@ export class Watch {
     this.#running?.abort();
     const { signal } = (this.#running = new AbortController());
     prepare();
+    this.#put('');
     try {
       const last = await this.#follow(id, signal);
       if (signal.aborted || !last) return;
@@ -101,8 +117,9 @@ export class Watch {
       } catch (error) {
         if (!(error instanceof Problem)) throw error;
         if (error.status === 409) return undefined;
-        if (error.status !== 0) throw error;
-        await reconnected();
+        if (!error.passing) throw error;
+        this.#say(`${error.message}; the result is asked for again`);
+        await Promise.all([reconnected(), error.status === 0 ? undefined : pause(error.retryAfter)]);
       }
     }
     return undefined;
@@ -137,6 +154,16 @@ export class Watch {
           return last !== undefined && finished(last);
         },
         signal,
+        async (problem) => {
+          // The job goes on without somebody who looks: its state is asked for instead.
+          const now = await ask(`v1/jobs/${id}`, { signal }).catch(() => undefined);
+          if (signal.aborted) return true;
+          if (now) last = /** @type {JobDocument} */ (now);
+          if (now && finished(now)) return true;
+          if (now) this.#show(now);
+          else this.#wait(problem);
+          return false;
+        },
       );
     } finally {
       clearInterval(looking);

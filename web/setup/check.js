@@ -6,6 +6,7 @@
 import { Problem, post } from '../api/client.js';
 import { onReconnect } from '../api/connection.js';
 import { byId, debounce, h } from '../lib/dom.js';
+import { closedForm } from './hertz.js';
 import { inWords } from './words.js';
 import { figure, forceOf, grouped, megabytes, unit, unitsOf } from '../lib/units.js';
 
@@ -13,11 +14,13 @@ import { figure, forceOf, grouped, megabytes, unit, unitsOf } from '../lib/units
 const QUIET = 150;
 
 /** @typedef {import('../api/client.js').FieldError} FieldError */
-/** @typedef {{effective_radius: number, yield_onset_force: number | null, steps: {force: number, half_width: number, peak_pressure: number, yields: boolean}[]}} Hertz */
+/** @typedef {import('./hertz.js').Hertz} Hertz */
 
 export class Check {
   /** @type {AbortController | undefined} */
   #running;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #again;
   /** @type {Hertz | null} */
   hertz = null;
   valid = true;
@@ -42,22 +45,38 @@ export class Check {
 
   async now() {
     this.#running?.abort();
+    clearTimeout(this.#again);
     const { signal } = (this.#running = new AbortController());
     const job = structuredClone(this.draft.job);
     try {
-      const [validation, hertz] = await Promise.all([
-        post('v1/validate', job, signal).then(
+      const [validation, { hertz, why }] = await Promise.all([
+        post('v1/validate', job, { signal }).then(
           (answer) => ({ estimate: answer.estimate, problem: undefined }),
-          notAborted,
+          (error) => {
+            if (error instanceof Problem && !isElsewhere(error)) return { estimate: undefined, problem: error };
+            throw error;
+          },
         ),
         closedForm(job, signal),
       ]);
       if (signal.aborted) return;
       this.hertz = hertz;
-      this.#show(job, validation);
+      this.#show(job, validation, why);
     } catch (error) {
-      if (!signal.aborted) throw error;
+      if (signal.aborted) return;
+      if (!(error instanceof Problem)) throw error;
+      this.#wait(error);
     }
+  }
+
+  /** Nothing is known of this draft: it is asked again, when the service is back or after a while. @param {Problem} problem */
+  #wait({ status, message, retryAfter }) {
+    if (status === 401) return byId('check').replaceChildren();
+    if (status === 0) return;
+    this.#again = setTimeout(() => this.now(), 1000 * retryAfter);
+    byId('check').replaceChildren(
+      h('p', { class: 'quiet' }, `The set-up is not checked yet: ${message}. It is asked again.`),
+    );
   }
 
   /** @param {Problem} problem a refusal of the job as a whole or in parts @param {import('../types.js').Job} job */
@@ -74,28 +93,26 @@ export class Check {
     byId('cost').textContent = estimate ? cost(estimate, job) : '';
   }
 
-  /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation */
-  #show(job, { estimate, problem }) {
-    // Nothing is known of this draft: it is asked again after a while.
-    if (problem?.status === 0) return;
+  /** @param {import('../types.js').Job} job @param {{estimate?: {equations: number, bytes: number}, problem?: Problem}} validation @param {string} why Hertz has no figures */
+  #show(job, { estimate, problem }, why) {
     delete document.body.dataset.check;
     if (problem) {
       this.refuse(problem, job);
     } else {
       this.valid = true;
       this.form.showError([]);
-      byId('check').replaceChildren(...(this.hertz ? [figures(job, this.hertz)] : []));
+      byId('check').replaceChildren(
+        ...(this.hertz ? [figures(job, this.hertz)] : []),
+        ...(why ? [h('p', { class: 'quiet' }, `Hertz’s theory does not apply: ${why}.`)] : []),
+      );
       byId('cost').textContent = estimate ? cost(estimate, job) : '';
     }
     this.on(this.hertz);
   }
 }
 
-/** @param {unknown} error */
-function notAborted(error) {
-  if (error instanceof Problem) return { estimate: undefined, problem: error };
-  throw error;
-}
+/** Whether a problem is none of the draft. @param {Problem} problem */
+const isElsewhere = ({ status, passing }) => passing || status === 401 || status >= 500;
 
 /** Bytes of the fields at a node, in single precision: its place, its displacement, six figures, and its part of the elements. */
 const NODE = 4 * (2 + 2 + 6) + 16;
@@ -107,26 +124,6 @@ function cost({ equations, bytes }, job) {
   if (steps > 1) parts.push(`${steps} steps`);
   if (job.output?.fields) parts.push(`fields ${megabytes((steps * equations * NODE) / 2)}`);
   return parts.join(', ');
-}
-
-/**
- * Hertz for the job's forces; where it prescribes something else, for a unit of force, which still tells the onset.
- * @param {import('../types.js').Job} job
- * @param {AbortSignal} signal
- * @returns {Promise<Hertz | null>} nothing where the theory does not apply
- */
-async function closedForm(job, signal) {
-  const loads = Array.isArray(job.load?.history) ? job.load.history : [];
-  const highest = Math.max(0, ...loads.map((/** @type {any} */ load) => Number(load?.force) || 0));
-  const forced = job.load?.force !== undefined || job.load?.forces !== undefined || highest > 0;
-  const load = highest > 0 ? { force: highest } : forced ? job.load : { force: 1 };
-  try {
-    const answer = await post('v1/hertz', { ...job, load }, signal);
-    return forced ? answer : { ...answer, steps: [] };
-  } catch (error) {
-    if (error instanceof Problem) return null;
-    throw error;
-  }
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz} hertz */

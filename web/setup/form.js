@@ -1,10 +1,11 @@
 /** The form: shows the draft, changes it, and puts the service's errors beside the fields they are about. */
 
 import { byId, h } from '../lib/dom.js';
+import { keepFocus } from '../lib/focus.js';
 import * as pointer from '../lib/pointer.js';
 import { numberOf } from '../lib/number.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
-import { entry, symbol } from './entry.js';
+import { entry } from './entry.js';
 import {
   ANALYSES,
   BACKSTRESS,
@@ -32,8 +33,8 @@ import {
   typicalInitialStress,
   typicalOverDepth,
 } from './fields.js';
-import { allMaterials, askHardness, askToKeep, forget, onOthers, ownMaterials } from './library.js';
-import { PRESETS, inMegapascals, materialOf, presetOf } from './materials.js';
+import { onMaterials } from './library.js';
+import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
 import { curvePreview, initialStressPreview, profilePreview } from './preview.js';
 
@@ -59,10 +60,18 @@ export class Form {
     this.draft = draft;
     this.slid = slid;
     this.root = byId('form');
-    draft.addEventListener('change', () => this.#show());
+    draft.addEventListener('change', () => keepFocus(this.root, () => this.#show()));
     // Who leaves a field, or takes hold of a slider again, begins another change.
     for (const leaves of ['focusout', 'pointerdown']) this.root.addEventListener(leaves, () => draft.settle());
-    onOthers(() => this.#listMaterials());
+    const choice = (/** @type {'upper' | 'lower'} */ body) =>
+      new MaterialChoice(body, draft, SOURCE, () =>
+        this.root.querySelector(`[data-place^="/${body}/material"] [aria-invalid=true]`),
+      );
+    this.materials = { upper: choice('upper'), lower: choice('lower') };
+    onMaterials(() => {
+      this.materials.upper.list();
+      this.materials.lower.list();
+    });
   }
 
   /**
@@ -133,7 +142,7 @@ export class Form {
       job.lower?.shape?.type,
       job.analysis === 'axisymmetric',
     ]);
-    const focused = shape === this.#shape ? undefined : this.#build();
+    if (shape !== this.#shape) this.#build();
     this.#shape = shape;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
@@ -143,15 +152,10 @@ export class Form {
       if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
-      this.#showPreset(body);
+      this.materials[body].show();
       this.#showPreview(body);
     }
     this.#showErrors();
-    // Fields are filled before one of them has the cursor: what has it is taken as being typed.
-    if (focused)
-      /** @type {HTMLElement | null} */ (
-        this.root.querySelector(`[data-place="${focused}"] :is(input, select, textarea)`)
-      )?.focus();
   }
 
   /** @param {'upper' | 'lower'} body */
@@ -163,21 +167,7 @@ export class Form {
     place('curve')?.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
-  /** @param {string} body */
-  #showPreset(body) {
-    const material = this.draft.job[body]?.material;
-    const preset = presetOf(allMaterials(), material, unitsOf(this.draft.job));
-    const choice = /** @type {HTMLSelectElement | null} */ (this.root.querySelector(`[data-preset=${body}]`));
-    const source = this.root.querySelector(`[data-source=${body}]`);
-    if (choice) choice.value = preset?.name ?? '';
-    const drop = /** @type {HTMLElement | null} */ (this.root.querySelector(`[data-forget=${body}]`));
-    if (drop) drop.hidden = !ownMaterials().some(({ name }) => name === preset?.name);
-    source?.replaceChildren(...(preset ? symbol(preset.source) : []));
-  }
-
-  /** @returns {string | null | undefined} place of the field that had the cursor */
   #build() {
-    const focused = document.activeElement?.closest('[data-place]')?.getAttribute('data-place');
     const open = this.root.querySelector('details')?.open ?? false;
     this.#fields.clear();
     this.root.replaceChildren(
@@ -203,7 +193,6 @@ export class Form {
         ),
       ),
     );
-    return focused;
   }
 
   /** @param {'upper' | 'lower'} body @param {string} title */
@@ -213,11 +202,6 @@ export class Form {
     const other = body === 'upper' ? 'lower' : 'upper';
     const law = lawOf(job[body]?.material);
     const shape = job[body]?.shape?.type;
-    const preset = h(
-      'select',
-      { 'data-preset': body, onchange: (/** @type {Event} */ event) => this.#usePreset(body, event) },
-      presetOptions(),
-    );
     const shapes = Object.fromEntries(Object.keys(SHAPES).map((key) => [key, shapeLabel(key, job.analysis)]));
     return h(
       'fieldset',
@@ -241,19 +225,7 @@ export class Form {
         (SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
         h('div', { 'data-preview': `${body}-shape` }),
         this.#choice(`${at}/support`, 'Support', SUPPORTS),
-        h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, preset))),
-        h(
-          'div',
-          { class: 'bar beside' },
-          h('button', { type: 'button', class: 'plain', onclick: () => this.#fromHardness(body) }, 'From hardness…'),
-          h('button', { type: 'button', class: 'plain', onclick: () => this.#keepMaterial(body) }, 'Keep as own…'),
-          h(
-            'button',
-            { type: 'button', class: 'plain', 'data-forget': body, onclick: () => this.#forgetMaterial(body) },
-            'Forget',
-          ),
-        ),
-        h('p', { class: 'source', 'data-source': body }),
+        this.materials[body].elements,
         law !== 'rigid' && ELASTIC.map((field) => this.#field(`${at}/material`, field)),
         this.#choice(
           `${at}/material/law`,
@@ -373,38 +345,6 @@ export class Form {
     return made.element;
   }
 
-  /** @param {'upper' | 'lower'} body @param {Event} event */
-  #usePreset(body, event) {
-    const name = /** @type {HTMLSelectElement} */ (event.target).value;
-    const preset = allMaterials().find((one) => one.name === name);
-    if (preset) this.draft.set(`/${body}/material`, materialOf(preset, unitsOf(this.draft.job)), SOURCE);
-  }
-
-  /** @param {'upper' | 'lower'} body */
-  #fromHardness(body) {
-    askHardness((material) =>
-      this.draft.set(`/${body}/material`, materialOf({ material }, unitsOf(this.draft.job)), SOURCE),
-    );
-  }
-
-  /** @param {'upper' | 'lower'} body */
-  #keepMaterial(body) {
-    askToKeep(inMegapascals(this.draft.job[body]?.material ?? {}, unitsOf(this.draft.job)), () =>
-      this.#listMaterials(),
-    );
-  }
-
-  /** @param {'upper' | 'lower'} body */
-  #forgetMaterial(body) {
-    forget(/** @type {HTMLSelectElement} */ (this.root.querySelector(`[data-preset=${body}]`)).value);
-    this.#listMaterials();
-  }
-
-  #listMaterials() {
-    for (const choice of this.root.querySelectorAll('[data-preset]')) choice.replaceChildren(...presetOptions());
-    this.#show();
-  }
-
   /** @param {'upper' | 'lower'} body @param {string} law */
   #useLaw(body, law) {
     const old = this.draft.job[body]?.material;
@@ -471,19 +411,6 @@ function valueIn(job, place) {
 const hasBackstress = (job, body) =>
   Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
   (job.solver?.theory === 'flow' || Boolean(job[body]?.material?.plasticity?.backstress));
-
-/** Materials to choose from, one's own first. */
-function presetOptions() {
-  const own = ownMaterials();
-  const options = (/** @type {import('./materials.js').Preset[]} */ list) =>
-    list.map(({ name }) => h('option', {}, name));
-  return [
-    h('option', { value: '' }, 'own figures'),
-    ...(own.length
-      ? [h('optgroup', { label: 'Own' }, options(own)), h('optgroup', { label: 'Library' }, options(PRESETS))]
-      : options(PRESETS)),
-  ];
-}
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail: reported }) {

@@ -1,7 +1,7 @@
 /** Materials of one's own, kept in this browser, and strengths from a hardness. */
 
-import { h } from '../lib/dom.js';
-import { isObject, kept } from '../lib/kept.js';
+import { h, toast } from '../lib/dom.js';
+import { browser, isObject, kept } from '../lib/kept.js';
 import { readNumber } from '../lib/number.js';
 import { PRESETS } from './materials.js';
 
@@ -9,31 +9,33 @@ import { PRESETS } from './materials.js';
 
 const KEPT = 'materials';
 
-/** @param {() => void} listener called when another tab has changed the materials */
-export const onOthers = (listener) =>
-  addEventListener('storage', ({ key }) => {
-    if (key === KEPT) listener();
-  });
+const listeners = /** @type {Set<() => void>} */ (new Set());
+
+/** @param {() => void} listener called when one's own materials have changed, here or in another tab */
+export const onMaterials = (listener) => listeners.add(listener);
+
+function tell() {
+  for (const listener of listeners) listener();
+}
+addEventListener('storage', ({ key }) => {
+  if (key === KEPT) tell();
+});
 
 /** @returns {Preset[]} */
 export function ownMaterials() {
   const good = (/** @type {any} */ one) => typeof one?.name === 'string' && isObject(one.material);
   const read = (/** @type {any} */ all) => (Array.isArray(all) ? all.filter(good) : undefined);
-  return kept(localStorage, KEPT, read) ?? [];
+  return kept(browser, KEPT, read) ?? [];
 }
 
 /** @returns {Preset[]} */
 export const allMaterials = () => [...ownMaterials(), ...PRESETS];
 
-/** @param {Preset} preset replaces one of the same name */
-function keep(preset) {
-  const others = ownMaterials().filter(({ name }) => name !== preset.name);
-  localStorage.setItem(KEPT, JSON.stringify([...others, preset].sort((a, b) => a.name.localeCompare(b.name))));
-}
+/** @param {Preset[]} all @returns {boolean} whether they are kept when the page is closed */
+const write = (all) => browser.set(KEPT, JSON.stringify(all.sort((a, b) => a.name.localeCompare(b.name))));
 
-/** @param {string} name */
-export const forget = (name) =>
-  localStorage.setItem(KEPT, JSON.stringify(ownMaterials().filter((one) => one.name !== name)));
+/** @param {Preset} preset replaces one of the same name */
+const keep = (preset) => write([...ownMaterials().filter(({ name }) => name !== preset.name), preset]);
 
 /**
  * Yield strength of a steel from its Vickers hardness: Pavlina and Van Tyne, J. Mater. Eng. Perform. 17 (2008) 888, a line through
@@ -85,10 +87,12 @@ function dialogue(title, content, action, done) {
   box.showModal();
 }
 
-/** @param {Record<string, any>} material in mm, N, MPa @param {() => void} done */
+/** @param {Record<string, any>} material in mm, N, MPa @param {(name: string) => void} done */
 export function askToKeep(material, done) {
   const name = h('input', { type: 'text', maxlength: 60 });
   const source = h('input', { type: 'text', maxlength: 200 });
+  /** The name under which one may be replaced. */
+  let replaced = '';
   dialogue(
     'Keep this material',
     [
@@ -98,13 +102,32 @@ export function askToKeep(material, done) {
     ],
     'Keep',
     () => {
-      if (!name.value.trim()) return 'A material has a name.';
-      if (PRESETS.some((preset) => preset.name === name.value.trim())) return 'This name is taken.';
-      keep({ name: name.value.trim(), source: source.value.trim() || 'Own figures.', material });
-      done();
+      const called = name.value.trim().replace(/\s+/g, ' ');
+      const alike = (/** @type {Preset} */ one) => one.name.toLowerCase() === called.toLowerCase();
+      if (!called) return 'A material has a name.';
+      if (PRESETS.some(alike)) return 'The library has a material of this name: choose another name.';
+      const before = ownMaterials().find(alike)?.name;
+      if (before && before !== replaced) {
+        replaced = before;
+        return `You have kept a material “${before}”. Press Keep again to replace it, or choose another name.`;
+      }
+      const keeps = keep({ name: before ?? called, source: source.value.trim() || 'Own figures.', material });
+      if (!keeps) toast('The browser stores nothing more: the material is there until this page is closed');
+      done(before ?? called);
+      tell();
       return '';
     },
   );
+}
+
+/** @param {string} name */
+export function askToForget(name) {
+  const words = `“${name}” is removed from this browser. Jobs that have it stay as they are.`;
+  dialogue('Forget a material', [h('p', {}, words)], 'Forget', () => {
+    write(ownMaterials().filter((one) => one.name !== name));
+    tell();
+    return '';
+  });
 }
 
 /** @param {(material: Record<string, any>) => void} use */

@@ -93,5 +93,5 @@ export const materialOf = ({ material }, units) => materialIn(material, 'mm_N_MP
 /** @param {Record<string, any>} material @param {import('../lib/units.js').Units} units @returns {Record<string, any>} as presets have it */
 export const inMegapascals = (material, units) => materialIn(material, units, 'mm_N_MPa');
 
-/** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset | undefined} that it is */
-export const presetOf = (all, material, units) => all.find((preset) => same(materialOf(preset, units), material));
+/** @param {Preset[]} all @param {unknown} material @param {import('../lib/units.js').Units} units @returns {Preset[]} that it is: several may have the same figures */
+export const presetsOf = (all, material, units) => all.filter((preset) => same(materialOf(preset, units), material));

@@ -297,6 +297,7 @@ service.test(
     await page.getByLabel('Units').selectOption('SI');
     assert.equal(await page.locator('[data-preset=lower]').inputValue(), 'Race of pump P-12', 'in other units too');
     await page.locator('[data-forget=lower]').click();
+    await dialog.getByRole('button', { name: 'Forget' }).click();
     assert.equal(await page.locator('[data-preset=lower]').inputValue(), '');
     assert.equal(await page.locator('[data-preset=lower] option').getByText('Race of pump P-12').count(), 0);
   },

@@ -1,0 +1,36 @@
+/** A part of the page that is built anew keeps the focus: on what had it, on what stands for it, or on what is in its place. */
+
+const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex]';
+
+/** @param {Element} root */
+const focusables = (root) =>
+  /** @type {HTMLElement[]} */ ([...root.querySelectorAll(FOCUSABLE)]).filter(
+    (one) => !(/** @type {HTMLInputElement} */ (one).disabled) && one.checkVisibility(),
+  );
+
+/** What stands for the same: of the same field or row, with the same words on it. @param {HTMLElement} one */
+function keyOf(one) {
+  const part = /** @type {HTMLElement | null} */ (one.closest('[data-place], [data-key]'));
+  const words = one.matches('button, summary, a') && !part?.dataset.key ? one.textContent : '';
+  return [part?.dataset.place, part?.dataset.key, one.id || one.tagName, one.getAttribute('aria-label'), words].join(
+    '|',
+  );
+}
+
+/**
+ * @param {HTMLElement} root
+ * @param {() => void} build changes what is in it
+ */
+export function keepFocus(root, build) {
+  const had = document.activeElement;
+  if (!(had instanceof HTMLElement) || had === root || !root.contains(had)) return build();
+  const before = focusables(root);
+  const [at, key] = [before.indexOf(had), keyOf(had)];
+  const sameBefore = before.filter((one) => keyOf(one) === key).indexOf(had);
+  build();
+  if (document.activeElement === had) return;
+  if (had.isConnected && had.checkVisibility()) return had.focus({ preventScroll: true });
+  const now = focusables(root);
+  const alike = now.filter((one) => keyOf(one) === key);
+  (alike[sameBefore] ?? alike[0] ?? now[Math.min(at, now.length - 1)])?.focus({ preventScroll: true });
+}

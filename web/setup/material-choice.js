@@ -1,0 +1,104 @@
+/** The choice of a material for a body, and what one does with it: from a hardness, kept as one's own, forgotten. */
+
+import { h, toast } from '../lib/dom.js';
+import { unitsOf } from '../lib/units.js';
+import { symbol } from './entry.js';
+import { allMaterials, askHardness, askToForget, askToKeep, ownMaterials } from './library.js';
+import { PRESETS, inMegapascals, materialOf, presetsOf } from './materials.js';
+
+/** @typedef {import('./materials.js').Preset} Preset */
+
+export class MaterialChoice {
+  /** The one that was chosen by its name, of those that have the same figures. */
+  #chosen = '';
+
+  /**
+   * @param {'upper' | 'lower'} body
+   * @param {import('./draft.js').Draft} draft
+   * @param {string} source of changes
+   * @param {() => HTMLElement | null} fault first field of the material that is wrong
+   */
+  constructor(body, draft, source, fault) {
+    this.body = body;
+    this.draft = draft;
+    this.source = source;
+    this.fault = fault;
+    const button = (/** @type {string} */ text, /** @type {() => void} */ onclick) =>
+      h('button', { type: 'button', class: 'plain', onclick }, text);
+    this.select = h('select', { 'data-preset': body, onchange: () => this.#take(this.select.value) });
+    this.drop = button('Forget', () => this.#forget());
+    this.drop.dataset.forget = body;
+    this.origin = h('p', { class: 'source', 'data-source': body });
+    this.elements = [
+      h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, this.select))),
+      h(
+        'div',
+        { class: 'bar beside' },
+        button('From hardness…', () => askHardness((material) => this.#use({ material }))),
+        button('Keep as own…', () => this.#keep()),
+        this.drop,
+      ),
+      this.origin,
+    ];
+    this.list();
+  }
+
+  /** Shows what there is to choose from. */
+  list() {
+    this.select.replaceChildren(...options());
+    this.show();
+  }
+
+  /** Shows which one the draft has. */
+  show() {
+    const { job } = this.draft;
+    const alike = presetsOf(allMaterials(), job[this.body]?.material, unitsOf(job));
+    const preset = alike.find(({ name }) => name === this.#chosen) ?? alike[0];
+    this.select.value = preset?.name ?? '';
+    this.drop.hidden = !ownMaterials().some(({ name }) => name === preset?.name);
+    this.origin.replaceChildren(...(preset ? symbol(preset.source) : []));
+  }
+
+  /** @param {string} name */
+  #take(name) {
+    this.#chosen = name;
+    const preset = allMaterials().find((one) => one.name === name);
+    if (preset) this.#use(preset);
+    this.show();
+  }
+
+  /** @param {{material: Record<string, any>}} preset */
+  #use(preset) {
+    this.draft.set(`/${this.body}/material`, materialOf(preset, unitsOf(this.draft.job)), this.source);
+  }
+
+  #keep() {
+    const fault = this.fault();
+    if (fault) {
+      toast('A material with a figure that is wrong is not kept');
+      return fault.focus();
+    }
+    const { job } = this.draft;
+    askToKeep(inMegapascals(job[this.body]?.material ?? {}, unitsOf(job)), (name) => {
+      this.#chosen = name;
+    });
+  }
+
+  #forget() {
+    // The button is gone with the material: the dialogue gives the focus back to the choice.
+    this.select.focus();
+    askToForget(this.select.value);
+  }
+}
+
+/** Materials to choose from, one's own first. */
+function options() {
+  const own = ownMaterials();
+  const named = (/** @type {Preset[]} */ list) => list.map(({ name }) => h('option', { value: name }, name));
+  return [
+    h('option', { value: '' }, 'own figures'),
+    ...(own.length
+      ? [h('optgroup', { label: 'Own' }, named(own)), h('optgroup', { label: 'Library' }, named(PRESETS))]
+      : named(PRESETS)),
+  ];
+}
