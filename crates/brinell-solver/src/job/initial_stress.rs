@@ -3,6 +3,7 @@
 use super::fields::{Field, FieldTable, Record as _, read_record, record};
 use super::over_depth::{faults_of_depths, interpolate};
 use super::reader::Cursor;
+use super::reader::text::five_digits;
 use super::{
     Analysis, FaultCode, FieldError, HardeningLaw, NonNegativeF64, Quantity, StrengthProfile, Units,
 };
@@ -64,8 +65,10 @@ impl InitialStress {
         let worst = depths.map(excess).max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)));
         if let Some((depth, stress, limit)) = worst.filter(|(_, stress, limit)| stress > limit) {
             let detail = format!(
-                "yields by itself: at the depth {depth:.4e} mm its von Mises stress is {stress:.4e} MPa, the yield stress \
-                 {limit:.4e} MPa"
+                "yields by itself: at the depth {} mm its von Mises stress is {} MPa, the yield stress {} MPa",
+                five_digits(depth),
+                five_digits(stress),
+                five_digits(limit)
             );
             faults.push(FieldError { pointer: String::new(), code: FaultCode::Inconsistent, detail });
         }

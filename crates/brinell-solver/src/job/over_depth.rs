@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use serde::{Serialize, Serializer};
 
 use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
+use super::reader::text::five_digits;
 use super::reader::{Cursor, Named};
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
@@ -200,8 +201,10 @@ impl OverDepth {
             return Vec::new();
         }
         let detail = format!(
-            "makes the yield stress between {least:.3e} and {greatest:.3e} times that of the hardening curve \
-             ({yield_stress:.4e} MPa); it may be between {} and {} times",
+            "makes the yield stress between {} and {} times that of the hardening curve ({} MPa); it may be between {} and {} times",
+            five_digits(least),
+            five_digits(greatest),
+            five_digits(yield_stress),
             FACTORS.start(),
             FACTORS.end()
         );

@@ -198,3 +198,48 @@ proptest! {
             "{} against {}", step.peak_pressure, hertz.peak_pressure());
     }
 }
+
+/// Decisions that are ties in one of the units: slopes that jump by 0.05 at every point, and a zone that just fits.
+#[test]
+fn ties_are_decided_alike_in_all_units() {
+    let parabola = |x: f64| -0.5 * x * x / 10.0;
+    let summits = |x: f64| -0.1 * (x.abs() - 5.0).powi(2) - if x > 0.0 { 1e-3 } else { 0.0 };
+    let job = |height: &dyn Fn(f64) -> f64,
+               interpolation: &str,
+               other: Value,
+               load: Value,
+               scale: [f64; 3]| {
+        let [length, stress, force] = scale;
+        let points: Vec<_> =
+            (-20..=20).map(|k| 0.5 * f64::from(k)).map(|x| json!([x * length, height(x) * length])).collect();
+        let material = |modulus: f64| json!({"young_modulus": modulus * stress, "poisson_ratio": 0.3});
+        let mut load = load;
+        if let Some(given) = load["force"].as_f64() {
+            load["force"] = json!(given * force);
+        }
+        let mut other = other;
+        for (key, value) in other.as_object_mut().unwrap() {
+            if key != "type" {
+                *value = json!(value.as_f64().unwrap() * length);
+            }
+        }
+        json!({"analysis": "plane_strain", "units": if length < 1.0 { "SI" } else { "mm_N_MPa" }, "load": load,
+            "upper": {"shape": other, "material": material(84_000.0)},
+            "lower": {"shape": {"type": "profile", "points": points, "depth": 20.0 * length, "interpolation": interpolation},
+                "material": material(210_000.0)},
+            "mesh": {"elements_per_half_width": 10}})
+    };
+    let groove = || json!({"type": "groove", "radius": 15.0, "width": 20.0, "depth": 30.0});
+    let roller = || json!({"type": "cylinder", "radius": 30.0});
+    for (height, interpolation, other, force) in [
+        (&parabola as &dyn Fn(f64) -> f64, "smooth", groove(), 651.15),
+        (&summits, "linear", roller(), 2400.0),
+    ] {
+        let [mm, si] = [[1.0, 1.0, 1.0], [1e-3, 1e6, 1e3]].map(|scale| {
+            report(&job(height, interpolation, other.clone(), json!({"force": force}), scale)).steps.remove(0)
+        });
+        assert_within(si.contact.half_width, 1e-3 * mm.contact.half_width, 1e-9);
+        assert_within(si.contact.peak_pressure, 1e6 * mm.contact.peak_pressure, 1e-6);
+        assert_within(si.approach, 1e-3 * mm.approach, 1e-6);
+    }
+}

@@ -199,6 +199,23 @@ fn searches_cost_what_was_estimated() {
     }
 }
 
+/// Both edges of a punch touch a groove first, and all between them at the end.
+#[test]
+fn a_punch_in_a_groove_costs_what_was_estimated() {
+    for (analysis, force) in [("plane_strain", 20.0), ("plane_strain", 150.0), ("plane_stress", 150.0)] {
+        let job = json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 12},
+            "upper": {"shape": {"type": "punch", "width": 0.177, "depth": 10.0, "edge_radius": 0.0014}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "groove", "radius": 15.0, "width": 20.0, "depth": 30.0},
+                "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3}}});
+        let estimate = report::preflight(&parse(&job)).unwrap().equations as f64;
+        let found = report(&job).mesh.equations as f64;
+        assert!(
+            found < 3.0 * estimate && estimate < 3.0 * found,
+            "{estimate} for {found}: {analysis} {force}"
+        );
+    }
+}
+
 /// A sphere far beyond full plasticity would sink in by two thirds of its radius.
 #[test]
 fn a_ball_that_would_sink_in_is_refused() {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::MeshError;
 use super::interpolation::{MonotoneCubic, Polyline};
 use super::zone::Corner;
+use super::{MeshError, ROUNDING};
 use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
 
 /// Surface, width and depth of a body in its own frame.
@@ -83,8 +83,9 @@ enum Surface {
     Linear(Polyline),
 }
 
-/// Slope jump between two points from which on a smooth curve through them is taken to imitate a corner.
-const CORNER: f64 = 0.05;
+/// Slope jump between two points beyond which a smooth curve through them is taken to imitate a corner: 0.05, but for rounding, so that
+/// points given in other units have the same corners.
+const CORNER: f64 = 0.05 * (1.0 + ROUNDING);
 /// How much more a face turns at a point than at those beside for that to be a corner and not the course of a curve.
 const ALONE: f64 = 4.0;
 /// Slope of a surface given by points up to which meshes are made without fail.

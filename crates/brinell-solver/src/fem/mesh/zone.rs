@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use super::Outline;
+use super::{Outline, ROUNDING};
 
 /// Largest part of the body's surface that the zone may take.
 const MAX_ZONE_SPAN: f64 = 0.8;
 /// Nodes that two corners must be apart to be nodes both, as a part of the element size.
 const MIN_COLUMN: f64 = 0.3;
-/// Opening slope beyond which a corner is an edge, where pressure grows without bound and columns are graded.
-const EDGE: f64 = 0.25;
+/// Opening slope beyond which a corner is an edge, where pressure grows without bound and columns are graded; and by how much steeper
+/// the surface falls on one side than on the other. Both but for rounding.
+const EDGE: f64 = 0.25 * (1.0 - ROUNDING);
+const STEEPER: f64 = 2.0 * (1.0 + ROUNDING);
 /// Times that the column beside an edge is halved towards it.
 const GRADING_LEVELS: i32 = 3;
 
@@ -41,9 +43,9 @@ impl Corner {
         let [left, right] = self.slopes;
         if self.opening() < EDGE {
             0.0
-        } else if right.abs() > 2.0 * left.abs() {
+        } else if right.abs() > STEEPER * left.abs() {
             1.0
-        } else if left.abs() > 2.0 * right.abs() {
+        } else if left.abs() > STEEPER * right.abs() {
             -1.0
         } else {
             0.0
@@ -184,7 +186,8 @@ impl ContactZone {
     /// Whether the zone leaves enough of a body's surface beside it to be meshed.
     pub fn fits(&self, outline: &Outline) -> bool {
         let (left, right) = Self::room(outline);
-        self.x_max() <= right && self.x_min() >= left
+        let slack = ROUNDING * (right - left);
+        self.x_max() <= right + slack && self.x_min() >= left - slack
     }
 
     /// Where a zone may be on a body, from left to right \[mm\].

@@ -11,7 +11,7 @@
 mod faults;
 mod object;
 mod syntax;
-mod text;
+pub(super) mod text;
 mod tree;
 
 use std::fmt;

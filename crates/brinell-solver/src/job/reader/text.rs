@@ -17,6 +17,11 @@ impl fmt::Display for Figure {
     }
 }
 
+/// A figure that was computed, to five digits.
+pub fn five_digits(value: f64) -> Figure {
+    Figure(format!("{value:.4e}").parse().unwrap_or(value))
+}
+
 /// A string in quotation marks, control characters escaped, cut off with `…` when it is long.
 pub struct Quoted<'a>(pub &'a str);
 
@@ -121,6 +126,12 @@ mod tests {
     fn figures_are_short() {
         let shown = [0.3, 210_000.0, 2.1e11, 1e300, -1e-9, 0.0].map(|v| Figure(v).to_string());
         assert_eq!(shown, ["0.3", "210000", "2.1e11", "1e300", "-1e-9", "0"]);
+    }
+
+    #[test]
+    fn computed_figures_have_five_digits() {
+        let shown = [0.0, 1e7 / 3.0, 0.1 + 0.2, 1e7, -1.0 / 3e6].map(|v| five_digits(v).to_string());
+        assert_eq!(shown, ["0", "3333300", "0.3", "1e7", "-3.3333e-7"]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Surfaces that fall off with a power of the distance, and the ellipse.
 
 use crate::job::fields::{Field, Known, faults_of, record, unless};
+use crate::job::reader::text::five_digits;
 use crate::job::{FieldError, PositiveF64, Quantity};
 
 record! {
@@ -54,10 +55,13 @@ fn power_rules(known: &Known) -> Vec<FieldError> {
     let (Some(exponent), Some(scale)) = (known.figure("exponent"), known.figure("scale")) else {
         return Vec::new();
     };
-    let is_thick = |(width, depth): (f64, f64)| scale * (0.5 * width / scale).powf(exponent) < depth;
-    let holds = known.figure("width").zip(known.figure("depth")).is_none_or(is_thick);
-    let detail = "must exceed the fall of the surface at its ends, `scale` (`width`/(2 `scale`))^`exponent`";
-    unless(holds, "/depth", detail).into_iter().collect()
+    let Some((width, depth)) = known.figure("width").zip(known.figure("depth")) else { return Vec::new() };
+    let fall = scale * (0.5 * width / scale).powf(exponent);
+    let detail = format!(
+        "must exceed the fall of the surface at its ends, `scale` (`width`/(2 `scale`))^`exponent` = {} mm",
+        five_digits(fall)
+    );
+    unless(fall < depth, "/depth", &detail).into_iter().collect()
 }
 
 impl Parabola {

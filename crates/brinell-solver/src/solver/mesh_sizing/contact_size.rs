@@ -273,7 +273,13 @@ impl ContactSizeEstimate {
             let half_width = found.half_width();
             return Self { half_width, smallest_part: half_width, ..self }.refined(problem, elements);
         }
-        match self.half_planes(problem, force) {
+        // Two places that are expected to touch, or all between them.
+        let found = if self.smallest_part < 0.5 * self.half_width {
+            rough::contact(problem, force, self.centre, self.half_width, self.half_width / PAIRS_OF_PARTS)
+        } else {
+            self.half_planes(problem, force)
+        };
+        match found {
             Some(found) => {
                 Self { half_width: found.half_width(), smallest_part: found.smallest_part, ..self }
             }
@@ -416,7 +422,7 @@ impl ContactSizeEstimate {
     pub fn zone(&self, problem: &Problem, spacing: f64) -> ContactZone {
         let symmetric = problem.is_symmetric();
         let spacing = spacing.min(ZONE * self.half_width / LEAST_COLUMNS);
-        let mut columns = (ZONE * self.half_width / spacing).round().max(LEAST_COLUMNS);
+        let mut columns = nearest(ZONE * self.half_width / spacing).max(LEAST_COLUMNS);
         if problem.conforming.is_some() {
             // As much as there is of whole elements, for a contact that reaches far round.
             columns = columns.min((problem.span().1 / spacing + ROUNDING).floor());
@@ -429,10 +435,15 @@ impl ContactSizeEstimate {
             problem.zone(0.0, half, columns, symmetric)
         } else {
             let step = CENTRE_STEP * spacing;
-            let centre = (self.centre / step).round() * step;
+            let centre = nearest(self.centre / step) * step;
             problem.zone(centre - half, centre + half, 2 * columns, symmetric)
         }
     }
+}
+
+/// The nearest whole number; of halves the one away from zero, whatever rounding has made of them.
+fn nearest(number: f64) -> f64 {
+    (number * (1.0 + ROUNDING)).round()
 }
 
 /// Rings become thinner together with the block's elements, so that both errors fall at the same rate.
