@@ -240,7 +240,9 @@ pub struct ClaimRequest {
     pub slots: usize,
     /// How many further jobs may be handed out if they are short.
     pub short_slots: usize,
-    /// Memory \[bytes\] that these may need in all, by their estimates.
+    /// How many short jobs of a key may run beside its long ones.
+    pub short_by_key: usize,
+    /// Memory \[bytes\] that the further jobs may need in all, by their estimates.
     pub short_memory: u64,
     /// Whether the worker does nothing else, and may be given a job that must run by itself.
     pub exclusive: bool,
@@ -283,6 +285,8 @@ pub struct Claim {
     pub exclusive: bool,
     /// It takes one of the places for short jobs.
     pub beside: bool,
+    /// It is beside long jobs of its own key, and has the priority of those.
+    pub gives_way: bool,
     /// Work it is estimated to be.
     pub work: u64,
     /// Memory \[bytes\] it is estimated to need.

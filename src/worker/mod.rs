@@ -23,7 +23,7 @@ use tokio_util::task::TaskTracker;
 use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
 use pool::SolverPool;
 use running::Running;
-use slots::{Memory, Reservation, Slots};
+use slots::{Memory, Reservation, Slots, places_beside};
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
@@ -53,6 +53,11 @@ pub struct WorkerSettings {
 pub struct Worker {
     state: Arc<WorkerState>,
     heartbeat: tokio::task::JoinHandle<()>,
+}
+
+/// How many short jobs of a key run beside its long ones: half of the places, so that those of others find one.
+const fn short_by_key(n_solvers: usize) -> usize {
+    places_beside(n_solvers) / 2
 }
 
 /// What the worker's tasks share.
@@ -88,8 +93,7 @@ impl Worker {
             store,
             notifier,
             solver,
-            // Short jobs have as many places again beside long ones.
-            pool: SolverPool::new(2 * settings.slots, settings.slots)?,
+            pool: SolverPool::new(settings.slots + places_beside(settings.slots))?,
             slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),
@@ -162,6 +166,7 @@ impl WorkerState {
             free_memory: free.solvers,
             memory: self.slots.memory().solvers,
             short_slots: reservation.len_beside(),
+            short_by_key: short_by_key(self.settings.slots),
             short_memory: free.beside,
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,

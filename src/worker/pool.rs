@@ -8,32 +8,32 @@ use std::thread;
 /// Elimination trees are walked recursively in places; a solve has room for it.
 const STACK_BYTES: usize = 8 << 20;
 
-/// Scheduling priority (nice value) of threads with long jobs: short ones beside them get three parts in four of a core.
+/// Scheduling priority (nice value) of threads whose jobs give way: others beside them get three parts in four of a core.
 #[cfg(target_os = "linux")]
 const LONG_PRIORITY: i32 = 5;
 
 type Task = Box<dyn FnOnce() + Send>;
 
-/// A fixed number of threads for short and for long tasks, which give way to the short ones. They end when the pool is dropped and
-/// their current task is done.
+/// A fixed number of threads for tasks, and as many for tasks that give way to them. They end when the pool is dropped and their
+/// current task is done.
 pub(super) struct SolverPool {
-    short: Sender<Task>,
-    long: Sender<Task>,
+    tasks: Sender<Task>,
+    giving_way: Sender<Task>,
 }
 
 impl SolverPool {
-    /// Threads for as many short and long tasks at the same time.
-    pub(super) fn new(n_short: usize, n_long: usize) -> io::Result<Self> {
-        let short = start("solver", n_short, || ())?;
-        let long = start("long-solver", n_long, give_way)?;
-        Ok(Self { short, long })
+    /// Threads for as many tasks of either kind at the same time.
+    pub(super) fn new(n_tasks: usize) -> io::Result<Self> {
+        let tasks = start("solver", n_tasks, || ())?;
+        let giving_way = start("long-solver", n_tasks, give_way)?;
+        Ok(Self { tasks, giving_way })
     }
 
     /// Queues a task. Tasks must not panic.
-    pub(super) fn run(&self, long: bool, task: impl FnOnce() + Send + 'static) {
+    pub(super) fn run(&self, gives_way: bool, task: impl FnOnce() + Send + 'static) {
         // The threads live as long as the senders do; a task that nobody takes is dropped, and whoever waits
         // for its answer sees its channel close.
-        let _ = if long { &self.long } else { &self.short }.send(Box::new(task));
+        let _ = if gives_way { &self.giving_way } else { &self.tasks }.send(Box::new(task));
     }
 }
 
@@ -54,7 +54,7 @@ fn start(name: &str, n_threads: usize, prepare: fn()) -> io::Result<Sender<Task>
 fn give_way() {
     #[cfg(target_os = "linux")]
     if let Err(error) = rustix::process::setpriority_process(None, LONG_PRIORITY) {
-        tracing::debug!(%error, "long jobs have the priority of short ones");
+        tracing::debug!(%error, "jobs that give way have the priority of others");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Slots of a worker: a number of solvers, and memory that their jobs share.
 //!
-//! Where a long job holds a solver, short jobs have as many places again, with memory of their own: they share the cores with the
-//! long ones instead of waiting for them.
+//! Where a long job holds a solver, short jobs have as many places again and one more, with memory of their own: they share the cores
+//! with the long ones instead of waiting for them.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -12,9 +12,10 @@ use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore};
 #[derive(Debug)]
 pub(super) struct Slots {
     solvers: Arc<Semaphore>,
-    /// Places for short jobs beside the solvers, as many as there are solvers.
+    /// Places for short jobs beside the solvers.
     beside: Arc<Semaphore>,
     n_solvers: usize,
+    n_beside: usize,
     memory: Memory,
     used: Mutex<Used>,
     freed: Notify,
@@ -56,12 +57,19 @@ pub(super) struct Slot {
     _permits: Vec<OwnedSemaphorePermit>,
 }
 
+/// Places for short jobs beside so many solvers: one more, so that each core has a job that does not wait for a place.
+pub(super) const fn places_beside(n_solvers: usize) -> usize {
+    n_solvers + 1
+}
+
 impl Slots {
     pub(super) fn new(n_solvers: usize, memory: Memory) -> Self {
+        let n_beside = places_beside(n_solvers);
         Self {
             solvers: Arc::new(Semaphore::new(n_solvers)),
-            beside: Arc::new(Semaphore::new(n_solvers)),
+            beside: Arc::new(Semaphore::new(n_beside)),
             n_solvers,
+            n_beside,
             memory,
             used: Mutex::default(),
             freed: Notify::new(),
@@ -85,14 +93,16 @@ impl Slots {
             beside.push(permit);
         }
         let n_idle = permits.len() + beside.len() + self.beside.available_permits();
-        Reservation { all: n_idle == 2 * self.n_solvers, permits, beside }
+        Reservation { all: n_idle == self.n_solvers + self.n_beside, permits, beside }
     }
 
     /// Waits until nothing runs, and takes all solvers.
     pub(super) async fn take_all(&self) -> Reservation {
-        let all = u32::try_from(self.n_solvers).unwrap_or(u32::MAX);
-        let permits = Arc::clone(&self.solvers).acquire_many_owned(all).await.into_iter().collect();
-        let beside = Arc::clone(&self.beside).acquire_many_owned(all).await.into_iter().collect();
+        let all = |places| u32::try_from(places).unwrap_or(u32::MAX);
+        let solvers = Arc::clone(&self.solvers).acquire_many_owned(all(self.n_solvers));
+        let permits = solvers.await.into_iter().collect();
+        let beside = Arc::clone(&self.beside).acquire_many_owned(all(self.n_beside));
+        let beside = beside.await.into_iter().collect();
         Reservation { all: true, permits, beside }
     }
 
@@ -184,7 +194,16 @@ mod tests {
 
     fn claim(memory: u64) -> Claim {
         let lease = Lease { job: JobId::generate(), owner: WorkerId::generate(), attempt: 1 };
-        Claim { lease, exclusive: false, beside: false, work: 1, memory, request: Bytes::new(), trace: None }
+        Claim {
+            lease,
+            exclusive: false,
+            beside: false,
+            gives_way: false,
+            work: 1,
+            memory,
+            request: Bytes::new(),
+            trace: None,
+        }
     }
 
     #[tokio::test]
@@ -216,7 +235,7 @@ mod tests {
         let long = reservation.assign(&slots, &Claim { work: SHORT_WORK + 1, ..claim(100) }).unwrap();
         drop(reservation);
         let mut reservation = slots.take().await;
-        assert_eq!((reservation.len(), reservation.len_beside(), reservation.all), (0, 1, false));
+        assert_eq!((reservation.len(), reservation.len_beside(), reservation.all), (0, 2, false));
         assert!(reservation.assign(&slots, &claim(1)).is_none(), "the solver is taken");
         let short = reservation.assign(&slots, &Claim { beside: true, ..claim(4) }).unwrap();
         assert_eq!(slots.free_memory(), Memory { solvers: 0, beside: 6 });

@@ -112,8 +112,8 @@ impl WorkerState {
         let (step_sender, steps) = mpsc::channel(1);
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
-        let long = claim.work > SHORT_WORK;
-        self.pool.run(long, move || {
+        let gives_way = claim.gives_way || claim.work > SHORT_WORK;
+        self.pool.run(gives_way, move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone());
             let outcome =
                 attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);

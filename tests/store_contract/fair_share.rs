@@ -1,6 +1,6 @@
 //! Keys share the solvers by the work of their jobs, whatever they submit.
 
-use brinell::jobs::{ClaimRequest, JobId, KeyId, NewJob, Quota, SHORT_WORK, StoreError};
+use brinell::jobs::{ClaimRequest, JobId, KeyId, NewJob, Quota, SHORT_WORK, StoreError, WorkerId};
 
 use crate::subject::{QUEUE_CAPACITY, Subject, ids, job};
 
@@ -123,4 +123,25 @@ pub async fn short_jobs_are_handed_out_beside_long_ones(subject: &Subject) {
         subject.claims(ClaimRequest { short_memory: 10, ..beside }).await.jobs.is_empty(),
         "it does not fit"
     );
+}
+
+pub async fn a_key_with_long_jobs_has_part_of_the_places_beside_them(subject: &Subject) {
+    let (greedy, modest) = (Client::new(false), Client::new(false));
+    let long = greedy.submit(subject, SHORT_WORK + 1, 100).await;
+    let request = Subject::request(1);
+    let claims = subject.claims(request).await.jobs;
+    assert_eq!(ids(&claims), [long]);
+    assert!(!claims[0].gives_way, "its work tells that");
+    let first = greedy.submit(subject, 1, 0).await;
+    let second = greedy.submit(subject, 1, 0).await;
+    let other = modest.submit(subject, 1, 0).await;
+    let beside = ClaimRequest { slots: 0, short_slots: 3, exclusive: false, ..request };
+    let claims = subject.claims(beside).await.jobs;
+    let [of_greedy, of_modest] =
+        [first, other].map(|id| claims.iter().find(|claim| claim.lease.job == id).unwrap());
+    assert_eq!((claims.len(), of_greedy.gives_way, of_modest.gives_way), (2, true, false));
+    assert!(subject.claims(beside).await.jobs.is_empty(), "one beside its own long job");
+    let elsewhere = ClaimRequest { owner: WorkerId::generate(), ..beside };
+    let claims = subject.claims(elsewhere).await.jobs;
+    assert_eq!((ids(&claims), claims[0].gives_way), (vec![second], false), "no long job runs there");
 }

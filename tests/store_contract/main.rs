@@ -56,6 +56,7 @@ macro_rules! contract {
             fair_share an_idle_key_does_not_save_up_its_share;
             fair_share a_key_has_its_places_in_the_queue_and_no_more;
             fair_share short_jobs_are_handed_out_beside_long_ones;
+            fair_share a_key_with_long_jobs_has_part_of_the_places_beside_them;
             quotas a_key_has_as_many_jobs_running_as_it_may;
             quotas a_key_stores_as_much_as_it_may;
             quotas a_key_asks_for_the_priority_that_it_may;

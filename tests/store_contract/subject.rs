@@ -140,6 +140,7 @@ impl Subject {
             owner: WorkerId::generate(),
             slots,
             short_slots: 0,
+            short_by_key: 1,
             short_memory: MEMORY,
             exclusive: true,
             free_memory: MEMORY,

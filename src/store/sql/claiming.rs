@@ -13,8 +13,8 @@ use crate::store::StoreLimits;
 const INTERACTIVE_PART: f64 = 0.75;
 
 /// The head of a flow's queue: flow, whether it is interactive, whether the other flow of its key has jobs waiting, its virtual
-/// time; job, memory, losses so far less one, work.
-type Head = (i64, bool, bool, f64, Uuid, i64, i32, i64);
+/// time; job, memory, losses so far less one, work; whether the job gives way to those of other keys.
+type Head = (i64, bool, bool, f64, Uuid, i64, i32, i64, bool);
 
 /// What is free for jobs from the heads of the queues.
 #[derive(Debug, Clone, Copy)]
@@ -38,7 +38,10 @@ type Candidate = (Uuid, i64, i32, i64);
 pub(in crate::store) enum Place {
     Solver,
     Exclusive,
-    Beside,
+    Beside {
+        /// It shares what the long jobs of its key have of the processor.
+        gives_way: bool,
+    },
 }
 
 const END: &str =
@@ -53,24 +56,32 @@ pub(super) const FORGET: [&str; 3] = [
 const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
          losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,
          steps = 0, stored_bytes = 0
-     WHERE id = $1 RETURNING attempts";
-const REQUEST: &str =
-    "SELECT r.body, j.traceparent FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
+     WHERE id = $1 RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)";
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
+    /// Waits for the turn of this worker; whether the lease of a job has run out.
+    fn take_turn(&mut self, now: i64) -> impl Future<Output = Result<bool, StoreError>> + Send;
     /// Ends the jobs whose lease ran out and that nobody takes up again.
     fn expire(
         &mut self,
         max_attempts: u32,
         now: i64,
     ) -> impl Future<Output = Result<Vec<JobId>, StoreError>> + Send;
+    /// Hands out the jobs whose lease ran out, if there are `lost` ones, and heads of queues.
     fn claim(
         &mut self,
         request: &ClaimRequest,
         limits: StoreLimits,
+        lost: bool,
         now: i64,
     ) -> impl Future<Output = Result<Claims, StoreError>> + Send;
+    /// Hands out the jobs whose lease ran out; whether others may be handed out with them.
+    fn claim_lost(
+        &mut self,
+        request: &ClaimRequest,
+        now: i64,
+    ) -> impl Future<Output = Result<(Claims, bool), StoreError>> + Send;
     /// Hands out heads of queues for as long as there is room.
     fn claim_heads(
         &mut self,
@@ -114,6 +125,14 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
 macro_rules! claiming {
     ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr, $short_head:expr) => {
         impl Claiming for $connection {
+            async fn take_turn(&mut self, now: i64) -> Result<bool, StoreError> {
+                let turn = sqlx::query_scalar::<$database, bool>(concat!(
+                    "SELECT EXISTS (SELECT 1 FROM jobs WHERE state = 'running' AND leased_until <= $1) FROM scheduler",
+                    $turn
+                ));
+                Ok(turn.bind(now).fetch_optional(self).await?.unwrap_or(false))
+            }
+
             async fn expire(&mut self, max_attempts: u32, now: i64) -> Result<Vec<JobId>, StoreError> {
                 let lost = sqlx::query_as::<$database, (Uuid, i32, bool)>(concat!(
                     "SELECT id, losses, cancel_requested FROM jobs WHERE state = 'running' AND leased_until <= $1
@@ -141,8 +160,33 @@ macro_rules! claiming {
                 &mut self,
                 request: &ClaimRequest,
                 limits: StoreLimits,
+                lost: bool,
                 now: i64,
             ) -> Result<Claims, StoreError> {
+                let (mut claims, all) =
+                    if lost { self.claim_lost(request, now).await? } else { (Claims::default(), true) };
+                if !all {
+                    return Ok(claims);
+                }
+                let taken: u64 = claims.jobs.iter().map(|claim| claim.memory).sum();
+                let solvers = Room {
+                    slots: request.slots - claims.jobs.len(),
+                    free: request.free_memory.saturating_sub(taken),
+                    memory: i64::try_from(request.memory).unwrap_or(i64::MAX),
+                    beside: false,
+                };
+                claims.jobs.extend(self.claim_heads(solvers, request, limits, now).await?);
+                let beside = Room {
+                    slots: request.short_slots,
+                    free: request.short_memory,
+                    memory: i64::try_from(request.short_memory).unwrap_or(i64::MAX),
+                    beside: true,
+                };
+                claims.jobs.extend(self.claim_heads(beside, request, limits, now).await?);
+                Ok(claims)
+            }
+
+            async fn claim_lost(&mut self, request: &ClaimRequest, now: i64) -> Result<(Claims, bool), StoreError> {
                 let memory = i64::try_from(request.memory).unwrap_or(i64::MAX);
                 let slots = i64::try_from(request.slots).unwrap_or(i64::MAX);
                 let lost = sqlx::query_as::<$database, Candidate>(concat!(
@@ -156,25 +200,16 @@ macro_rules! claiming {
                     .partition(|(_, _, losses, _)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
                 if let (Some(job), true) = (exclusive.first(), request.exclusive) {
                     let jobs = vec![self.lease_job(*job, Place::Exclusive, request, now).await?];
-                    return Ok(Claims { jobs, exclusive_pending: false });
+                    return Ok((Claims { jobs, exclusive_pending: false }, false));
                 }
                 let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
                 let mut free = request.free_memory;
                 for job in candidates.into_iter().take(request.slots) {
-                    let Some(rest) = free.checked_sub(count(job.1)?) else { return Ok(claims) };
+                    let Some(rest) = free.checked_sub(count(job.1)?) else { return Ok((claims, false)) };
                     free = rest;
                     claims.jobs.push(self.lease_job(job, Place::Solver, request, now).await?);
                 }
-                let turn = sqlx::query::<$database>(concat!("SELECT virtual_time FROM scheduler", $turn));
-                turn.fetch_optional(&mut *self).await?;
-                let slots = request.slots - claims.jobs.len();
-                let solvers = Room { slots, free, memory, beside: false };
-                claims.jobs.extend(self.claim_heads(solvers, request, limits, now).await?);
-                let memory = i64::try_from(request.short_memory).unwrap_or(i64::MAX);
-                let (slots, free) = (request.short_slots, request.short_memory);
-                let beside = Room { slots, free, memory, beside: true };
-                claims.jobs.extend(self.claim_heads(beside, request, limits, now).await?);
-                Ok(claims)
+                Ok((claims, true))
             }
 
             async fn claim_heads(
@@ -185,16 +220,23 @@ macro_rules! claiming {
                 now: i64,
             ) -> Result<Vec<Claim>, StoreError> {
                 let Room { slots, mut free, memory, beside } = room;
-                let (select, place) =
-                    if beside { ($short_head, Place::Beside) } else { ($head, Place::Solver) };
+                let select = if beside { $short_head } else { $head };
+                let short_by_key = i64::try_from(request.short_by_key).unwrap_or(i64::MAX);
                 let running_by_key = limits.by_key.running.map_or(i64::MAX, i64::from);
                 let mut claims = Vec::new();
                 while claims.len() < slots {
                     let head = sqlx::query_as::<$database, Head>(select).bind(memory).bind(running_by_key);
-                    let head = head.bind(Uuid::nil()).fetch_optional(&mut *self).await?;
-                    let Some((flow, interactive, shares, time, id, memory, losses, work)) = head else { break };
+                    let mut head = head.bind(Uuid::nil());
+                    if beside {
+                        head = head.bind(request.owner.uuid()).bind(short_by_key);
+                    }
+                    let head = head.fetch_optional(&mut *self).await?;
+                    let Some((flow, interactive, shares, time, id, memory, losses, work, gives_way)) = head else {
+                        break;
+                    };
                     let Some(rest) = free.checked_sub(count(memory)?) else { break };
                     free = rest;
+                    let place = if beside { Place::Beside { gives_way } } else { Place::Solver };
                     claims.push(self.lease_job((id, memory, losses, work), place, request, now).await?);
                     let next = time + work as f64 / part_of_share(interactive, shares);
                     sqlx::query::<$database>(SERVED).bind(flow).bind(next).execute(&mut *self).await?;
@@ -211,26 +253,24 @@ macro_rules! claiming {
                 now: i64,
             ) -> Result<Claim, StoreError> {
                 let (id, memory, losses, work) = job;
-                let attempt = sqlx::query_scalar::<$database, i32>(LEASE_JOB)
+                let leased = sqlx::query_as::<$database, (i32, Option<String>, Option<Vec<u8>>)>(LEASE_JOB)
                     .bind(id)
                     .bind(request.owner.uuid())
                     .bind(until(now, request.lease))
                     .bind(now)
-                    .bind(losses.saturating_add(1))
-                    .fetch_one(&mut *self)
-                    .await?;
+                    .bind(losses.saturating_add(1));
+                let (attempt, trace, text) = leased.fetch_one(&mut *self).await?;
                 if attempt > 1 {
                     for forget in FORGET {
                         sqlx::query::<$database>(forget).bind(id).execute(&mut *self).await?;
                     }
                 }
-                let text = sqlx::query_as::<$database, (Option<Vec<u8>>, Option<String>)>(REQUEST).bind(id);
-                let (text, trace) = text.fetch_one(&mut *self).await?;
                 let lease = Lease { job: JobId::from(id), owner: request.owner, attempt: count(attempt)? };
                 Ok(Claim {
                     lease,
                     exclusive: place == Place::Exclusive,
-                    beside: place == Place::Beside,
+                    beside: matches!(place, Place::Beside { .. }),
+                    gives_way: matches!(place, Place::Beside { gives_way: true }),
                     work: count(work)?,
                     memory: count(memory)?,
                     request: readable_text(JobId::from(id), text),
@@ -244,23 +284,42 @@ macro_rules! claiming {
 /// The job that goes next: the first of the flow whose virtual time is the least. A flow that has had nothing to do does not
 /// make up for it: its time is that of the job handed out last. A key with as many jobs running as it may is passed over.
 ///
+/// Of two workers' jobs the one's own count: a key for which this worker (`$4`) solves long jobs has `$5` places for short ones, which share the
+/// processor with its long ones, so that others find a place at once. Those without a key are not one client.
+///
 /// SQLite joins crossed tables as they are written: flows are few and the head of each is looked up. Left to itself it goes through all that wait.
 macro_rules! head_of_queue {
-    ($which:literal, $lock:literal) => {
+    ($which:literal, $gives_way:literal, $places:literal, $lock:literal) => {
         concat!(
             "SELECT f.id, f.interactive,
                  EXISTS (SELECT 1 FROM flows g CROSS JOIN jobs w
                      WHERE g.submitter = f.submitter AND g.id <> f.id AND w.flow = g.id AND w.state = 'queued'),
                  CASE WHEN f.virtual_time > s.virtual_time THEN f.virtual_time ELSE s.virtual_time END,
-                 j.id, j.memory, j.losses - 1, j.work
-             FROM scheduler s CROSS JOIN flows f CROSS JOIN jobs j
+                 j.id, j.memory, j.losses - 1, j.work, ",
+            $gives_way,
+            " FROM scheduler s CROSS JOIN flows f CROSS JOIN jobs j
              WHERE j.id = (SELECT q.id FROM jobs q WHERE q.state = 'queued' AND q.flow = f.id AND q.memory <= $1",
             $which,
             "    ORDER BY q.priority DESC, q.id LIMIT 1) AND j.state = 'queued'
                  AND (f.submitter = $3
                      OR (SELECT count(*) FROM jobs r JOIN flows g ON g.id = r.flow WHERE r.state = 'running' AND g.submitter = f.submitter)
-                         < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = f.submitter), $2))
-             ORDER BY 4, j.id LIMIT 1",
+                         < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = f.submitter), $2))",
+            $places,
+            " ORDER BY 4, j.id LIMIT 1",
+            $lock
+        )
+    };
+}
+
+macro_rules! short_head_of_queue {
+    ($lock:literal) => {
+        head_of_queue!(
+            " AND q.short",
+            "f.submitter <> $3 AND EXISTS (SELECT 1 FROM jobs r JOIN flows g ON g.id = r.flow
+                 WHERE r.state = 'running' AND r.owner = $4 AND g.submitter = f.submitter AND NOT r.short)",
+            " AND (f.submitter = $3 OR NOT EXISTS (SELECT count(*) FROM jobs r JOIN flows g ON g.id = r.flow
+                 WHERE r.state = 'running' AND r.owner = $4 AND g.submitter = f.submitter
+                 HAVING count(*) FILTER (WHERE NOT r.short) > 0 AND count(*) FILTER (WHERE r.short) >= $5))",
             $lock
         )
     };
@@ -268,7 +327,7 @@ macro_rules! head_of_queue {
 
 /// Of SQLite, of any job and of a short one.
 pub(in crate::store) const SQLITE_HEADS: [&str; 2] =
-    [head_of_queue!("", ""), head_of_queue!(" AND q.short", "")];
+    [head_of_queue!("", "FALSE", "", ""), short_head_of_queue!("")];
 
 claiming!(Sqlite, SqliteConnection, "", "", SQLITE_HEADS[0], SQLITE_HEADS[1]);
 // Claims of several workers take turns on the one row of `scheduler`; a job that is just being cancelled is passed over.
@@ -277,6 +336,6 @@ claiming!(
     PgConnection,
     " FOR UPDATE SKIP LOCKED",
     " FOR UPDATE",
-    head_of_queue!("", " FOR UPDATE OF j SKIP LOCKED"),
-    head_of_queue!(" AND q.short", " FOR UPDATE OF j SKIP LOCKED")
+    head_of_queue!("", "FALSE", "", " FOR UPDATE OF j SKIP LOCKED"),
+    short_head_of_queue!(" FOR UPDATE OF j SKIP LOCKED")
 );

@@ -18,16 +18,17 @@ use crate::store::StoreLimits;
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
-const QUEUED: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'";
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, short, reserved_bytes, flow, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9,
          (SELECT id FROM flows WHERE submitter = $10 AND interactive = $11), $12)";
 const FLOW: &str = "INSERT INTO flows (submitter, interactive) VALUES ($1, $2) ON CONFLICT DO NOTHING";
-const QUEUED_BY: &str = "SELECT count(*) FROM jobs WHERE state = 'queued'
-     AND flow IN (SELECT id FROM flows WHERE submitter = $1)";
-const STORED_BY: &str =
-    "SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
-         THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT) FROM jobs WHERE submitter = $1";
+/// Jobs that wait, those of one submitter among them, bytes that his results take or will take, and whether he has a flow.
+const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
+         CASE WHEN $3 THEN (SELECT count(*) FROM jobs WHERE state = 'queued'
+             AND flow IN (SELECT id FROM flows WHERE submitter = $1)) ELSE 0 END,
+         CASE WHEN $4 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
+             THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT) FROM jobs WHERE submitter = $1) ELSE 0 END,
+         EXISTS (SELECT 1 FROM flows WHERE submitter = $1 AND interactive = $2)";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
@@ -78,13 +79,13 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
     /// Marks a place in a transaction, or returns to the one marked last.
     fn savepoint(&mut self, step: Savepoint) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Checks that an API key may submit a job.
-    fn check_quotas(
+    /// Checks that there is room for a job, also by the limits of its key; whether its submitter has a flow for such jobs.
+    fn check_places(
         &mut self,
-        key: Uuid,
+        owner: Uuid,
         job: &NewJob,
-        defaults: KeyLimits,
-    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+        limits: StoreLimits,
+    ) -> impl Future<Output = Result<bool, StoreError>> + Send;
     fn label(
         &mut self,
         job: JobId,
@@ -128,17 +129,11 @@ macro_rules! intake {
                 {
                     return Ok(Enqueued { job, replayed: true });
                 }
-                let queued = sqlx::query_scalar::<$database, i64>(QUEUED).fetch_one(&mut *self).await?;
-                let queued: usize = count(queued)?;
-                if queued >= limits.queue_capacity {
-                    return Err(StoreError::QueueFull { queued });
-                }
                 let owner = submitter.unwrap_or_default();
-                if let Some(key) = submitter {
-                    self.check_quotas(key, &job, limits.by_key).await?;
+                if !self.check_places(owner, &job, limits).await? {
+                    let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
+                    flow.execute(&mut *self).await?;
                 }
-                let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
-                flow.execute(&mut *self).await?;
                 sqlx::query::<$database>(INSERT)
                     .bind(job.id.uuid())
                     .bind(i32::from(job.priority))
@@ -168,36 +163,40 @@ macro_rules! intake {
                 Ok(())
             }
 
-            async fn check_quotas(
+            async fn check_places(
                 &mut self,
-                key: Uuid,
+                owner: Uuid,
                 job: &NewJob,
-                defaults: KeyLimits,
-            ) -> Result<(), StoreError> {
-                let limits = self.lock_limits(key).await?.or(defaults);
-                let refuse = |quota| Err(StoreError::QuotaExceeded { quota });
-                if let Some(limit) = limits.priority
-                    && !job.interactive
-                    && job.priority > limit
+                limits: StoreLimits,
+            ) -> Result<bool, StoreError> {
+                // Counts begin once the row of the key is locked.
+                let key = match job.submitter {
+                    Some(_) => self.lock_limits(owner).await?.or(limits.by_key),
+                    None => KeyLimits::default(),
+                };
+                let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES).bind(owner);
+                let places =
+                    places.bind(job.interactive).bind(key.queued.is_some()).bind(key.stored_bytes.is_some());
+                let (queued, queued_by_key, used, has_flow) = places.fetch_one(&mut *self).await?;
+                let queued: usize = count(queued)?;
+                if queued >= limits.queue_capacity {
+                    return Err(StoreError::QueueFull { queued });
+                }
+                let (queued_by_key, used, needed) =
+                    (count::<_, u64>(queued_by_key)?, count(used)?, job.result_bytes);
+                let is_low = |limit: &i16| !job.interactive && job.priority > *limit;
+                let quota = if let Some(limit) = key.priority.filter(is_low) {
+                    Quota::Priority { limit }
+                } else if let Some(limit) = key.queued.filter(|limit| queued_by_key >= u64::from(*limit)) {
+                    Quota::Queued { limit }
+                } else if let Some(limit) =
+                    key.stored_bytes.filter(|limit| needed.saturating_add(used) > *limit)
                 {
-                    return refuse(Quota::Priority { limit });
-                }
-                if let Some(limit) = limits.queued {
-                    let queued = sqlx::query_scalar::<$database, i64>(QUEUED_BY).bind(key);
-                    let queued: u64 = count(queued.fetch_one(&mut *self).await?)?;
-                    if queued >= u64::from(limit) {
-                        return refuse(Quota::Queued { limit });
-                    }
-                }
-                if let Some(limit) = limits.stored_bytes {
-                    let used = sqlx::query_scalar::<$database, i64>(STORED_BY).bind(key);
-                    let used: u64 = count(used.fetch_one(&mut *self).await?)?;
-                    let needed = job.result_bytes;
-                    if used.saturating_add(needed) > limit {
-                        return refuse(Quota::Stored { limit, used, needed });
-                    }
-                }
-                Ok(())
+                    Quota::Stored { limit, used, needed }
+                } else {
+                    return Ok(has_flow);
+                };
+                Err(StoreError::QuotaExceeded { quota })
             }
 
             async fn label(&mut self, job: JobId, tags: BTreeMap<String, String>) -> Result<(), StoreError> {

@@ -6,17 +6,19 @@ use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
 
 use super::claiming::{FORGET, until};
 use super::codec::{failure_json, pack, pack_records, to_json};
-use crate::jobs::{FIELDS_PART, IterationRecord, Lease, LeaseStatus, Outcome, StepResult, StoreError};
+use crate::jobs::{FIELDS_PART, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult, StoreError};
 
 const BEAT: &str = "UPDATE jobs SET leased_until = $4
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
 const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
-const FINISH: &str =
-    "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7, owner = NULL,
-         leased_until = NULL
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'";
+/// The steps of an attempt that has no report are removed.
+const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7,
+         iterations = iterations + $8, latest = coalesce($9, latest),
+         steps = CASE WHEN $6 THEN steps + $10 ELSE 0 END,
+         stored_bytes = CASE WHEN $6 THEN stored_bytes + $11 ELSE 0 END, owner = NULL, leased_until = NULL
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations, steps";
 const REPORT: &str = "INSERT INTO reports (job, body) VALUES ($1, $2)";
 const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN 'cancelled' ELSE 'queued' END,
          finished_at = CASE WHEN cancel_requested THEN $4 END,
@@ -30,7 +32,6 @@ const STEPS: &str = "UPDATE jobs SET steps = steps + $4, stored_bytes = stored_b
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING steps";
 const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)";
 const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)";
-const NO_STEPS: &str = "UPDATE jobs SET steps = 0, stored_bytes = 0 WHERE id = $1";
 
 /// Changes by the holder of a lease.
 pub(in crate::store) trait Leasing: Send {
@@ -50,11 +51,28 @@ pub(in crate::store) trait Leasing: Send {
         lease: &Lease,
         steps: &[StepResult],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Ends a job; `records` and `steps` are those that have not been written yet.
     fn finish(
         &mut self,
         lease: &Lease,
+        records: &[IterationRecord],
+        steps: &[StepResult],
         outcome: &Outcome,
         now: i64,
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Adds iterations, the last of which is number `last` of the attempt.
+    fn append_records(
+        &mut self,
+        job: JobId,
+        last: i32,
+        records: &[IterationRecord],
+    ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// Adds results of steps, of which there are `last` then.
+    fn append_steps(
+        &mut self,
+        job: JobId,
+        last: i32,
+        steps: &[StepResult],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Gives a job back; `Some(true)` if it was cancelled instead, `None` if the lease was lost.
     fn release(
@@ -62,6 +80,14 @@ pub(in crate::store) trait Leasing: Send {
         lease: &Lease,
         now: i64,
     ) -> impl Future<Output = Result<Option<bool>, StoreError>> + Send;
+}
+
+fn number_of<T>(items: &[T]) -> i32 {
+    i32::try_from(items.len()).unwrap_or(i32::MAX)
+}
+
+fn bytes_of(steps: &[StepResult]) -> i64 {
+    i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX)
 }
 
 macro_rules! fenced {
@@ -97,17 +123,21 @@ macro_rules! leasing {
                 records: &[IterationRecord],
             ) -> Result<(), StoreError> {
                 let Some(latest) = records.last() else { return Ok(()) };
-                let more = i32::try_from(records.len()).unwrap_or(i32::MAX);
                 let progress = fenced!(sqlx::query_scalar::<$database, i32>(PROGRESS), lease);
-                let progress = progress.bind(more).bind(to_json(latest)?);
+                let progress = progress.bind(number_of(records)).bind(to_json(latest)?);
                 let last = progress.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                sqlx::query::<$database>(APPEND)
-                    .bind(lease.job.uuid())
-                    .bind(last.saturating_sub(more))
-                    .bind(last)
-                    .bind(pack_records(records)?)
-                    .execute(self)
-                    .await?;
+                self.append_records(lease.job, last, records).await
+            }
+
+            async fn append_records(
+                &mut self,
+                job: JobId,
+                last: i32,
+                records: &[IterationRecord],
+            ) -> Result<(), StoreError> {
+                let append = sqlx::query::<$database>(APPEND).bind(job.uuid());
+                let append = append.bind(last.saturating_sub(number_of(records))).bind(last);
+                append.bind(pack_records(records)?).execute(self).await?;
                 Ok(())
             }
 
@@ -115,41 +145,60 @@ macro_rules! leasing {
                 if steps.is_empty() {
                     return Ok(());
                 }
-                let more = i32::try_from(steps.len()).unwrap_or(i32::MAX);
-                let bytes: usize = steps.iter().map(StepResult::bytes).sum();
                 let recorded = fenced!(sqlx::query_scalar::<$database, i32>(STEPS), lease);
-                let recorded = recorded.bind(more).bind(i64::try_from(bytes).unwrap_or(i64::MAX));
+                let recorded = recorded.bind(number_of(steps)).bind(bytes_of(steps));
                 let last = recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                for (number, step) in (last.saturating_sub(more)..).zip(steps) {
-                    let report = sqlx::query::<$database>(STEP).bind(lease.job.uuid()).bind(number);
+                self.append_steps(lease.job, last, steps).await
+            }
+
+            async fn append_steps(
+                &mut self,
+                job: JobId,
+                last: i32,
+                steps: &[StepResult],
+            ) -> Result<(), StoreError> {
+                for (number, step) in (last.saturating_sub(number_of(steps))..).zip(steps) {
+                    let report = sqlx::query::<$database>(STEP).bind(job.uuid()).bind(number);
                     report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
                     let fields = step.fields.as_deref().unwrap_or_default();
                     for (part, first) in fields.chunks(FIELDS_PART).zip((0_i64..).step_by(FIELDS_PART)) {
-                        let insert = sqlx::query::<$database>(FIELDS).bind(lease.job.uuid()).bind(number);
+                        let insert = sqlx::query::<$database>(FIELDS).bind(job.uuid()).bind(number);
                         insert.bind(first).bind(part).execute(&mut *self).await?;
                     }
                 }
                 Ok(())
             }
 
-            async fn finish(&mut self, lease: &Lease, outcome: &Outcome, now: i64) -> Result<(), StoreError> {
+            async fn finish(
+                &mut self,
+                lease: &Lease,
+                records: &[IterationRecord],
+                steps: &[StepResult],
+                outcome: &Outcome,
+                now: i64,
+            ) -> Result<(), StoreError> {
                 let (report, failure) = match outcome {
                     Outcome::Reported { report, .. } => (Some(report), None),
                     Outcome::Failed(failure) => (None, Some(failure_json(failure)?)),
                     Outcome::Interrupted(_) => (None, None),
                 };
-                let finish = fenced!(sqlx::query::<$database>(FINISH), lease);
+                let finish = fenced!(sqlx::query_as::<$database, (i32, i32)>(FINISH), lease);
                 let finish =
                     finish.bind(outcome.state().name()).bind(now).bind(report.is_some()).bind(failure);
-                if finish.execute(&mut *self).await?.rows_affected() == 0 {
-                    return Err(StoreError::LeaseLost);
+                let finish = finish.bind(number_of(records)).bind(records.last().map(to_json).transpose()?);
+                let finish = finish.bind(number_of(steps)).bind(bytes_of(steps));
+                let (iterations, n_steps) =
+                    finish.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                if !records.is_empty() {
+                    self.append_records(lease.job, iterations, records).await?;
                 }
                 if let Some(report) = report {
+                    self.append_steps(lease.job, n_steps, steps).await?;
                     let report = sqlx::query::<$database>(REPORT).bind(lease.job.uuid()).bind(pack(report)?);
                     report.execute(self).await?;
                 } else {
                     let [_, steps, fields] = FORGET;
-                    for statement in [steps, fields, NO_STEPS] {
+                    for statement in [steps, fields] {
                         sqlx::query::<$database>(statement)
                             .bind(lease.job.uuid())
                             .execute(&mut *self)

@@ -171,8 +171,9 @@ impl<B: Backend> JobStore for SqlStore<B> {
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        let ended = transaction.expire(request.max_attempts, now).await?;
-        let claims = Claiming::claim(&mut *transaction, request, self.limits, now).await?;
+        let lost = transaction.take_turn(now).await?;
+        let ended = if lost { transaction.expire(request.max_attempts, now).await? } else { Vec::new() };
+        let claims = Claiming::claim(&mut *transaction, request, self.limits, lost, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
         let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
         self.commit(transaction, Written, &changes).await?;
@@ -206,9 +207,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
         outcome: Outcome,
     ) -> Result<(), StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        Leasing::record_progress(&mut *transaction, lease, records).await?;
-        Leasing::record_steps(&mut *transaction, lease, steps).await?;
-        Leasing::finish(&mut *transaction, lease, &outcome, now).await?;
+        Leasing::finish(&mut *transaction, lease, records, steps, &outcome, now).await?;
         self.commit(transaction, Synced, &[Change::Finished(lease.job)]).await
     }
 
