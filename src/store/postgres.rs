@@ -1,8 +1,9 @@
 //! Jobs in PostgreSQL, shared by any number of processes on any number of machines.
 //!
-//! The database's clock stamps all times, so the machines' own clocks do not matter. Changes are told by
-//! `NOTIFY` inside the transaction that makes them; each process listens on one connection. When that breaks, it is
-//! made anew and everybody looks again; and whoever waits also looks once a second by himself.
+//! The database's clock stamps all times, so the machines' own clocks do not matter. Processes tell each other of changes
+//! by `NOTIFY`; whoever waits also looks once a second by himself.
+
+mod notifications;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -10,16 +11,16 @@ use std::time::Duration;
 
 use async_trait::async_trait;
 use sqlx::pool::PoolConnection;
-use sqlx::postgres::{PgListener, PgPoolOptions};
-use sqlx::{PgConnection, PgPool, Postgres, Transaction};
+use sqlx::postgres::PgPoolOptions;
+use sqlx::{Executor, PgPool, Postgres, Transaction};
 use thiserror::Error;
 use tokio::task::AbortHandle;
-use tokio::time::sleep;
 
+use self::notifications::{Announcer, listen};
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
-use crate::jobs::{Clock, JobId, JobNotifier, StoreError, Turns, WorkerId};
+use crate::jobs::{Clock, JobNotifier, StoreError, Turns, WorkerId};
 
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
@@ -45,12 +46,6 @@ const CONNECTIONS: u32 = 10;
 /// Longest wait for one of them.
 const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Channel of the notifications.
-const CHANNEL: &str = "brinell";
-
-/// Time between two tries to listen.
-const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
-
 /// Why there is no store.
 #[derive(Debug, Error)]
 pub enum PostgresError {
@@ -65,8 +60,8 @@ pub enum PostgresError {
 /// The database, connected.
 struct PostgresPool {
     pool: PgPool,
-    node: WorkerId,
     clock: Option<Arc<dyn Clock>>,
+    announcer: Announcer,
     listener: AbortHandle,
 }
 
@@ -82,11 +77,17 @@ pub async fn open_postgres(
     clock: Option<Arc<dyn Clock>>,
 ) -> Result<Arc<dyn Store>, PostgresError> {
     let pool = PgPoolOptions::new().max_connections(CONNECTIONS).acquire_timeout(ACQUIRE_TIMEOUT);
+    let pool = pool.after_connect(|connection, _| {
+        // A claim takes half a millisecond. Of tables without statistics the planner expects so much that it would
+        // be compiled first, each time for fifty.
+        Box::pin(async move { connection.execute("SET jit = off").await.map(drop) })
+    });
     let pool = pool.connect(url).await.map_err(PostgresError::Connect)?;
     migration::run(STEPS, &pool).await.map_err(PostgresError::Migrate)?;
     let node = WorkerId::generate();
     let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
-    let backend = PostgresPool { pool, node, clock, listener };
+    let announcer = Announcer::start(&pool, node);
+    let backend = PostgresPool { pool, clock, announcer, listener };
     Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
 }
 
@@ -141,79 +142,7 @@ impl Backend for PostgresPool {
         Ok(false)
     }
 
-    async fn notify(&self, connection: &mut PgConnection, changes: &[Change]) -> Result<(), StoreError> {
-        for change in changes {
-            let notify = sqlx::query("SELECT pg_notify($1, $2)").bind(CHANNEL);
-            notify.bind(message(self.node, *change)).execute(&mut *connection).await?;
-        }
-        Ok(())
-    }
-}
-
-/// Payload of a notification: sender, kind of change, job.
-fn message(node: WorkerId, change: Change) -> String {
-    match change {
-        Change::Work => format!("{node} work"),
-        Change::Progress(id) => format!("{node} progress {id}"),
-        Change::Cancel(id) => format!("{node} cancel {id}"),
-        Change::Finished(id) => format!("{node} finished {id}"),
-    }
-}
-
-/// What another process tells; nothing if it is our own voice, or a newer version's.
-fn heard(message: &str, node: WorkerId) -> Option<Change> {
-    let mut words = message.split(' ');
-    if words.next()? == node.to_string() {
-        return None;
-    }
-    let (what, id) = (words.next()?, words.next().and_then(|id| id.parse::<JobId>().ok()));
-    match (what, id) {
-        ("work", None) => Some(Change::Work),
-        ("progress", Some(id)) => Some(Change::Progress(id)),
-        ("cancel", Some(id)) => Some(Change::Cancel(id)),
-        ("finished", Some(id)) => Some(Change::Finished(id)),
-        _ => None,
-    }
-}
-
-/// Forwards the notifications of other processes for as long as the store is open.
-async fn listen(pool: PgPool, node: WorkerId, notifier: Arc<JobNotifier>) {
-    loop {
-        if let Err(error) = listen_once(&pool, node, &notifier).await {
-            tracing::warn!(%error, "not listening to the database; looking once a second instead");
-        }
-        sleep(RECONNECT_INTERVAL).await;
-    }
-}
-
-async fn listen_once(pool: &PgPool, node: WorkerId, notifier: &JobNotifier) -> Result<(), sqlx::Error> {
-    let mut listener = PgListener::connect_with(pool).await?;
-    listener.listen(CHANNEL).await?;
-    loop {
-        // Notifications sent before this connection listened are lost: every waiter queries the store again.
-        notifier.announce_gap();
-        while let Some(notification) = listener.try_recv().await? {
-            if let Some(change) = heard(notification.payload(), node) {
-                change.announce(notifier);
-            }
-        }
-        tracing::warn!("the connection that listens to the database broke and is made anew");
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn others_are_heard_and_one_self_is_not() {
-        let (here, there, id) = (WorkerId::generate(), WorkerId::generate(), JobId::generate());
-        for change in [Change::Work, Change::Progress(id), Change::Cancel(id), Change::Finished(id)] {
-            assert_eq!(heard(&message(there, change), here), Some(change));
-            assert_eq!(heard(&message(here, change), here), None);
-        }
-        for noise in ["", "x", "x y", "x cancel", "x cancel y"] {
-            assert_eq!(heard(noise, here), None, "{noise:?}");
-        }
+    fn announce(&self, changes: &[Change]) {
+        self.announcer.announce(changes);
     }
 }

@@ -316,8 +316,8 @@ impl Backend for SqliteDatabase {
         Ok(true)
     }
 
-    async fn notify(&self, _: &mut SqliteConnection, _: &[Change]) -> Result<(), StoreError> {
-        Ok(())
+    fn announce(&self, _: &[Change]) {
+        // This process is the only one.
     }
 }
 

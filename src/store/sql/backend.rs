@@ -52,12 +52,8 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// Writes a copy to a new file; `false` if the database has means of its own for that.
     async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
-    /// Notifies other processes of changes, once the transaction is committed.
-    async fn notify(
-        &self,
-        connection: &mut <Self::Database as Database>::Connection,
-        changes: &[Change],
-    ) -> Result<(), StoreError>;
+    /// Tells other processes of changes that are committed.
+    fn announce(&self, changes: &[Change]);
 }
 
 /// A transaction that is rolled back unless it is committed.

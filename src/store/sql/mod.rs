@@ -99,8 +99,8 @@ impl<B: Backend> SqlStore<B> {
                 transaction.schedule_delivery(*id).await?;
             }
         }
-        self.backend.notify(&mut transaction, changes).await?;
         transaction.commit().await?;
+        self.backend.announce(changes);
         if durability == Synced {
             self.backend.sync().await?;
         }

@@ -1,0 +1,137 @@
+//! What processes tell each other by `NOTIFY`.
+//!
+//! Each listens on one connection, and tells on another after its changes are committed: a transaction that notifies
+//! takes a lock of the whole database for its commit, and those of all processes would wait for each other's disk. What
+//! is lost when a connection breaks or a process ends is looked up once a second.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use sqlx::postgres::{PgListener, PgPoolOptions};
+use sqlx::{Executor, PgPool};
+use tokio::sync::mpsc::{Receiver, Sender, channel};
+use tokio::time::sleep;
+
+use crate::jobs::{JobId, JobNotifier, WorkerId};
+use crate::store::sql::Change;
+
+/// Channel of the notifications.
+const CHANNEL: &str = "brinell";
+
+/// Most changes told at once, and most that wait to be told.
+const BATCH: usize = 256;
+const WAITING: usize = 4096;
+
+/// Time between two tries to listen.
+const RECONNECT_INTERVAL: Duration = Duration::from_secs(1);
+
+/// Longest wait for the connection.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// Tells other processes of changes, in the order in which it is told of them.
+#[derive(Debug)]
+pub(super) struct Announcer(Sender<Change>);
+
+impl Announcer {
+    /// Starts the task that tells. It ends when the announcer is dropped and all is told.
+    pub(super) fn start(pool: &PgPool, node: WorkerId) -> Self {
+        // A loss of power takes nothing with it that anybody relies on.
+        let options = PgPoolOptions::new().max_connections(1).acquire_timeout(CONNECT_TIMEOUT).after_connect(
+            |connection, _| {
+                Box::pin(async move { connection.execute("SET synchronous_commit = off").await.map(drop) })
+            },
+        );
+        let own = options.connect_lazy_with((*pool.connect_options()).clone());
+        let (sender, changes) = channel(WAITING);
+        tokio::spawn(tell(own, node, changes));
+        Self(sender)
+    }
+
+    /// Tells of changes that are committed.
+    pub(super) fn announce(&self, changes: &[Change]) {
+        for change in changes {
+            if self.0.try_send(*change).is_err() {
+                tracing::debug!("other processes are not told of a change");
+            }
+        }
+    }
+}
+
+async fn tell(pool: PgPool, node: WorkerId, mut changes: Receiver<Change>) {
+    let mut batch = Vec::with_capacity(BATCH);
+    while changes.recv_many(&mut batch, BATCH).await > 0 {
+        let messages: Vec<String> = batch.drain(..).map(|change| message(node, change)).collect();
+        let notify = sqlx::query("SELECT pg_notify($1, message) FROM unnest($2::text[]) AS message");
+        if let Err(error) = notify.bind(CHANNEL).bind(messages).execute(&pool).await {
+            tracing::warn!(%error, "other processes are not told of changes; they look once a second");
+        }
+    }
+}
+
+/// Payload of a notification: sender, kind of change, job.
+fn message(node: WorkerId, change: Change) -> String {
+    match change {
+        Change::Work => format!("{node} work"),
+        Change::Progress(id) => format!("{node} progress {id}"),
+        Change::Cancel(id) => format!("{node} cancel {id}"),
+        Change::Finished(id) => format!("{node} finished {id}"),
+    }
+}
+
+/// What another process tells; nothing if it is our own voice, or a newer version's.
+fn heard(message: &str, node: WorkerId) -> Option<Change> {
+    let mut words = message.split(' ');
+    if words.next()? == node.to_string() {
+        return None;
+    }
+    let (what, id) = (words.next()?, words.next().and_then(|id| id.parse::<JobId>().ok()));
+    match (what, id) {
+        ("work", None) => Some(Change::Work),
+        ("progress", Some(id)) => Some(Change::Progress(id)),
+        ("cancel", Some(id)) => Some(Change::Cancel(id)),
+        ("finished", Some(id)) => Some(Change::Finished(id)),
+        _ => None,
+    }
+}
+
+/// Forwards the notifications of other processes for as long as the store is open.
+pub(super) async fn listen(pool: PgPool, node: WorkerId, notifier: Arc<JobNotifier>) {
+    loop {
+        if let Err(error) = listen_once(&pool, node, &notifier).await {
+            tracing::warn!(%error, "not listening to the database; looking once a second instead");
+        }
+        sleep(RECONNECT_INTERVAL).await;
+    }
+}
+
+async fn listen_once(pool: &PgPool, node: WorkerId, notifier: &JobNotifier) -> Result<(), sqlx::Error> {
+    let mut listener = PgListener::connect_with(pool).await?;
+    listener.listen(CHANNEL).await?;
+    loop {
+        // Notifications sent before this connection listened are lost: every waiter queries the store again.
+        notifier.announce_gap();
+        while let Some(notification) = listener.try_recv().await? {
+            if let Some(change) = heard(notification.payload(), node) {
+                change.announce(notifier);
+            }
+        }
+        tracing::warn!("the connection that listens to the database broke and is made anew");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn others_are_heard_and_one_self_is_not() {
+        let (here, there, id) = (WorkerId::generate(), WorkerId::generate(), JobId::generate());
+        for change in [Change::Work, Change::Progress(id), Change::Cancel(id), Change::Finished(id)] {
+            assert_eq!(heard(&message(there, change), here), Some(change));
+            assert_eq!(heard(&message(here, change), here), None);
+        }
+        for noise in ["", "x", "x y", "x cancel", "x cancel y"] {
+            assert_eq!(heard(noise, here), None, "{noise:?}");
+        }
+    }
+}
