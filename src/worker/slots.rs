@@ -239,7 +239,7 @@ mod tests {
         assert!(reservation.assign(&slots, &claim(1)).is_none(), "the solver is taken");
         let short = reservation.assign(&slots, &Claim { beside: true, ..claim(4) }).unwrap();
         assert_eq!(slots.free_memory(), Memory { solvers: 0, beside: 6 });
-        drop(long);
+        drop((long, reservation));
         let reservation = slots.take().await;
         assert_eq!((reservation.len(), reservation.len_beside()), (1, 0), "the solver is free again");
         assert!(!reservation.all, "a short job runs still");
