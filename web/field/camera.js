@@ -1,15 +1,21 @@
 /** What part of the section is seen: its middle, and how many pixels a unit of length takes. */
 
+/** How far one can go from where the whole contact is seen, before there is one point or one colour left. */
+const [FARTHEST, CLOSEST] = [1e-3, 1e3];
+
 export class Camera {
   x = 0;
   y = 0;
   scale = 1;
   width = 1;
   height = 1;
+  /** Scale at which the whole contact is seen. */
+  #whole = 1;
 
   /** @param {number} half of the width to be seen */
   home(half) {
-    Object.assign(this, { x: 0, y: 0, scale: Math.min(this.width / (2 * half), this.height / (1.5 * half)) });
+    this.#whole = Math.min(this.width / (2 * half), this.height / (1.5 * half));
+    Object.assign(this, { x: 0, y: 0, scale: this.#whole });
   }
 
   /** @param {number} px @param {number} py @returns {[number, number]} in the section */
@@ -31,7 +37,7 @@ export class Camera {
   /** @param {number} factor @param {number} px what stays where it is @param {number} py */
   zoom(factor, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.toWorld(px, py);
-    this.scale *= factor;
+    this.scale = Math.min(CLOSEST * this.#whole, Math.max(FARTHEST * this.#whole, this.scale * factor));
     const [nx, ny] = this.toWorld(px, py);
     this.x += x - nx;
     this.y += y - ny;

@@ -144,8 +144,14 @@ export class FieldPanel {
     this.surface.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.#renderer = undefined;
+      this.stage.classList.add('stale');
+      this.waiting.hidden = false;
+      this.waiting.textContent =
+        'The browser has taken the graphics back: the field is drawn again as soon as it gives them.';
     });
     this.surface.addEventListener('webglcontextrestored', () => {
+      this.stage.classList.remove('stale');
+      this.waiting.hidden = true;
       if (this.#shown) this.#load();
     });
   }
@@ -348,6 +354,14 @@ export class FieldPanel {
       }`,
       colours,
     });
+  }
+
+  /** The curve of the cut, where there is one. @returns {SVGSVGElement | null} */
+  cutDrawing() {
+    const { on, chart } = this.cutter;
+    return on && !this.stage.hidden && !chart.element.hidden
+      ? chart.drawing('Along the cut in the field', 520, 240)
+      : null;
   }
 
   #load() {

@@ -6,12 +6,15 @@ import { keepFocus } from '../lib/focus.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { historyWords } from '../setup/history.js';
+import { asked } from '../result/loads.js';
 import { NAMES, finished } from '../result/watch.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
 const AGAIN = 5000;
 const PAGE = 30;
+/** Jobs that are looked through at once for a word, in pages of a hundred. */
+const [THROUGH, WIDE] = [1000, 100];
 
 export class JobList {
   /** @type {JobDocument[]} */
@@ -20,6 +23,8 @@ export class JobList {
   #next = null;
   /** Jobs beyond the first page stay as they were fetched. */
   #pages = 1;
+  /** Jobs that may be looked through for a word. */
+  #through = THROUGH;
   /** What was asked of each job, which does not change. @type {Map<string, import('../types.js').Job>} */
   #requests = new Map();
 
@@ -57,8 +62,9 @@ export class JobList {
         this.#jobs = jobs;
         this.#next = next;
         this.#pages = 1;
+        this.#through = THROUGH;
         this.show();
-        return this.#ask();
+        return this.#lookThrough().then(() => this.#ask());
       },
       (error) => {
         byId('jobs-state').textContent = error.message;
@@ -71,13 +77,44 @@ export class JobList {
     this.#jobs.push(...jobs);
     this.#next = next;
     this.#pages += 1;
+    this.#through = this.#jobs.length + THROUGH;
     this.show();
+    await this.#lookThrough();
     await this.#ask();
+  }
+
+  /** Fetches older jobs until some match the word that is looked for, or many have been looked through. */
+  async #lookThrough() {
+    const wanted = this.search.value;
+    while (this.#word && this.#next && this.#jobs.length < this.#through && this.#matching().length < PAGE) {
+      const { jobs, next_cursor: next } = await this.#fetch(this.#next, WIDE);
+      if (this.search.value !== wanted) return;
+      this.#jobs.push(...jobs);
+      this.#next = next;
+      this.show();
+    }
+  }
+
+  /** What is looked for in ids and tags here; a tag with its value is looked for by the service. */
+  get #word() {
+    const text = this.search.value.trim();
+    return isTag(text) ? '' : text.replace(/:$/, '').toLowerCase();
+  }
+
+  #matching() {
+    const word = this.#word;
+    return this.#jobs.filter(
+      ({ id, tags }) =>
+        !word ||
+        JSON.stringify([id, tags ?? {}])
+          .toLowerCase()
+          .includes(word),
+    );
   }
 
   /** Fetches what was asked of jobs that have not been seen. */
   async #ask() {
-    const unknown = this.#jobs.filter(({ id }) => !this.#requests.has(id));
+    const unknown = this.#matching().filter(({ id }) => !this.#requests.has(id));
     for (const { id } of unknown) {
       const request = await ask(`v1/jobs/${id}/request`).catch(() => undefined);
       if (request) this.#requests.set(id, request);
@@ -85,28 +122,25 @@ export class JobList {
     if (unknown.length) this.show();
   }
 
-  /** @param {string | null} [cursor] */
-  #fetch(cursor) {
-    const query = new URLSearchParams({ limit: String(PAGE) });
+  /** @param {string | null} [cursor] @param {number} [limit] */
+  #fetch(cursor, limit = PAGE) {
+    const query = new URLSearchParams({ limit: String(limit) });
     if (this.status.value) query.set('status', this.status.value);
-    if (this.search.value.includes(':')) query.set('tag', this.search.value.trim());
+    const text = this.search.value.trim();
+    if (isTag(text)) query.set('tag', text);
     if (cursor) query.set('cursor', cursor);
     return ask(`v1/jobs?${query}`);
   }
 
   show() {
-    const wanted = this.search.value.includes(':') ? '' : this.search.value.trim().toLowerCase();
-    const jobs = this.#jobs.filter(
-      (job) =>
-        !wanted ||
-        JSON.stringify([job.id, job.tags ?? {}])
-          .toLowerCase()
-          .includes(wanted),
-    );
-    byId('jobs-state').textContent = jobs.length ? `${jobs.length} shown` : '';
+    const jobs = this.#matching();
+    const among = this.#next ? ` among the ${this.#jobs.length} newest` : '';
+    byId('jobs-state').textContent = jobs.length ? `${jobs.length} shown${this.#word ? among : ''}` : '';
     const nothing =
-      wanted || this.status.value || this.search.value
-        ? 'No job matches.'
+      this.status.value || this.search.value
+        ? this.#word && this.#next
+          ? `No job matches${among}.`
+          : 'No job matches.'
         : 'No jobs yet. Solve one and it appears here.';
     keepFocus(byId('jobs'), () => {
       byId('jobs-list').replaceChildren(
@@ -122,8 +156,8 @@ export class JobList {
     if (!request) return '';
     const units = unitsOf(request);
     const peak =
-      status === 'succeeded' && progress.latest
-        ? `, peak ${figure(progress.latest.peak_pressure, 4)} ${unit('stress', units)}`
+      status === 'succeeded' && progress.latest && progress.latest.peak_pressure > 0
+        ? `, ${asked(request) > 1 ? 'last peak' : 'peak'} ${figure(progress.latest.peak_pressure, 4)} ${unit('stress', units)}`
         : '';
     return `${loadWords(request)}${peak}`;
   }
@@ -156,6 +190,9 @@ export class JobList {
     return h('li', { 'data-key': job.id }, box, open);
   }
 }
+
+/** A tag with its value. @param {string} text */
+const isTag = (text) => /^[^:]+:./.test(text);
 
 /** @param {{id: string, tags?: Record<string, string>}} job */
 export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);

@@ -6,7 +6,7 @@ import { forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { historyWords } from '../setup/history.js';
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[]}} Difference */
+/** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[], texts: string[]}} Difference `texts`: the values as they are written, whole where they would look alike */
 
 const FIELDS = new Map(allFields().map((field) => [field.key.slice(field.key.lastIndexOf('/') + 1), field]));
 const BODIES = /** @type {Record<string, string>} */ ({ upper: 'upper', lower: 'lower' });
@@ -43,12 +43,24 @@ export function differences(jobs) {
       ...nameOf(pointer, first),
       values: maps.map((map) => map.get(pointer) ?? USUAL[pointer]),
     }))
-    .filter(({ values }) => new Set(values.map((value) => JSON.stringify(value))).size > 1)
+    .filter(({ values }) => distinct(values.map((value) => JSON.stringify(value))) > 1)
+    .map((one) => {
+      const short = one.values.map(writeValue);
+      const alike = distinct(short) < distinct(one.values.map((value) => JSON.stringify(value)));
+      return { ...one, texts: alike ? one.values.map(writeWhole) : short };
+    })
     .sort((a, b) => rank(a.pointer) - rank(b.pointer));
 }
 
-/** Loads tell most, then what bodies are; settings of the solver least. @param {string} pointer */
-const rank = (pointer) => (pointer.startsWith('/load') ? 0 : /^\/(upper|lower)/.test(pointer) ? 1 : 2);
+/** @param {unknown[]} values */
+const distinct = (values) => new Set(values).size;
+
+/** Loads tell most, then what bodies are, their shapes before all; settings of the solver least. @param {string} pointer */
+const rank = (pointer) =>
+  pointer.startsWith('/load') ? 0 : /shape\/type$/.test(pointer) ? 1 : /^\/(upper|lower)/.test(pointer) ? 2 : 3;
+
+/** @param {string} text */
+const sentence = (text) => text[0].toUpperCase() + text.slice(1);
 
 /** @param {string} pointer @param {Job} job of whose units it is */
 function nameOf(pointer, job) {
@@ -57,10 +69,12 @@ function nameOf(pointer, job) {
   const key = parts[parts.length - 1];
   const field = FIELDS.get(key);
   const body = BODIES[parts[0]];
-  const label = field?.label ?? key.replaceAll('_', ' ');
+  // What a shape is called needs no word before it.
+  if (body && key === 'type') return { label: `${sentence(body)} shape`, symbol: '', unit: '' };
+  const label = field?.label ?? sentence(key.replaceAll('_', ' '));
   const quantity = field?.quantity === 'load' ? forceOf(job) : field?.quantity;
   return {
-    label: body ? `${body} ${label.toLowerCase()}` : label,
+    label: body ? `${sentence(body)} ${label.toLowerCase()}` : label,
     symbol: field?.symbol ?? label.toLowerCase(),
     unit: quantity ? unit(quantity, unitsOf(job)) : '',
   };
@@ -114,7 +128,7 @@ export function names(jobs) {
     const made = jobs.map((_, k) =>
       found
         .slice(0, count)
-        .map(({ symbol, values }) => `${symbol.replaceAll('_', '')} ${writeValue(values[k])}`)
+        .map(({ symbol, values }) => `${symbol.replaceAll('_', '')} ${writeValue(values[k])}`.trim())
         .join(', '),
     );
     if (new Set(made).size === made.length || count === Math.min(3, found.length))

@@ -39,7 +39,11 @@ export function toMarkdown({ columns, rows, write }) {
 /** With the rules of `booktabs`. @param {Table} table */
 export function toLatex({ columns, rows, write }) {
   const align = columns.map((_, k) => (rows.every((row) => typeof row[k] !== 'string') ? 'r' : 'l')).join('');
-  const line = (/** @type {string[]} */ cells) => `${cells.map(escape).join(' & ')} \\\\\n`;
+  const line = (/** @type {string[]} */ cells) => {
+    const row = cells.map(escape).join(' & ');
+    // Behind the end of a row, a bracket or a star would belong to it.
+    return `${/^\s*[[*]/.test(row) ? '{}' : ''}${row} \\\\\n`;
+  };
   return `\\begin{tabular}{${align}}\n\\toprule\n${line(columns.map(heading))}\\midrule\n${rows.map((row) => line(row.map(write))).join('')}\\bottomrule\n\\end{tabular}\n`;
 }
 
@@ -59,24 +63,40 @@ const LATEX = {
   '—': '--',
   '−': '$-$',
   '·': '$\\cdot$',
-  α: '$\\alpha$',
-  γ: '$\\gamma$',
+  '≤': '$\\le$',
+  '≥': '$\\ge$',
+  '≠': '$\\neq$',
+  '≈': '$\\approx$',
+  '×': '$\\times$',
+  '∞': '$\\infty$',
+  '√': '$\\surd$',
+  '∅': '$\\emptyset$',
+  '⌀': '$\\emptyset$',
+  '′': "$'$",
+  '″': "$''$",
+  '‰': '\\textperthousand{}',
   ε: '$\\varepsilon$',
-  θ: '$\\theta$',
-  σ: '$\\sigma$',
-  τ: '$\\tau$',
   µ: '$\\mu$',
-  ν: '$\\nu$',
+  ο: 'o',
+  ς: '$\\varsigma$',
 };
+
+/** Greek letters that have the names of Latin text. */
+const GREEK =
+  'αalpha βbeta γgamma δdelta ζzeta ηeta θtheta ιiota κkappa λlambda μmu νnu ξxi πpi ρrho σsigma τtau υupsilon φphi χchi ψpsi ωomega ' +
+  'ΓGamma ΔDelta ΘTheta ΛLambda ΞXi ΠPi ΣSigma ΥUpsilon ΦPhi ΨPsi ΩOmega';
+for (const [letter, ...name] of GREEK.split(' ')) LATEX[letter] = `$\\${name.join('')}$`;
+const SUBSCRIPT = '₋₀₁₂₃₄₅₆₇₈₉';
+
+/** Digits that are raised or lowered, on the line. @param {string} text @param {string} signs minus and ten digits */
+const levelled = (text, signs) => [...text].map((sign) => '-0123456789'[signs.indexOf(sign)]).join('');
 
 /** @param {string} text */
 const escape = (text) =>
   text
     .replace(/\s+/g, ' ')
     .replace(/[%&#_${}]/g, '\u0000$&')
-    .replace(/[\\~^<>|"±→…—−·αγεθστµν]/g, (sign) => LATEX[sign])
+    .replace(/[\\~^<>|"]|[^\x00-\x7f]/g, (sign) => LATEX[sign] ?? sign)
     .replaceAll('\u0000', '\\')
-    .replace(
-      /[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g,
-      (power) => `$^{${[...power].map((sign) => '-0123456789'[SUPERSCRIPT.indexOf(sign)]).join('')}}$`,
-    );
+    .replace(/[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, (power) => `$^{${levelled(power, SUPERSCRIPT)}}$`)
+    .replace(/[₋₀₁₂₃₄₅₆₇₈₉]+/g, (index) => `$_{${levelled(index, SUBSCRIPT)}}$`);

@@ -68,6 +68,8 @@ function drawing(plot, title, width, height, colours) {
     'font-family': 'system-ui, sans-serif',
     'font-size': 11,
   });
+  // By itself it lies on whatever the viewer has.
+  if (title) root.append(svg('rect', { width: '100%', height: '100%', fill: ink('--panel') }));
   root.append(
     svg(
       'defs',

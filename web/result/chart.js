@@ -51,6 +51,8 @@ export class Chart {
   #uplot;
   /** What it was made for: other curves of the same kind only take its data. */
   #made = '';
+  /** Whether the next plot is shown whole. */
+  #whole = false;
 
   /** @param {number} [height] */
   constructor(height = 240) {
@@ -65,9 +67,16 @@ export class Chart {
     });
   }
 
+  /** Lets go of the part that was dragged up, with the next plot. */
+  whole() {
+    this.#whole = true;
+  }
+
   /** @param {Plot} plot */
   show(plot) {
-    const kept = this.#uplot && this.#drawn?.x === plot.x ? this.#zoom() : undefined;
+    const kept = this.#uplot && this.#drawn?.x === plot.x && !this.#whole ? this.#zoom() : undefined;
+    if (this.#whole && this.#uplot) this.#made = '';
+    this.#whole = false;
     this.#plot = plot;
     this.canvas.setAttribute('aria-label', plot.words);
     this.#draw(kept);
@@ -186,7 +195,7 @@ export class Chart {
         right: {},
       },
       axes: [
-        { ...axis, label: plot.x, size: 26, grid: { show: false }, values },
+        { ...axis, label: plot.x, size: 26, space: apart, grid: { show: false }, values },
         {
           ...axis,
           label: plot.y,
@@ -227,15 +236,27 @@ export class Chart {
 
   /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
   #read(index) {
-    const { curves } = this.#plot ?? { curves: [] };
+    const { curves, x: across = '', y = '', right = '' } = this.#plot ?? { curves: [] };
     const x = index == null ? null : this.#uplot?.data[0][index];
     this.legend.replaceChildren(
       ...curves.map((curve) =>
-        h('li', {}, swatch(curve), curve.label, x == null ? null : h('b', {}, figure(valueAt(curve, x), 4))),
+        h(
+          'li',
+          {},
+          swatch(curve),
+          curve.label,
+          x == null ? null : h('b', {}, measured(valueAt(curve, x), curve.right ? right : y)),
+        ),
       ),
-      ...(x == null ? [] : [h('li', { class: 'at' }, `at ${figure(x, 4)}`)]),
+      ...(x == null ? [] : [h('li', { class: 'at' }, `at ${measured(x, across)}`)]),
     );
   }
+}
+
+/** Pixels from one figure of the abscissa to the next, so that they do not touch. @param {uPlot} u @param {number} _ @param {number} from @param {number} to */
+function apart(u, _, from, to) {
+  const longest = Math.max(...[from, to].map((end) => plain(Number(end.toPrecision(3))).length));
+  return Math.max(50, 7 * longest + 14);
 }
 
 /** Room for the longest figure of an axis. @param {uPlot} u @param {string[] | null} values */
@@ -289,6 +310,10 @@ function drawEntry(context, curve, x, y) {
   context.stroke();
   context.fillText(curve.label, x + 30, y);
 }
+
+/** A figure with the unit that the label of its axis has in brackets. @param {number | null} value @param {string} label */
+const measured = (value, label) =>
+  [figure(value, 4), value === null ? '' : /\[(.+)\]/.exec(label)?.[1]].filter(Boolean).join(' ');
 
 /** @param {Curve} curve */
 function swatch(curve) {

@@ -26,6 +26,7 @@ export class ConvergencePanel {
       column(key).map((value) => (value > 0 ? value : null));
     const last = history[history.length - 1];
     const points = history.length < 60;
+    const iterations = `${history.length} iteration${history.length === 1 ? '' : 's'}`;
     this.residual.show({
       x: 'iteration',
       y: 'relative',
@@ -35,7 +36,7 @@ export class ConvergencePanel {
         { label: 'displacement change', colour: '--hertz', x, y: positive('displacement_change'), points },
       ],
       marks: [{ across: 'y', at: tolerance, text: 'tolerance', left: true }],
-      words: `After ${history.length} iterations the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
+      words: `After ${iterations} the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
     });
     this.settling.show({
       x: 'iteration',

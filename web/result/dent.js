@@ -38,8 +38,9 @@ export class DentPanel {
       curves: bodies.map(({ name, surface }) => ({
         label: `${name} body, outward`,
         colour: COLOURS[name],
-        x: surface.x,
-        y: surface.height,
+        // A radius begins at the axis.
+        x: surface.x.filter((x) => !round || x >= 0),
+        y: surface.height.filter((_, k) => !round || surface.x[k] >= 0),
         dash: name === 'upper' ? [7, 3] : undefined,
       })),
       marks: [{ across: 'y', at: 0, text: 'undeformed' }],

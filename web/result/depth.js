@@ -6,6 +6,7 @@ import { yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
+import { beside } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -21,8 +22,8 @@ const COMPONENTS = {
   equivalent_plastic_strain: { label: 'ε_p', name: 'plastic strain', colour: '--curve-6' },
 };
 
-/** Of components, where colours tell jobs apart. */
-const DASHES = [undefined, [7, 3], [2, 3], [8, 3, 2, 3], [12, 4], [4, 2]];
+/** Lines of components, where colours and dashes tell jobs apart. */
+const WIDTHS = [1.75, 0.9, 2.75, 0.5, 3.5, 1.3];
 
 /** Stresses in axisymmetry have the directions r, z, θ, in this order. */
 const ROUND = /** @type {Partial<Record<Component, string>>} */ ({ sigma_x: 'σr', sigma_y: 'σz', sigma_z: 'σθ' });
@@ -97,9 +98,7 @@ export class DepthPanel {
         );
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
-    const curves = shown.flatMap((one, k) =>
-      this.#curves(one, k === 0 ? at : one.report.steps.length - 1, shown.length > 1),
-    );
+    const curves = beside(shown, at).flatMap((side) => this.#curves(side, shown.length > 1));
     const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
     const graded = profile?.yield_stress;
     if (graded && shown.length === 1)
@@ -164,8 +163,8 @@ export class DepthPanel {
     );
   }
 
-  /** @param {Shown} one @param {number} at @param {boolean} named @returns {import('./chart.js').Curve[]} */
-  #curves(one, at, named) {
+  /** @param {import('./loads.js').Beside} side @param {boolean} named @returns {import('./chart.js').Curve[]} */
+  #curves({ one, at, label }, named) {
     const profile = one.report.steps[at].subsurface?.[this.#body];
     if (!profile) return [];
     // Without plastic strain there is nothing to scale an axis by.
@@ -176,9 +175,10 @@ export class DepthPanel {
       const { colour } = COMPONENTS[component];
       const name = nameOf(component, one.report.analysis);
       return {
-        label: named ? `${one.label}: ${name}` : name,
+        label: named ? `${label}: ${name}` : name,
         colour: named ? one.colour : colour,
-        dash: named ? DASHES[k] : undefined,
+        dash: named ? one.dash : undefined,
+        width: named ? WIDTHS[k] : undefined,
         x: profile.depth,
         y: profile[component],
         right: component === 'equivalent_plastic_strain',

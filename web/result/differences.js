@@ -1,7 +1,7 @@
 /** What the compared jobs differ in. */
 
 import { h } from '../lib/dom.js';
-import { differences, writeValue } from '../jobs/names.js';
+import { differences } from '../jobs/names.js';
 import { scrolled, tableElements, takeAlong } from './figures.js';
 import { Panel } from './panel.js';
 
@@ -13,8 +13,12 @@ export class DifferencesPanel {
 
   constructor() {
     this.table = h('table');
+    /** @type {Panel} */
     this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')], {
-      controls: takeAlong(() => this.#content, 'differences'),
+      controls: takeAlong(
+        () => this.#content,
+        () => this.panel.fileName('csv'),
+      ),
     });
   }
 
@@ -26,7 +30,7 @@ export class DifferencesPanel {
     this.#content = {
       columns: [{ title: 'in the set-up' }, ...shown.map(({ label }) => ({ title: label }))],
       rows: found.length
-        ? found.map(({ label, unit, values }) => [unit ? `${label} [${unit}]` : label, ...values.map(writeValue)])
+        ? found.map(({ label, unit, texts }) => [unit ? `${label} [${unit}]` : label, ...texts])
         : [['nothing: the jobs ask the same', ...shown.map(() => '')]],
       write: String,
     };

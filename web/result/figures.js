@@ -38,6 +38,9 @@ export const barOf = ({ status, estimated_error: bars }, name) => (status === 'c
 export const strainOf = ({ plasticity }) =>
   Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
 
+/** @param {Step} step */
+const stateOf = ({ status }) => status.replaceAll('_', ' ');
+
 /**
  * @param {Shown[]} shown in the same units
  * @returns {import('../lib/tabular.js').Table}
@@ -51,9 +54,12 @@ export function figuresTable(shown) {
     const hasBars = error && shown.some(({ report }) => report.steps.some((step) => barOf(step, error)));
     return { ...figure, error: hasBars ? error : undefined };
   });
+  // A state that is not the usual one stands where it is seen.
+  const amiss = shown.some(({ report }) => report.steps.some(({ status }) => status !== 'converged'));
   const columns = [
     ...(several ? [{ title: 'job' }] : []),
     { title: 'step' },
+    ...(amiss ? [{ title: 'state' }] : []),
     ...figures.flatMap(({ title, quantity, error }) => {
       const kind = quantity(report);
       return [
@@ -61,17 +67,18 @@ export function figuresTable(shown) {
         ...(error ? [{ title: '±', of: title, unit: '%' }] : []),
       ];
     }),
-    { title: 'state' },
+    ...(amiss ? [] : [{ title: 'state' }]),
   ];
   const rows = shown.flatMap(({ report, label }) =>
     report.steps.map((step, k) => [
       ...(several ? [label] : []),
       k + 1,
+      ...(amiss ? [stateOf(step)] : []),
       ...figures.flatMap(({ value, error }) => {
         const bar = error && barOf(step, error);
         return [value(step) ?? null, ...(error ? [bar === undefined ? null : 100 * bar] : [])];
       }),
-      step.status.replaceAll('_', ' '),
+      ...(amiss ? [] : [stateOf(step)]),
     ]),
   );
   const write = (/** @type {import('../lib/tabular.js').Cell} */ cell, /** @type {number} */ k) =>
@@ -83,15 +90,20 @@ export function figuresTable(shown) {
   return { columns, rows, write };
 }
 
-/** Buttons that take a table along. @param {() => import('../lib/tabular.js').Table} table @param {string} name of the file */
-export function takeAlong(table, name) {
+/**
+ * Buttons that take a table along.
+ * @param {() => import('../lib/tabular.js').Table} table
+ * @param {() => string} name of the file
+ * @param {() => import('../lib/tabular.js').Table} [whole] with what only a file has
+ */
+export function takeAlong(table, name, whole = table) {
   const button = (/** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ work) =>
     h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
   return [
     button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
     button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
-    button('CSV', 'Save as a file', () => save(new Blob([toCsv(table())], { type: 'text/csv' }), `${name}.csv`)),
+    button('CSV', 'Save as a file', () => save(new Blob([toCsv(whole())], { type: 'text/csv' }), name())),
   ];
 }
 
@@ -138,8 +150,12 @@ export class FiguresPanel {
   constructor(choose) {
     this.choose = choose;
     this.table = h('table');
+    /** @type {Panel} */
     this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')], {
-      controls: takeAlong(() => figuresTable(this.#shown), 'figures'),
+      controls: takeAlong(
+        () => figuresTable(this.#shown),
+        () => this.panel.fileName('csv'),
+      ),
     });
   }
 

@@ -1,24 +1,22 @@
 /** The answer in a few figures, each with its error bar and Hertz's beside it, and what to keep in mind about it. */
 
 import { byId, h } from '../lib/dom.js';
-import { TARGETS } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { help } from '../setup/help.js';
 import { inWords } from '../setup/words.js';
-import { figure, forceOf, grouped, duration, percent, stiffnessOf, unit } from '../lib/units.js';
+import { figure, grouped, duration, percent } from '../lib/units.js';
+import { answersOf } from './answers.js';
 import { barOf } from './figures.js';
+import { endedEarly } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
 
-/** Why a stiffness is 0. */
-const APART = 'without load the bodies are apart, and nothing resists';
-
 /** @param {Shown} shown @param {number} at */
 export function showHeadline({ job, report }, at) {
   const step = report.steps[at];
-  const cards = h('dl', { class: 'figures' }, figures(job, report, step));
-  byId('headline').replaceChildren(cards, remarks(report, step));
+  const cards = h('dl', { class: 'figures' }, answersOf(job, report, step).map(card));
+  byId('headline').replaceChildren(cards, remarks(job, report, step));
   rows.disconnect();
   rows.observe(cards);
 }
@@ -37,120 +35,8 @@ const rows = new ResizeObserver(([{ target, contentRect }]) => {
   /** @type {HTMLElement} */ (target).style.setProperty('--columns', String(columns));
 });
 
-/** @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {Step} step */
-function figures(job, report, step) {
-  const { units } = report;
-  const { contact, hertz, plasticity } = step;
-  const [length, stress, force] = [unit('length', units), unit('stress', units), unit(forceOf(report), units)];
-  const strain = Math.max(
-    plasticity.upper?.max_equivalent_plastic_strain ?? 0,
-    plasticity.lower?.max_equivalent_plastic_strain ?? 0,
-  );
-  const beside = (/** @type {number} */ value, /** @type {number | undefined} */ elastic) =>
-    elastic ? `Hertz ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '';
-  const onset = hertz?.yield_onset_force;
-  const round = report.analysis === 'axisymmetric';
-  return [
-    card(
-      'Peak pressure',
-      contact.peak_pressure,
-      stress,
-      barOf(step, 'peak_pressure'),
-      beside(contact.peak_pressure, hertz?.peak_pressure),
-    ),
-    card(
-      round ? 'Contact radius' : 'Half-width',
-      contact.half_width,
-      length,
-      barOf(step, 'half_width'),
-      beside(contact.half_width, hertz?.half_width),
-    ),
-    card('Approach', step.approach, length, barOf(step, 'approach'), step.approach_datum, true),
-    card(
-      'Force',
-      contact.force,
-      force,
-      barOf(step, 'force'),
-      onset ? `${figure(contact.force / onset, 3)} × first yield by elastic theory, ${figure(onset, 4)}` : '',
-    ),
-    card(
-      'Mean pressure',
-      contact.mean_pressure,
-      stress,
-      undefined,
-      beside(contact.mean_pressure, hertz ? meanOf(hertz, round) : undefined),
-    ),
-    ...(report.target
-      ? [
-          card(
-            'Force found',
-            report.target.force,
-            force,
-            report.target.relative_error ?? undefined,
-            targetWords(report),
-          ),
-        ]
-      : []),
-    card('Plastic strain', 100 * strain, '%', undefined, zoneWords(step, length)),
-    card(
-      'Contact stiffness',
-      step.contact_stiffness,
-      unit(stiffnessOf(report), units),
-      barOf(step, 'contact_stiffness'),
-      contact.force > 0 ? 'dP/dα, slope of load over approach' : APART,
-    ),
-    ...(step.flow
-      ? [
-          card(
-            'Unloading stiffness',
-            step.flow.unloading_stiffness,
-            unit(stiffnessOf(report), units),
-            undefined,
-            contact.force > 0 ? 'dP/dα where the load begins to fall' : APART,
-          ),
-        ]
-      : []),
-    ...(step.yield_onset
-      ? [
-          card(
-            'First yield',
-            step.yield_onset.force,
-            force,
-            undefined,
-            `on this mesh, in the ${step.yield_onset.body} body, ${figure(step.yield_onset.depth, 3)} ${length} deep`,
-          ),
-        ]
-      : []),
-  ];
-}
-
-/** For what a force was looked for, and what came of it. @param {import('../types.js').Report} report */
-export function targetWords({ target, units }) {
-  if (!target) return '';
-  const { label, quantity } = TARGETS[target.figure] ?? {
-    label: target.figure.replaceAll('_', ' '),
-    quantity: 'number',
-  };
-  const name = quantity && quantity !== 'load' ? unit(quantity, units) : '';
-  return `for a ${label.toLowerCase()} of ${figure(target.wanted, 4)} ${name}, reached ${figure(target.reached)}`;
-}
-
-/** @param {{peak_pressure: number}} hertz @param {boolean} round */
-const meanOf = ({ peak_pressure }, round) => (round ? (2 / 3) * peak_pressure : (Math.PI / 4) * peak_pressure);
-
-/** @param {Step} step @param {string} length */
-function zoneWords({ plasticity }, length) {
-  const zones = Object.entries(plasticity).filter(([, zone]) => zone?.yielded);
-  if (zones.length === 0) return 'neither body yields';
-  const [name, zone] = zones.reduce((a, b) =>
-    (b[1]?.max_equivalent_plastic_strain ?? 0) > (a[1]?.max_equivalent_plastic_strain ?? 0) ? b : a,
-  );
-  const where = zones.length === 2 ? 'both bodies' : `${name} body`;
-  return `${where}, most at ${figure(zone?.depth, 3)} ${length} deep, ${zone?.reached_surface ? 'up to the surface' : 'below the surface'}`;
-}
-
-/** @param {string} name @param {number} value @param {string} unit @param {number | undefined} error @param {string} note @param {boolean} [long] */
-function card(name, value, unit, error, note, long = false) {
+/** @param {import('./answers.js').Answer} answer */
+function card({ name, value, unit, error, elastic, note, long = false }) {
   const text = figure(value);
   const key = name.toLowerCase().replaceAll(' ', '-');
   const bar =
@@ -162,6 +48,9 @@ function card(name, value, unit, error, note, long = false) {
           `± ${percent(error)}`,
           help('error_bar', 'Error bar', `bar-of-${key}`),
         );
+  const words = [elastic ? `Hertz ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '', note]
+    .filter(Boolean)
+    .join('; ');
   return h(
     'div',
     {},
@@ -171,7 +60,7 @@ function card(name, value, unit, error, note, long = false) {
       {},
       h('span', { class: `figure${text.length > SHORT ? ' long' : ''}` }, text, h('span', { class: 'unit' }, unit)),
       bar,
-      long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, note),
+      long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, words),
     ),
   );
 }
@@ -186,8 +75,10 @@ function known(step) {
   return bars.join(', ');
 }
 
-/** @param {import('../types.js').Report} report @param {Step} step */
-function remarks(report, step) {
+/** @param {import('../types.js').Job} job @param {import('../types.js').Report} report @param {Step} step */
+function remarks(job, report, step) {
+  const ended = endedEarly(job, report);
+  const early = ended ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`) : null;
   const notes = step.validity.map(({ code, message }) =>
     h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', symbol(inWords(message))),
   );
@@ -207,20 +98,19 @@ function remarks(report, step) {
     h('b', {}, 'Made with'),
     ` ${grouped(mesh.elements)} elements${mesh.symmetric ? ' on one half' : ''}, ${grouped(mesh.equations)} equations, ${
       step.history.length
-    } iterations; ${duration(timings.total)}.`,
+    } iteration${step.history.length === 1 ? '' : 's'}; ${duration(timings.total)}.`,
   );
+  const many = step.validity.length + (early ? 1 : 0);
   return h(
     'details',
-    { class: 'remarks', open: step.validity.some(({ code }) => code !== 'deformation_theory') },
+    { class: 'remarks', open: Boolean(early) || step.validity.some(({ code }) => code !== 'deformation_theory') },
     h(
       'summary',
       {},
-      step.validity.length
-        ? `${step.validity.length} ${step.validity.length === 1 ? 'remark' : 'remarks'} on validity`
-        : 'No remarks on validity',
+      many ? `${many} ${many === 1 ? 'remark' : 'remarks'} on validity` : 'No remarks on validity',
       ', error bars, mesh',
     ),
-    h('ul', {}, notes, bars, made),
+    h('ul', {}, early, notes, bars, made),
   );
 }
 

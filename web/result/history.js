@@ -3,63 +3,65 @@
 import { h } from '../lib/dom.js';
 import { duration, figure, unit } from '../lib/units.js';
 import { Panel } from './panel.js';
-import { save } from './downloads.js';
-import { scrolled } from './figures.js';
+import { scrolled, tableElements, takeAlong } from './figures.js';
 
 /** @typedef {import('../types.js').Iteration} Iteration */
 
-/** @type {[string, import('../types.js').IterationFigure, (value: number) => string, import('../lib/units.js').Quantity?][]} */
-const COLUMNS = [
-  ['no.', 'iteration', String],
-  ['out of balance', 'equilibrium_residual', (value) => figure(value, 3)],
-  ['displacement change', 'displacement_change', (value) => figure(value, 3)],
-  ['approach', 'approach', (value) => figure(value, 6), 'length'],
-  ['peak pressure', 'peak_pressure', (value) => figure(value, 6), 'stress'],
-  ['contact pairs', 'contact_pairs', String],
-  ['plastic points', 'plastic_points', String],
-  ['pivots', 'contact_pivots', String],
-  ['time', 'elapsed_ms', duration],
+/** @typedef {{title: string, key: import('../types.js').IterationFigure, write: (value: number) => string, quantity?: import('../lib/units.js').Quantity, unit?: string, beyond?: boolean}} Figure `beyond`: in files alone */
+
+const brief = (/** @type {number} */ value) => figure(value, 3);
+const six = (/** @type {number} */ value) => figure(value, 6);
+
+/** @type {Figure[]} */
+const FIGURES = [
+  { title: 'no.', key: 'iteration', write: String },
+  { title: 'out of balance', key: 'equilibrium_residual', write: brief },
+  { title: 'displacement change', key: 'displacement_change', write: brief },
+  { title: 'force change', key: 'force_change', write: brief, beyond: true },
+  { title: 'approach', key: 'approach', write: six, quantity: 'length' },
+  { title: 'peak pressure', key: 'peak_pressure', write: six, quantity: 'stress' },
+  { title: 'contact pairs', key: 'contact_pairs', write: String },
+  { title: 'plastic points', key: 'plastic_points', write: String },
+  { title: 'pivots', key: 'contact_pivots', write: String },
+  { title: 'factorizations', key: 'factorizations', write: String, beyond: true },
+  { title: 'stress updates', key: 'initial_stress_updates', write: String, beyond: true },
+  { title: 'time', key: 'elapsed_ms', write: duration, unit: 'ms' },
 ];
 
+/** @param {Iteration[]} history @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {boolean} [whole] with what only files have @returns {import('../lib/tabular.js').Table} */
+function tableOf(history, units, whole = false) {
+  const figures = FIGURES.filter(({ beyond }) => whole || !beyond);
+  return {
+    // On the page every time has its unit.
+    columns: figures.map(({ title, quantity, unit: own }) => ({
+      title,
+      unit: quantity ? unit(quantity, units) : whole ? own : undefined,
+    })),
+    rows: history.map((record) => figures.map(({ key }) => record[key])),
+    write: (cell, k) => (typeof cell === 'number' ? figures[k].write(cell) : (cell ?? '')),
+  };
+}
+
 export class HistoryPanel {
-  /** @type {Iteration[]} */
-  #history = [];
+  /** @type {Parameters<typeof tableOf>} */
+  #shown = [[], 'mm_N_MPa'];
 
   constructor() {
     this.table = h('table');
-    const csv = h('button', { type: 'button', class: 'plain', onclick: () => this.#save() }, 'CSV');
-    this.panel = new Panel('history', 'Iterations', [scrolled(this.table, 'iterations')], { controls: [csv] });
+    /** @type {Panel} */
+    this.panel = new Panel('iterations', 'Iterations', [scrolled(this.table, 'iterations')], {
+      controls: takeAlong(
+        () => tableOf(...this.#shown),
+        () => this.panel.fileName('csv'),
+        () => tableOf(this.#shown[0], this.#shown[1], true),
+      ),
+    });
   }
 
   /** @param {Iteration[]} history of one step @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
   show(history, units) {
-    this.#history = history;
+    this.#shown = [history, units];
     this.panel.show(history.length > 0);
-    const head = h(
-      'thead',
-      {},
-      h(
-        'tr',
-        {},
-        COLUMNS.map(([title, , , quantity]) =>
-          h('th', { scope: 'col' }, title, quantity && h('span', { class: 'unit' }, ` ${unit(quantity, units)}`)),
-        ),
-      ),
-    );
-    const rows = history.map((record) =>
-      h(
-        'tr',
-        {},
-        COLUMNS.map(([, key, write]) => h('td', {}, write(record[key]))),
-      ),
-    );
-    this.table.replaceChildren(head, h('tbody', {}, rows));
-  }
-
-  #save() {
-    const figures = Object.entries(this.#history[0] ?? {}).filter(([, value]) => typeof value === 'number');
-    const keys = /** @type {import('../types.js').IterationFigure[]} */ (figures.map(([key]) => key));
-    const lines = [keys.join(','), ...this.#history.map((record) => keys.map((key) => record[key]).join(','))];
-    save(new Blob([`${lines.join('\n')}\n`], { type: 'text/csv' }), 'history.csv');
+    this.table.replaceChildren(...tableElements(tableOf(history, units)));
   }
 }

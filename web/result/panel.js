@@ -13,6 +13,7 @@ export class Panel {
    */
   constructor(id, title, content, { controls = [], picture, drawing } = {}) {
     this.title = title;
+    this.id = id;
     const button = (/** @type {'PNG' | 'SVG'} */ kind, /** @type {(words: string) => Promise<Blob | null>} */ make) =>
       h(
         'button',
@@ -22,7 +23,7 @@ export class Panel {
           'aria-label': `Save ${title.toLowerCase()} as ${kind}`,
           onclick: async () => {
             const blob = await make(this.caption);
-            if (blob) save(blob, `${id}.${kind.toLowerCase()}`);
+            if (blob) save(blob, this.fileName(kind.toLowerCase()));
             else toast('There is no picture of it yet');
           },
         },
@@ -54,6 +55,14 @@ export class Panel {
 
   /** What is shown: job and step. */
   of = '';
+
+  /** The same as names of files begin. */
+  stem = '';
+
+  /** @param {string} ending @returns {string} */
+  fileName(ending) {
+    return `${this.stem ? `${this.stem}-` : ''}${this.id}.${ending}`;
+  }
 
   /** @param {boolean} shown */
   show(shown) {

@@ -2,6 +2,7 @@
 
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
+import { beside } from './loads.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -38,11 +39,12 @@ export class PressurePanel {
     if (shown.length === 1 && !(step.contact.peak_pressure > 0)) return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
+    const sides = beside(shown, at);
     /** @type {import('./chart.js').Curve[]} */
-    const curves = shown.flatMap((one, k) => {
-      const { nodes } = (k === 0 ? step : one.report.steps[one.report.steps.length - 1]).contact;
+    const curves = sides.map(({ one, at, label }) => {
+      const { nodes } = one.report.steps[at].contact;
       return {
-        label: shown.length > 1 ? one.label : 'this contact',
+        label: shown.length > 1 ? label : 'this contact',
         colour: one.colour,
         dash: one.dash,
         x: nodes.x,
@@ -60,10 +62,10 @@ export class PressurePanel {
       Math.max(
         contact.half_width,
         hertz?.half_width ?? 0,
-        ...shown.map((one) => one.report.steps[one.report.steps.length - 1].contact.half_width),
+        ...sides.map(({ one, at }) => one.report.steps[at].contact.half_width),
       ) * 1.3;
     this.chart.show({
-      x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
+      x: `${contact.half_angle === undefined ? (round ? 'r' : 'x') : 'along the arc'}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,

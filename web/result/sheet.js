@@ -28,8 +28,9 @@ import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
 import { writeValue, writeWhole } from '../jobs/names.js';
-import { targetWords } from './headline.js';
-import { FIGURES, barOf, figuresTable, tableElements } from './figures.js';
+import { answersOf, leftBehind, targetWords } from './answers.js';
+import { figuresTable, tableElements } from './figures.js';
+import { asked, beside, endedEarly } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -40,8 +41,9 @@ import { FIGURES, barOf, figuresTable, tableElements } from './figures.js';
  * @param {number} of.at step of the first
  * @param {SVGSVGElement[]} of.drawings
  * @param {HTMLCanvasElement | null} of.field
+ * @param {SVGSVGElement | null} of.cutDrawing curve of the cut that is seen in the field
  */
-export function showSheet({ shown, at, drawings, field }) {
+export function showSheet({ shown, at, drawings, field, cutDrawing }) {
   const [{ id, job, report, label }] = shown;
   const step = report.steps[at];
   const bodies = pairOf(job);
@@ -58,43 +60,19 @@ export function showSheet({ shown, at, drawings, field }) {
       },
     ),
   );
-  byId('sheet').replaceChildren(
-    h(
-      'div',
-      { class: 'bar sheet-tools' },
-      h('button', { type: 'button', class: 'primary', onclick: () => print() }, 'Print or save as PDF'),
-      h('button', { type: 'button', onclick: close }, 'Back'),
-    ),
-    h(
-      'div',
-      { class: 'sheet-head' },
-      h('h1', {}, bodies),
-      h(
-        'p',
-        {},
-        `${ANALYSES[job.analysis] ?? ''}${many > 1 ? `, step ${at + 1} of ${many}` : ''}${Object.entries(job.tags ?? {})
-          .map(([name, text]) => `, ${name}: ${text}`)
-          .join('')}`,
-      ),
-    ),
-    h('div', { class: 'sheet-columns' }, h('section', {}, h('h2', {}, 'Set-up'), inputs(job)), sketch),
-    h('h2', {}, `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`),
-    answers(shown[0], at),
-    h('div', { class: 'sheet-drawings' }, drawings, field),
-    ...(many > 1 || shown.length > 1
-      ? [
-          h('h2', {}, shown.length > 1 ? 'Jobs compared' : 'All steps'),
-          h(
-            'div',
-            { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures of every step' },
-            h('table', {}, tableElements(figuresTable(shown))),
-          ),
-        ]
-      : []),
+  const ended = endedEarly(job, report);
+  const sides = beside(shown, at);
+  const others = shown.length > 1 ? sides.map(({ label }) => label) : [];
+  const pictures = [...drawings, field, cutDrawing].filter((one) => one !== null);
+  const remarks = h(
+    'section',
+    {},
     h('h2', {}, 'Remarks'),
     h(
       'ul',
       {},
+      ended && h('li', {}, h('b', {}, ended)),
+      others.length > 0 && h('li', {}, `Beside each other in the charts: ${others.join('; ')}.`),
       h('li', {}, `Approach: from ${step.approach_datum}.`),
       report.target &&
         h(
@@ -109,11 +87,58 @@ export function showSheet({ shown, at, drawings, field }) {
         'The error bars are estimated bounds of the error of the mesh; they say nothing of the model or the figures put in.',
       ),
     ),
+  );
+  byId('sheet').replaceChildren(
     h(
       'div',
-      { class: 'sheet-foot' },
-      `Brinell ${report.version}, ${id ? `job ${id}` : 'solved beside a slider and kept as no job'}${label && label !== (id.slice(-8) || 'live') ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
-      id ? h('span', { class: 'link' }, location.href) : null,
+      { class: 'bar sheet-tools' },
+      h('button', { type: 'button', class: 'primary', onclick: () => print() }, 'Print or save as PDF'),
+      h('button', { type: 'button', onclick: close }, 'Back'),
+    ),
+    h(
+      'div',
+      { class: 'sheet-head' },
+      h('h1', {}, bodies),
+      h(
+        'p',
+        {},
+        `${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
+          job.tags ?? {},
+        )
+          .map(([name, text]) => `, ${name}: ${text}`)
+          .join('')}`,
+      ),
+    ),
+    h('div', { class: 'sheet-columns' }, h('section', {}, h('h2', {}, 'Set-up'), inputs(job)), sketch),
+    h('h2', {}, `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`),
+    h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' }, answers(shown[0], at)),
+    h(
+      'div',
+      { class: 'sheet-drawings' },
+      pictures,
+      // A picture that would stand alone has the remarks beside it.
+      pictures.length % 2 ? remarks : null,
+    ),
+    ...(many > 1 || shown.length > 1
+      ? [
+          h('h2', {}, shown.length > 1 ? 'Jobs compared' : 'All steps'),
+          h(
+            'div',
+            { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures of every step' },
+            h('table', {}, tableElements(figuresTable(shown))),
+          ),
+        ]
+      : []),
+    h(
+      'div',
+      { class: 'closing' },
+      pictures.length % 2 ? null : remarks,
+      h(
+        'div',
+        { class: 'sheet-foot' },
+        `Brinell ${report.version}, ${id ? `job ${id}` : 'solved beside a slider and kept as no job'}${label && label !== (id.slice(-8) || 'live') ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
+        id ? h('span', { class: 'link' }, location.href) : null,
+      ),
     ),
   );
 }
@@ -232,7 +257,7 @@ function inputs(job) {
         (body) => body?.material?.plasticity,
       ),
       whole(
-        load ? [`${load.label} `, h('i', {}, load.symbol ?? '')] : 'Load',
+        load ? [`${load.label} `, h('i', {}, symbol(load.symbol ?? ''))] : 'Load',
         load
           ? writeWhole(kind === 'target' ? pointer.get(job.load, `/${load.key}`) : job.load?.[kind])
           : 'onset of yield',
@@ -250,39 +275,35 @@ function inputs(job) {
   );
 }
 
-/** The figures of one step, error bar and elastic theory beside them. @param {Shown} shown @param {number} at */
-function answers({ report }, at) {
+/** The figures of one step, error bar and elastic theory beside them; without load, what is left behind comes first. @param {Shown} shown @param {number} at */
+function answers({ job, report }, at) {
   const step = report.steps[at];
-  // Without load there is no contact for Hertz's theory to tell of.
-  const hertz = step.contact.force > 0 ? step.hertz : undefined;
-  const elastic = /** @type {Record<string, number | undefined>} */ ({
-    'peak pressure': hertz?.peak_pressure,
-    'half-width': hertz?.half_width,
-    'mean pressure': hertz
-      ? hertz.peak_pressure * (report.analysis === 'axisymmetric' ? 2 / 3 : Math.PI / 4)
-      : undefined,
-  });
-  const hasBars = FIGURES.some(({ error }) => error && barOf(step, error));
-  const rows = FIGURES.filter(({ title }) => title !== 'Hertz peak').map(({ title, quantity, value, error }) => {
-    const kind = quantity(report);
-    const figures = value(step);
-    const bar = error && barOf(step, error);
-    const beside = elastic[title];
-    return h(
+  const [all, left] = [answersOf(job, report, step), leftBehind(report, step)];
+  const list = step.contact.force > 0 ? [...all, ...left] : [...left, ...all];
+  const hasBars = list.some(({ error }) => error);
+  const hasElastic = list.some(({ elastic }) => elastic);
+  const rows = list.map(({ name, value, unit: of, error, elastic, note, long }) =>
+    h(
       'tr',
       {},
-      h('th', { scope: 'row' }, title.startsWith('dP') ? title : title[0].toUpperCase() + title.slice(1)),
-      h('td', {}, figure(figures)),
-      h('td', { class: 'unit' }, kind === 'percent' ? '%' : unit(kind, report.units)),
-      hasBars && h('td', {}, bar ? `± ${percent(bar)}` : ''),
-      hertz && [
-        h('td', {}, beside ? figure(beside) : ''),
-        h('td', {}, beside && figures ? figure(figures / beside, 3) : ''),
+      h('th', { scope: 'row' }, name),
+      h('td', {}, figure(value)),
+      h('td', { class: 'unit' }, of),
+      hasBars && h('td', {}, error ? `± ${percent(error)}` : ''),
+      hasElastic && [
+        h('td', {}, elastic ? figure(elastic) : ''),
+        h('td', {}, elastic && value ? figure(value / elastic, 3) : ''),
       ],
-    );
-  });
-  const head = ['', '', '', ...(hasBars ? ['error of mesh'] : []), ...(hertz ? ['Hertz, elastic', 'ratio'] : [])].map(
-    (text) => (text ? h('th', { scope: 'col' }, text) : h('td')),
+      h('td', { class: 'text' }, long ? 'between the supports' : note),
+    ),
   );
+  const head = [
+    '',
+    '',
+    '',
+    ...(hasBars ? ['error of mesh'] : []),
+    ...(hasElastic ? ['Hertz, elastic', 'ratio'] : []),
+    '',
+  ].map((text) => (text ? h('th', { scope: 'col' }, text) : h('td')));
   return h('table', { class: 'answers' }, h('thead', {}, h('tr', {}, head)), h('tbody', {}, rows));
 }

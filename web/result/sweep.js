@@ -1,5 +1,6 @@
 /** A sweep in curves: force over approach, and every figure over the load. */
 
+import { h } from '../lib/dom.js';
 import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { strainOf } from './figures.js';
@@ -47,7 +48,8 @@ export class SweepPanel {
       this.#kind = kind;
       if (this.#shown) this.show(...this.#shown);
     });
-    this.panel = new Panel('sweep', 'Sweep', [this.chart.element], {
+    this.words = h('p', { class: 'quiet', role: 'status' });
+    this.panel = new Panel('sweep', 'Sweep', [this.chart.element, this.words], {
       controls: [choice],
       picture: (title) => this.chart.picture(title),
       drawing: (title) => this.chart.drawing(title),
@@ -62,6 +64,7 @@ export class SweepPanel {
     );
     this.panel.show(swept.length > 0);
     if (swept.length === 0) return;
+    this.words.textContent = leftOut(swept);
     this.chart.show(
       this.#kind === 'approach'
         ? overApproach(swept, shown[0], at)
@@ -76,6 +79,20 @@ const turnsBack = ({ job, report: { steps } }) =>
   steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
   steps.some((step) => strainOf(step) > 0);
 
+/** Steps that are answers: others have no place on a curve. @param {Report} report */
+const answered = ({ steps }) => steps.filter(({ status }) => status === 'converged');
+
+/** What is left out of the curves, in words. @param {Shown[]} swept */
+const leftOut = (swept) => {
+  const many = swept.reduce(
+    (sum, { report: { steps } }) => sum + steps.filter(({ status }) => status !== 'converged').length,
+    0,
+  );
+  return many
+    ? ` ${many} step${many === 1 ? '' : 's'} that did not converge ${many === 1 ? 'is' : 'are'} left out.`
+    : '';
+};
+
 /** @param {Shown} shown */
 const onsetOf = ({ report }) => report.steps[0].hertz?.yield_onset_force;
 
@@ -85,7 +102,7 @@ function overApproach(swept, first, at) {
   const force = unit(forceOf(report), report.units);
   const onset = onsetOf(first);
   const turns = swept.some(turnsBack);
-  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.approach - b.approach);
+  const rising = (/** @type {Report} */ report) => answered(report).sort((a, b) => a.approach - b.approach);
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
@@ -122,8 +139,12 @@ function overLoad(swept, first, at, { label, value, unit: unitOf }) {
   const force = unit(forceOf(report), report.units);
   const name = unitOf(report);
   const onset = onsetOf(first);
-  const rising = (/** @type {Report} */ { steps }) => [...steps].sort((a, b) => a.contact.force - b.contact.force);
+  // A load that falls on a body that has yielded has a way back of its own.
+  const turns = swept.some(turnsBack);
+  const inOrder = (/** @type {Report} */ report) =>
+    turns ? answered(report) : answered(report).sort((a, b) => a.contact.force - b.contact.force);
   return {
+    turns,
     x: `P  [${force}]`,
     y: `${label}  [${name}]`,
     curves: swept.map((one) => ({
@@ -131,8 +152,8 @@ function overLoad(swept, first, at, { label, value, unit: unitOf }) {
       colour: one.colour,
       dash: one.dash,
       points: true,
-      x: rising(one.report).map(({ contact }) => contact.force),
-      y: rising(one.report).map(value),
+      x: inOrder(one.report).map(({ contact }) => contact.force),
+      y: inOrder(one.report).map(value),
     })),
     marks: [
       ...(onset ? [/** @type {const} */ ({ across: 'x', at: onset, text: 'first yield', colour: '--yield' })] : []),

@@ -2,7 +2,7 @@
 
 import { byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
-import { figure, forceOf, setOf, unit, unitsOf } from '../lib/units.js';
+import { setOf, unitsOf } from '../lib/units.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -13,6 +13,7 @@ import { DisplayUnits } from './display.js';
 import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
+import { loadWords } from './loads.js';
 import { PressurePanel } from './pressure.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -116,6 +117,8 @@ export class View {
     const last = shown[0].report.steps.length - 1;
     this.#at = anew ? last : Math.min(this.#at, last);
     this.#anew ||= anew;
+    // A part of a chart that was dragged up is a part of that job's.
+    if (anew) for (const { chart } of [this.pressure, this.depth, this.sweep, this.dent]) chart.whole();
     this.#again();
   }
 
@@ -146,6 +149,7 @@ export class View {
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
       field: this.field.canvas(undefined, paper),
+      cutDrawing: this.field.cutDrawing(),
     });
   }
 
@@ -170,13 +174,19 @@ export class View {
 
   #showStep() {
     const shown = this.#shown;
-    const [{ job, report, raw, label, fields }] = shown;
+    const [{ id, job, report, raw, label, fields }] = shown;
     const step = report.steps[this.#at];
     const many = report.steps.length;
-    const load = `${figure(step.contact.force, 4)} ${unit(forceOf(report), report.units)}`;
-    for (const { panel } of [this.pressure, this.dent, this.depth, this.field])
+    const load = loadWords(report, this.#at);
+    const stem = id.slice(-8) || 'live';
+    for (const { panel } of [this.pressure, this.dent, this.depth, this.field, this.convergence, this.history]) {
       panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
-    for (const { panel } of [this.sweep, this.convergence]) panel.of = label;
+      panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
+    }
+    // Curves of several jobs have the step of each in the legend.
+    if (shown.length > 1) for (const { panel } of [this.pressure, this.depth]) panel.of = '';
+    this.sweep.panel.of = label;
+    for (const { panel } of [this.sweep, this.figures, this.differences]) panel.stem = stem;
     this.steps.show(many, this.#at, load);
     showHeadline(shown[0], this.#at);
     this.sweep.show(shown, this.#at);

@@ -9,6 +9,7 @@ import { duration, loaded } from '../lib/units.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
+import { solvedWords } from './loads.js';
 import { progressWords } from './progress.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
@@ -135,7 +136,7 @@ export class Watch {
       frame = 0;
       if (signal.aborted || history.length === 0) return;
       this.on.iterated(history);
-      if (last?.status === 'running') this.#say(progressWords(history, this.on.job()));
+      if (last?.status === 'running' && history.length) this.#say(progressWords(history, this.on.job()));
     };
     const looking = setInterval(async () => {
       if (last?.status !== 'queued' || document.hidden) return;
@@ -147,8 +148,9 @@ export class Watch {
         `v1/jobs/${id}/events`,
         (event, data) => {
           if (event === 'iteration') history.push(data);
-          else if (event === 'state') last = /** @type {JobDocument} */ (data);
-          if (event === 'state' && data.status === 'running') history.length = 0;
+          // A job that is run anew begins at its first iteration; one that is asked to stop goes on.
+          if (event === 'state' && data.status === 'running' && !data.cancel_requested) history.length = 0;
+          if (event === 'state') last = /** @type {JobDocument} */ (data);
           if (event === 'state' && !finished(data)) this.#show(data);
           frame ||= requestAnimationFrame(draw);
           return last !== undefined && finished(last);
@@ -180,7 +182,7 @@ export class Watch {
     // Buttons stay where they are while figures change: a click takes longer than an iteration.
     if (this.#bar !== bar) this.#put(bar, this.#build(document, report, loading));
     this.on.titled(NAMES[status]);
-    this.#say(loading ? 'loading the result' : words(document, report));
+    this.#say(loading ? 'loading the result' : words(document, report, this.on.job()));
   }
 
   /** @param {string} text beside the state */
@@ -240,10 +242,11 @@ export const NAMES = {
   timed_out: 'Out of time',
 };
 
-/** @param {JobDocument} document @param {Report} [report] @returns {string} */
+/** @param {JobDocument} document @param {Report | undefined} report @param {import('../types.js').Job} job @returns {string} */
 function words(
   { status, queue_position: position, progress, error, created_at: created, started_at: started, finished_at: ended },
   report,
+  job,
 ) {
   const iterations = `${progress.iterations} iteration${progress.iterations === 1 ? '' : 's'}`;
   switch (status) {
@@ -259,10 +262,16 @@ function words(
     case 'succeeded':
       return `${iterations}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
     default:
-      return report
-        ? `after ${iterations}; the figures are those of the last one, not an answer`
-        : `after ${iterations}, no result`;
+      return report ? shownOf(report, job) : `after ${iterations}, no result`;
   }
+}
+
+/** What the figures of a job are that did not come to its end. @param {Report} report @param {import('../types.js').Job} job */
+function shownOf(report, job) {
+  const { steps } = report;
+  if (steps.some(({ status }) => status === 'converged') || steps.length > 1) return solvedWords(job, report);
+  const iterations = steps.at(-1)?.history.length ?? 0;
+  return `after ${iterations} iteration${iterations === 1 ? '' : 's'}; the figures are those of the last one, not an answer`;
 }
 
 /** @param {string | null} from @param {string | null} to */

@@ -12,6 +12,20 @@ const LABELS = new Map([
   ),
 ]);
 
+/** @param {string} words */
+const titled = (words) => `“${words[0].toUpperCase()}${words.slice(1)}”`;
+
+/** What a key in back-quotes is called: a setting by the name under which it is looked for. @param {string} quoted @param {string} key */
+function called(quoted, key) {
+  const name = LABELS.get(key.slice(key.search(/[^./]*$/)));
+  return name && /^(solver|mesh)\./.test(key) ? titled(name) : (name ?? quoted);
+}
+
 /** @param {string} message in which keys stand between back-quotes */
 export const inWords = (message) =>
-  message.replace(/`([\w./]+)`/g, (quoted, key) => LABELS.get(key.slice(key.search(/[^./]*$/))) ?? quoted);
+  message
+    // Behind the words that it means, a key says nothing more.
+    .replace(/ \(`[\w./]+`\)/g, '')
+    .replace(/\btheory `flow`/g, 'flow theory')
+    .replace(/\bsee `(\w+)`/g, (_, code) => `see the remark ${titled(code.replaceAll('_', ' '))}`)
+    .replace(/`([\w./]+)`/g, called);

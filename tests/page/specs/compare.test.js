@@ -1,13 +1,14 @@
 /** Jobs laid over each other: what they differ in, and which can be compared at all. */
 
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
 import { follow, shown, solved } from '../jobs.js';
 
 const service = suite();
 const ROWS = '#panel-differences tbody tr';
 
-/** The reference problem in SI. */
+/** The reference problem in SI. @type {Record<string, any>} */
 const SI = {
   units: 'SI',
   ...Object.fromEntries(
@@ -91,4 +92,61 @@ service.test('whoever solves again keeps the comparison, and the link has it', a
   assert.match(new URL(page.url()).hash, new RegExp(`^#job=[-0-9a-f]+&with=${other}$`));
   await page.reload();
   await page.locator(`${ROWS} td`).getByText('350').waitFor();
+});
+
+service.test('sweeps are compared at the same load, and their curves say at which', async (page) => {
+  const [one, other] = [
+    await solved(page, { load: { forces: [100, 300, 612] }, tags: { roll: 'A' } }),
+    await solved(page, { load: { forces: [300, 200, 100] }, tags: { roll: 'B' } }),
+  ];
+  await follow(page, `job=${one}&with=${other}`);
+  await page.locator(ROWS).first().waitFor();
+  const legend = page.locator('#panel-pressure .legend');
+  // The load of the last step is none of the other's: its last step is as good as any.
+  await legend.getByText('A, step 3 of 3, 612.0 N/mm', { exact: true }).waitFor();
+  await legend.getByText('B, step 3 of 3, 100.0 N/mm', { exact: true }).waitFor();
+  await page.getByLabel('Step', { exact: true }).fill('1');
+  await legend.getByText('A, step 2 of 3, 300.0 N/mm', { exact: true }).waitFor();
+  await legend.getByText('B, step 1 of 3, 300.0 N/mm', { exact: true }).waitFor();
+  const depth = page.locator('#panel-depth .legend');
+  await depth.getByText('B, step 1 of 3, 300.0 N/mm: von Mises', { exact: true }).waitFor();
+  // On grey paper jobs and components are told apart by their lines.
+  const lines = await depth
+    .locator('.swatch path')
+    .evaluateAll((all) =>
+      all.map((one) => ['stroke-dasharray', 'stroke-width'].map((name) => one.getAttribute(name)).join()),
+    );
+  assert.ok(lines.length >= 4);
+  assert.equal(new Set(lines).size, lines.length, lines.join(' | '));
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#panel-pressure').getByText('SVG', { exact: true }).click(),
+  ]);
+  const drawing = await readFile(await file.path(), 'utf8');
+  assert.match(drawing, />Contact pressure<.*>A, step 2 of 3, 300\.0 N\/mm<.*>B, step 1 of 3, 300\.0 N\/mm</s);
+  await page.getByRole('button', { name: 'Report' }).click();
+  await page.locator('#sheet').getByText('A, step 2 of 3, 300.0 N/mm; B, step 1 of 3, 300.0 N/mm').waitFor();
+});
+
+service.test('what differs is written so that it is seen, and shapes are called by their names', async (page) => {
+  const lower = (/** @type {string} */ type, /** @type {number} */ stress) => ({
+    shape: { type, radius: 20, ...(type === 'parabola' && { width: 30, depth: 20 }) },
+    material: {
+      ...SI.lower.material,
+      young_modulus: 210000,
+      plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+      initial_stress: [0, 0.2, 3].map((depth, k) => ({ depth, sigma_x: k ? 0 : stress, sigma_z: 0 })),
+    },
+  });
+  const [one, other] = [
+    await solved(page, { load: { force: 100 }, lower: lower('cylinder', -100) }),
+    await solved(page, { load: { force: 100 }, lower: lower('parabola', -50) }),
+  ];
+  await follow(page, `job=${one}&with=${other}`);
+  await page.locator(ROWS).first().waitFor();
+  await page.locator(ROWS).filter({ hasText: 'Lower shape' }).getByText('parabola').waitFor();
+  const cells = await page.locator(ROWS).filter({ hasText: 'initial stress' }).locator('td').allTextContents();
+  assert.match(cells[1], /−100/);
+  assert.match(cells[2], /−50/);
+  await page.locator('#panel-pressure .legend').getByText('parabola', { exact: true }).waitFor();
 });

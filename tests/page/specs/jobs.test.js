@@ -82,7 +82,7 @@ service.test('every panel is a picture', async (page) => {
       page.waitForEvent('download'),
       page.locator(`#panel-${panel}`).getByText('PNG').click(),
     ]);
-    assert.equal(file.suggestedFilename(), `${panel}.png`);
+    assert.equal(file.suggestedFilename(), `${id.slice(-8)}-${panel}.png`);
   }
 });
 
@@ -133,3 +133,27 @@ for (const [name, options] of /** @type {const} */ ([
     options,
   );
 }
+
+service.test('a search looks through the jobs that are not shown yet', async (page) => {
+  const oldest = await solved(page, { load: { force: 101 }, tags: { bench: 'north-7' } });
+  for (const force of [102, 103]) await solved(page, { load: { force } });
+  // As if there were more jobs than a page of the list holds.
+  await page.route(/v1\/jobs\?limit=\d+/, (route) =>
+    route.continue({
+      url: route
+        .request()
+        .url()
+        .replace(/limit=\d+/, 'limit=1'),
+    }),
+  );
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.getByText('1 shown', { exact: true }).waitFor();
+  const rows = page.locator('#jobs-list li .open');
+  for (const word of [oldest, oldest.slice(-8), 'north', 'bench:', 'bench:north-7']) {
+    await page.getByLabel('Search jobs').fill('');
+    await page.getByText('1 shown', { exact: true }).waitFor();
+    await page.getByLabel('Search jobs').fill(word);
+    await rows.getByText('bench: north-7').waitFor();
+    assert.equal(await rows.count(), 1, word);
+  }
+});

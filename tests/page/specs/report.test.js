@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { PHONE, suite } from '../browser.js';
-import { follow, shown, solved } from '../jobs.js';
+import { drawn, follow, shown, solved } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -97,3 +97,76 @@ service.test('cards stand in rows of about the same length', async (page) => {
     }, width);
   }
 });
+
+service.test(
+  'the report of an unloaded step has what the load has left, and every figure of the page',
+  async (page) => {
+    await shown(page, { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+    const cards = await page.locator('#headline dl dt').allTextContents();
+    assert.ok(cards.includes('Unloading stiffness'));
+    const place = await sheet(page);
+    const rows = await place.locator('.answers tbody th').allTextContents();
+    assert.deepEqual(rows.slice(0, 5), [
+      'Depth of the dent, upper body',
+      'Pile-up, upper body',
+      'Depth of the dent, lower body',
+      'Pile-up, lower body',
+      'Work dissipated',
+    ]);
+    for (const card of cards) assert.ok(rows.includes(card), card);
+    const depth = await place.locator('.answers tbody tr').first().locator('td').first().textContent();
+    assert.ok(Number(depth?.replace(/·10.*/, '')) > 0, `${depth}`);
+    await page.keyboard.press('Escape');
+    await shown(page, {
+      analysis: 'axisymmetric',
+      load: { target: { max_plastic_strain: 0.002 } },
+    });
+    await (await sheet(page)).getByText(/^for a largest plastic strain of 0\.2000 %, reached 0\.\d+ %$/).waitFor();
+    await page.locator('#sheet .answers').getByText('Force found').waitFor();
+  },
+);
+
+service.test('a report is one sheet of A4 or Letter, and lies as the printer has it', async (page) => {
+  const job = await page.evaluate(async () => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    return examples.find((/** @type {{name: string}} */ { name }) => name === 'ramberg_osgood').job;
+  });
+  await shown(page, { ...job, mesh: { elements_per_half_width: 8 }, output: { fields: true } });
+  await drawn(page);
+  const place = await sheet(page);
+  await place.locator('canvas').waitFor();
+  await page.emulateMedia({ media: 'print' });
+  for (const format of ['A4', 'Letter']) {
+    const pdf = (await page.pdf({ format, preferCSSPageSize: true })).toString('latin1');
+    assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+  }
+  const wide = (await page.pdf({ format: 'Letter', landscape: true, preferCSSPageSize: true })).toString('latin1');
+  assert.match(wide, /\/MediaBox\s*\[0 0 79\d(\.\d+)? 61\d/);
+});
+
+service.test(
+  'no figure of a report is broken on a phone',
+  async (page) => {
+    await shown(page, { load: { forces: [100, 300, 612] } });
+    const place = await sheet(page);
+    const broken = await place.locator('.answers td, .wide td').evaluateAll((cells) =>
+      cells
+        .filter((cell) => {
+          if (!/\d/.test(cell.textContent ?? '')) return false;
+          const range = document.createRange();
+          range.selectNodeContents(cell);
+          return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
+        })
+        .map((cell) => cell.textContent),
+    );
+    assert.deepEqual(broken, []);
+    assert.ok(
+      await place
+        .locator('.wide')
+        .last()
+        .evaluate((one) => one.scrollWidth > one.clientWidth),
+      'it is moved, not squeezed',
+    );
+  },
+  PHONE,
+);

@@ -246,3 +246,106 @@ service.test('what is found has an error bar, what is prescribed has none', asyn
   assert.deepEqual(await barred(), ['Peak pressure', 'Half-width', 'Approach', 'Contact stiffness']);
   assert.match((await columns()).join(), /^approach mm,peak pressure MPa,half-width mm,dP/);
 });
+
+service.test('iterations go out with names and units, in files that name the job and its step', async (page) => {
+  const id = await shown(page, SWEEP);
+  await page.getByText('Units shown').click();
+  await page.getByLabel('Unit of length').selectOption('µm');
+  await page.keyboard.press('Escape');
+  const taken = async (/** @type {string} */ panel, /** @type {string} */ kind) => {
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator(`#panel-${panel}`).getByText(kind, { exact: true }).click(),
+    ]);
+    return file;
+  };
+  const file = await taken('iterations', 'CSV');
+  assert.equal(file.suggestedFilename(), `${id.slice(-8)}-step-3-iterations.csv`);
+  const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
+  assert.match(head, /^no\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/);
+  assert.equal(first.split(',').length, head.split(',').length);
+  await page.getByLabel('Step', { exact: true }).fill('0');
+  assert.equal((await taken('depth', 'SVG')).suggestedFilename(), `${id.slice(-8)}-step-1-depth.svg`);
+  assert.equal((await taken('figures', 'CSV')).suggestedFilename(), `${id.slice(-8)}-figures.csv`);
+});
+
+service.test('initial stresses in the chart have the unit of its axis', async (page) => {
+  const id = await solved(page, {
+    load: { force: 300 },
+    lower: {
+      shape: { type: 'cylinder', radius: 20 },
+      material: {
+        young_modulus: 210000,
+        poisson_ratio: 0.3,
+        initial_stress: [
+          { depth: 0, sigma_x: -200, sigma_z: -200 },
+          { depth: 0.3, sigma_x: 0, sigma_z: 0 },
+        ],
+        plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+      },
+    },
+  });
+  await follow(page, `job=${id}`);
+  await page.locator('#panel-depth .legend').getByText('σx before the load').waitFor();
+  await page.getByText('Units shown').click();
+  await page.getByLabel('Unit of stress').selectOption('GPa');
+  await page.keyboard.press('Escape');
+  const plot = page.locator('#panel-depth .u-over');
+  await plot.hover({ position: { x: 3, y: 30 } });
+  const before = page.locator('#panel-depth .legend li', { hasText: 'before the load' }).locator('b');
+  await before.getByText(/^−0\.\d+ GPa$/).waitFor();
+  await page
+    .locator('#panel-depth .legend')
+    .getByText(/^at 0\.?\d* mm$/)
+    .waitFor();
+});
+
+service.test('what a sweep has over its load follows the order of a history', async (page) => {
+  const history = [600, 0, 650, 100].map((force) => ({ force }));
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const panel = page.locator('#panel-sweep');
+  await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
+  const places = await panel
+    .locator('.plot svg circle')
+    .evaluateAll((all) => all.map((one) => [Number(one.getAttribute('cx')), Number(one.getAttribute('cy'))]));
+  assert.equal(places.length, 4);
+  assert.ok(places[1][0] < places[3][0] && places[3][0] < places[0][0] && places[0][0] < places[2][0], 'in turn');
+  // Plastic strain never falls: upward is a smaller place.
+  for (let k = 1; k < 4; k++) assert.ok(places[k][1] <= places[k - 1][1] + 1e-6, JSON.stringify(places));
+});
+
+service.test('a part of a chart that was dragged up is not kept for another job', async (page) => {
+  const [one, other] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { force: 600 } })];
+  const pixels = () =>
+    page.evaluate(() =>
+      /** @type {HTMLCanvasElement | null} */ (document.querySelector('#panel-pressure .plot canvas'))?.toDataURL(),
+    );
+  const words = (/** @type {string} */ force) =>
+    page.locator('#headline').getByText(`${force}.00`, { exact: false }).first().waitFor();
+  const settle = () =>
+    page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await follow(page, `job=${one}`);
+  await words('300');
+  await follow(page, `job=${other}`);
+  await words('600');
+  await settle();
+  const whole = await pixels();
+  await follow(page, `job=${one}`);
+  await words('300');
+  const box = await page.locator('#panel-pressure .u-over').boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + box.width / 2, box.y + 50);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + 60);
+  await page.mouse.up();
+  await page.mouse.move(1, 1);
+  await settle();
+  await follow(page, `job=${other}`);
+  await words('600');
+  await page.waitForFunction(
+    (whole) =>
+      /** @type {HTMLCanvasElement | null} */ (document.querySelector('#panel-pressure .plot canvas'))?.toDataURL() ===
+      whole,
+    whole,
+  );
+});

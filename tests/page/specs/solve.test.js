@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
+import { follow, sent } from '../jobs.js';
 
 const service = suite();
 
@@ -18,7 +19,7 @@ service.test('a form is filled, a contact solved, its pressure drawn', async (pa
   // A curve is drawn with the frame after its words: on a busy machine that may be a while.
   await page.waitForFunction(inked, { within: '#panel-pressure', name: '--curve-1', pixels: 200 });
   assert.equal(await page.locator('#panel-pressure .legend li').count(), 2, 'this contact and Hertz');
-  for (const panel of ['field', 'depth', 'convergence', 'history']) await page.locator(`#panel-${panel}`).waitFor();
+  for (const panel of ['field', 'depth', 'convergence', 'iterations']) await page.locator(`#panel-${panel}`).waitFor();
 });
 
 service.test('what Hertz says and the JSON follow the form, and the form the JSON', async (page) => {
@@ -127,3 +128,44 @@ service.test('figures follow a slider, and the last one wins', async (page, { no
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
 });
+
+service.test(
+  'a sweep that is cancelled says which of its loads are solved, on the page and in its report',
+  async (page) => {
+    const forces = Array.from({ length: 400 }, (_, k) => 100 + k);
+    const id = await sent(page, { load: { forces }, mesh: { elements_per_half_width: 20 } });
+    await page.evaluate(() => {
+      const said = /** @type {string[]} */ (/** @type {any} */ (globalThis).said = []);
+      new MutationObserver(() => said.push(document.querySelector('#watch .words')?.textContent ?? '')).observe(
+        /** @type {Node} */ (document.querySelector('#watch')),
+        { childList: true, subtree: true, characterData: true },
+      );
+    });
+    await follow(page, `job=${id}`);
+    await page.getByText(/^step [3-9]\d* of 400/).waitFor();
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await page.locator('[data-status=cancelled]').waitFor();
+    const words = page.locator('[data-status=cancelled] .words');
+    await words.getByText(/^\d+ of 400 loads are solved(; step \d+ is not an answer)?$/).waitFor();
+    const said = (await words.textContent()) ?? '';
+    const many = await page.locator('#panel-figures tbody tr').count();
+    const done = await page.locator('#panel-figures tbody tr').getByText('converged', { exact: true }).count();
+    assert.equal(Number(/^\d+/.exec(said)), done);
+    assert.ok(done >= 2 && many < 400, said);
+    const steps = await page.evaluate(() =>
+      /** @type {any} */ (globalThis).said.flatMap(
+        (/** @type {string} */ text) => Number(/^step (\d+) of/.exec(text)?.[1] ?? []) || [],
+      ),
+    );
+    assert.deepEqual(
+      steps,
+      [...steps].sort((a, b) => a - b),
+      'steps are not counted from the beginning again',
+    );
+    await page.locator('#headline').getByText('Ended early').waitFor();
+    await page.getByRole('button', { name: 'Report' }).click();
+    const sheet = page.getByRole('main', { name: 'Report' });
+    await sheet.getByText(`${said}.`).waitFor();
+    await sheet.getByText(`step ${many} of ${many} solved, of 400 asked for`).waitFor();
+  },
+);

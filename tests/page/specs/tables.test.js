@@ -44,3 +44,22 @@ test('LaTeX escapes what is not a letter', () => {
   assert.equal(figure, '1.5$\\cdot$10$^{-7}$');
   assert.equal(slope, '$-$3 \\\\');
 });
+
+test('LaTeX takes no row for the option of a rule, and has a name for every letter of the page', () => {
+  const write = (/** @type {string | number | null} */ cell) => String(cell);
+  const latex = toLatex({
+    columns: [{ title: 'job' }, { title: 'λ ≤ 2' }],
+    rows: [
+      ['[A] first', 1],
+      ['*B', 2],
+      ['p₀ × 10⁻³ Δψ', 3],
+    ],
+    write,
+  });
+  assert.match(latex, /\\midrule\n\{\}\[A\] first/);
+  assert.match(latex, /\n\{\}\*B &/);
+  assert.match(latex, /job & \$\\lambda\$ \$\\le\$ 2/);
+  assert.match(latex, /p\$_\{0\}\$ \$\\times\$ 10\$\^\{-3\}\$ \$\\Delta\$\$\\psi\$/);
+  // Beyond Latin text nothing is left that pdfLaTeX does not know.
+  assert.doesNotMatch(latex, /[^\x00-\xff]/);
+});

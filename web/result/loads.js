@@ -1,0 +1,59 @@
+/** Which loads a job asked for and which of them are solved, and which steps of compared jobs belong beside each other. */
+
+import { figure, forceOf, unit } from '../lib/units.js';
+
+/** @typedef {import('../types.js').Shown} Shown */
+/** @typedef {import('../types.js').Report} Report */
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{one: Shown, at: number, label: string}} Beside a job, its step that is laid beside the one shown, and the name of both */
+
+/** Forces that differ by less are the same load. */
+const SAME = 1e-3;
+
+/** How many loads a job asks for. @param {Job} job @returns {number} */
+export function asked({ load }) {
+  const loads = load?.forces ?? load?.approaches ?? load?.history;
+  return Array.isArray(loads) ? loads.length : 1;
+}
+
+/** How many loads are solved, and which steps are no answers. @param {Job} job @param {Report} report @returns {string} */
+export function solvedWords(job, { steps }) {
+  const failed = steps.flatMap(({ status }, k) => (status === 'converged' ? [] : [k + 1]));
+  const many = Math.max(steps.length, asked(job));
+  const not =
+    failed.length === 0
+      ? ''
+      : failed.length === 1
+        ? `; step ${failed[0]} is not an answer`
+        : `; ${failed.length} steps did not converge and are not answers`;
+  return `${steps.length - failed.length} of ${many} loads are solved${not}`;
+}
+
+/** What is to be said of a job that ended before its last load. @param {Job} job @param {Report} report @returns {string} nothing where it came to its end */
+export const endedEarly = (job, report) =>
+  report.steps.length < asked(job) ? `The job ended before its last load: ${solvedWords(job, report)}.` : '';
+
+/** Load of a step with its unit. @param {Report} report @param {number} at */
+export const loadWords = (report, at) =>
+  `${figure(report.steps[at].contact.force, 4)} ${unit(forceOf(report), report.units)}`;
+
+/**
+ * The step of every job that is laid beside a step of the first: that under the same force, or else that of the same number, or
+ * else the last one. Where there are several to choose from, the label says which it is.
+ * @param {Shown[]} shown @param {number} at step of the first
+ * @returns {Beside[]}
+ */
+export function beside(shown, at) {
+  const { force } = shown[0].report.steps[at].contact;
+  const several = shown.some(({ report }) => report.steps.length > 1);
+  return shown.map((one, k) => {
+    const { steps } = one.report;
+    const alike = (/** @type {number} */ step) =>
+      Math.abs(steps[step]?.contact.force - force) <=
+      SAME * Math.max(Math.abs(force), Math.abs(steps[step]?.contact.force));
+    const found = alike(at) ? at : steps.findIndex((_, step) => alike(step));
+    const step = k === 0 ? at : found >= 0 ? found : Math.min(at, steps.length - 1);
+    const which = steps.length > 1 ? `, step ${step + 1} of ${steps.length}` : '';
+    return { one, at: step, label: several ? `${one.label}${which}, ${loadWords(one.report, step)}` : one.label };
+  });
+}
