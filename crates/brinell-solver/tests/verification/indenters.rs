@@ -112,6 +112,23 @@ fn power_law_punches() {
     }
 }
 
+/// High powers are nearly flat punches, whose pressure is highest next to the ends of the contact.
+#[test]
+fn the_bar_of_the_half_width_holds_for_high_powers() {
+    for exponent in [8.0_f64, 12.0, 18.0, 25.0] {
+        let indenter = PowerIndenter::new(exponent, 3f64.powf(1.0 - exponent), MODULUS);
+        for (analysis, force) in
+            [("axisymmetric", indenter.force(1.0)), ("plane_strain", indenter.line_force(1.0))]
+        {
+            let shape =
+                json!({"type": "power", "exponent": exponent, "scale": 3.0, "width": 6.0, "depth": 20.0});
+            let step = step(&press(analysis, shape, json!({"force": force}), 400.0, Value::Null));
+            let error = (step.contact.half_width - 1.0).abs();
+            assert!(error <= step.estimated_error.unwrap().half_width, "{analysis} {exponent}: {error}");
+        }
+    }
+}
+
 #[test]
 fn a_parabola_has_hertz_pressure_and_an_ellipse_that_of_its_vertex() {
     let plane =
