@@ -152,7 +152,10 @@ function path(curve, x, y) {
   const dots = curve.points
     ? curve.x.flatMap((value, k) => {
         const cy = y.at(curve.y[k] ?? NaN);
-        return Number.isFinite(cy) ? [svg('circle', { cx: x.at(value), cy, r: 2.2, fill: ink(curve.colour) })] : [];
+        const of = { 'data-x': value, 'data-y': curve.y[k], 'data-label': curve.label };
+        return Number.isFinite(cy)
+          ? [svg('circle', { cx: x.at(value), cy, r: 2.2, fill: ink(curve.colour), ...of })]
+          : [];
       })
     : [];
   return svg(

@@ -60,6 +60,8 @@ export class Chart {
     this.canvas = h('div', { class: 'plot', role: 'img' });
     this.legend = h('ul', { class: 'legend' });
     this.element = h('div', { class: 'chart' }, this.legend, this.canvas);
+    this.canvas.addEventListener('pointermove', (event) => this.#readPoint(event));
+    this.canvas.addEventListener('pointerleave', () => this.#plot?.turns && this.#read(null));
     new ResizeObserver(() => this.#fit()).observe(this.canvas);
     onTheme(() => {
       this.#made = '';
@@ -234,10 +236,27 @@ export class Chart {
     return whole && this.#plot ? home(this.#plot) : [min, max];
   };
 
+  /** Reads out the point of a loop that is nearest, where a place on the abscissa has several. @param {PointerEvent} event */
+  #readPoint({ clientX, clientY }) {
+    if (!this.#plot?.turns) return;
+    const dots = [...this.canvas.querySelectorAll('circle')].map((dot) => {
+      const { left, top, width, height } = dot.getBoundingClientRect();
+      return { dot, far: Math.hypot(left + width / 2 - clientX, top + height / 2 - clientY) };
+    });
+    if (dots.length === 0) return;
+    const { dataset } = dots.reduce((a, b) => (b.far < a.far ? b : a)).dot;
+    this.#write(Number(dataset.x), ({ label }) => (label === dataset.label ? Number(dataset.y) : null));
+  }
+
   /** Writes the legend, with figures if the cursor is somewhere. @param {number | null | undefined} index */
   #read(index) {
-    const { curves, x: across = '', y = '', right = '' } = this.#plot ?? { curves: [] };
     const x = index == null ? null : this.#uplot?.data[0][index];
+    this.#write(x ?? null, (curve) => (x == null ? null : valueAt(curve, x)));
+  }
+
+  /** @param {number | null} x where the cursor is @param {(curve: Curve) => number | null} value of a curve there */
+  #write(x, value) {
+    const { curves, x: across = '', y = '', right = '' } = this.#plot ?? { curves: [] };
     this.legend.replaceChildren(
       ...curves.map((curve) =>
         h(
@@ -245,7 +264,7 @@ export class Chart {
           {},
           swatch(curve),
           curve.label,
-          x == null ? null : h('b', {}, measured(valueAt(curve, x), curve.right ? right : y)),
+          x == null ? null : h('b', {}, measured(value(curve), curve.right ? right : y)),
         ),
       ),
       ...(x == null ? [] : [h('li', { class: 'at' }, `at ${measured(x, across)}`)]),

@@ -34,7 +34,8 @@ export class ConvergencePanel {
       curves: [
         { label: 'out-of-balance force', colour: '--curve-1', x, y: positive('equilibrium_residual'), points },
         { label: 'displacement change', colour: '--hertz', x, y: positive('displacement_change'), points },
-      ],
+        // 0 has no place on the axis.
+      ].filter(({ y }) => y.some((value) => value !== null)),
       marks: [{ across: 'y', at: tolerance, text: 'tolerance', left: true }],
       words: `After ${iterations} the out-of-balance force is ${figure(last.equilibrium_residual, 3)} of the load; the tolerance is ${figure(tolerance, 1)}.`,
     });

@@ -26,6 +26,6 @@ export const inWords = (message) =>
   message
     // Behind the words that it means, a key says nothing more.
     .replace(/ \(`[\w./]+`\)/g, '')
-    .replace(/\btheory `flow`/g, 'flow theory')
+    .replace(/\b(the )?theory `flow`/g, 'flow theory')
     .replace(/\bsee `(\w+)`/g, (_, code) => `see the remark ${titled(code.replaceAll('_', ' '))}`)
     .replace(/`([\w./]+)`/g, called);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { PHONE, WIDE, suite } from '../browser.js';
-import { drawn, follow, solved } from '../jobs.js';
+import { drawn, follow, shown, solved } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -17,7 +17,10 @@ async function violations(page, view) {
   // Not by a script element: the page's policy allows none but its own.
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {
-    const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'] });
+    const { violations } = await /** @type {any} */ (globalThis).axe.run(document, {
+      resultTypes: ['violations'],
+      rules: { 'target-size': { enabled: true } },
+    });
     return violations.flatMap((/** @type {any} */ { id, nodes }) =>
       nodes.map((/** @type {any} */ node) => `${id}: ${node.html.slice(0, 160)} ${node.any[0]?.message ?? ''}`),
     );
@@ -97,3 +100,27 @@ for (const [size, options] of /** @type {const} */ ([
       },
       { ...options, colorScheme },
     );
+
+service.test(
+  'where the system chooses the colours, the scale of the field keeps its own and what is chosen has a rim',
+  async (page) => {
+    await shown(page, { load: { forces: [300, 612] }, output: { fields: true } });
+    await drawn(page);
+    const adjusted = await page.evaluate(() =>
+      ['.colours li:not(.unit, .last)', '.legend .swatch', '.stage .surface'].map((part) => {
+        const [element] = document.querySelectorAll(part);
+        return getComputedStyle(element, part.startsWith('.colours') ? '::after' : null).forcedColorAdjust;
+      }),
+    );
+    assert.deepEqual(adjusted, ['none', 'none', 'none']);
+    const rims = await page.evaluate(() =>
+      ['.segments', '.chips'].map(
+        (part) =>
+          getComputedStyle(/** @type {Element} */ (document.querySelector(`#panels ${part} :checked + span`)))
+            .outlineStyle,
+      ),
+    );
+    assert.deepEqual(rims, ['solid', 'solid']);
+  },
+  { forcedColors: 'active' },
+);

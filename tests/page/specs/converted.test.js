@@ -6,6 +6,7 @@ import { test } from 'node:test';
 import { readNumber, readShown } from '../../../web/lib/number.js';
 import { figure, plain } from '../../../web/lib/units.js';
 import { LEFT, QUANTITIES, inUnits } from '../../../web/result/converted.js';
+import { inWords } from '../../../web/setup/words.js';
 
 const { schemas } = JSON.parse(readFileSync(new URL('../../../api/openapi.json', import.meta.url), 'utf8')).components;
 
@@ -94,4 +95,16 @@ test('what the page writes, it can read', () => {
   assert.deepEqual(readShown('0.2', 'stress', 'mm_N_MPa', 1e-3), { value: 200 });
   for (const text of ['·10⁸', '4.5·10', '10^', '1.5·9⁸', '4·10⁸·10⁸'])
     assert.ok('problem' in readShown(text, 'stress', 'SI', 1), text);
+});
+
+test('remarks have the words of the form, and no keys', () => {
+  for (const [message, words] of [
+    ['above that of flow theory (`solver.theory`) by 3 %', 'above that of flow theory by 3 %'],
+    ['choose the theory `flow`.', 'choose flow theory.'],
+    ['Raise `solver.max_iterations`.', 'Raise “Iterations at most”.'],
+    ['small strains; see `collapse`.', 'small strains; see the remark “Collapse”.'],
+    ['see `contact_at_edge`', 'see the remark “Contact at edge”'],
+    ['`nonsense` is not known', '`nonsense` is not known'],
+  ])
+    assert.equal(inWords(message), words);
 });

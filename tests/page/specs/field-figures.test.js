@@ -242,3 +242,36 @@ service.test('the curve of a cut is broken where the line leaves the body', asyn
     if (k !== gap) assert.ok(Math.abs(broken.y[k] - at - 0.25) < 1e-5, `${broken.y[k]} at ${at}`);
   });
 });
+
+service.test('a field whose graphics the browser takes back says so, and is drawn again', async (page) => {
+  await shown(page, { ...FIELDS, load: { force: 612 } });
+  await drawn(page);
+  await page.evaluate(() => {
+    const surface = /** @type {HTMLCanvasElement} */ (document.querySelector('.stage .surface'));
+    /** @type {any} */ (globalThis).taken = surface.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+    /** @type {any} */ (globalThis).taken.loseContext();
+  });
+  const words = page.getByText('The browser has taken the graphics back');
+  await words.waitFor();
+  await page.locator('#panel-field').getByText('PNG', { exact: true }).click();
+  await page.getByText('There is no picture of it yet').waitFor();
+  await page.evaluate(() => /** @type {any} */ (globalThis).taken.restoreContext());
+  await words.waitFor({ state: 'hidden' });
+  await page.locator('.stage:not(.stale)').waitFor();
+});
+
+service.test('one cannot go so close or so far that there is nothing left to see', async (page) => {
+  await shown(page, { ...FIELDS, load: { force: 612 } });
+  await drawn(page);
+  const scale = await page.evaluate(async () => {
+    const { Camera } = await import(/** @type {any} */ ('/web/field/camera.js'));
+    const camera = Object.assign(new Camera(), { width: 400, height: 300 });
+    camera.home(0.5);
+    const whole = camera.scale;
+    return [1.25, 0.8].map((factor) => {
+      for (let k = 0; k < 500; k++) camera.zoom(factor);
+      return camera.scale / whole;
+    });
+  });
+  assert.ok(scale[0] <= 1e4 && scale[0] > 100 && scale[1] >= 1e-4 && scale[1] < 0.1, scale.join());
+});

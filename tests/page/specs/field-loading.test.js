@@ -234,6 +234,8 @@ service.test(
     });
     await follow(page, `job=${id}`);
     await drawn(page);
+    const range = page.getByLabel('Colours', { exact: true }).locator('option').nth(1);
+    assert.equal(await range.textContent(), 'the steps seen', 'not all of them are kept');
     const requests = asked(page);
     const play = page.getByRole('button', { name: 'Play through the steps' });
     await play.click();

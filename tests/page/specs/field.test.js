@@ -182,6 +182,8 @@ service.test('the range of colours is held over the steps, and can be given', as
   await page.keyboard.press('Home');
   await page.locator('.steps output').getByText('1 of 3').waitFor();
   assert.equal(await legend(), last, 'the same over all steps');
+  const range = page.getByLabel('Colours', { exact: true }).locator('option').nth(1);
+  assert.equal(await range.textContent(), 'all steps');
   await page.getByLabel('Colours', { exact: true }).selectOption('step');
   assert.notEqual(await legend(), last);
   await page.getByLabel('Largest value coloured').fill('250');

@@ -349,3 +349,33 @@ service.test('a part of a chart that was dragged up is not kept for another job'
     whole,
   );
 });
+
+service.test('the loop of a history is read out point by point, and a radius begins at the axis', async (page) => {
+  await shown(page, {
+    analysis: 'axisymmetric',
+    load: { history: [{ force: 4000 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
+  ]);
+  const drawing = await readFile(await file.path(), 'utf8');
+  assert.match(drawing, />r {2}\[mm\]</);
+  const ticks = [...drawing.matchAll(/text-anchor="middle"[^>]*>([−\d.]+)</g)].map(([, text]) => text);
+  assert.ok(ticks.length > 2 && ticks.every((text) => !text.startsWith('−')), ticks.join());
+  const panel = page.locator('#panel-sweep');
+  const dot = panel.locator('.plot circle').nth(2);
+  await dot.scrollIntoViewIfNeeded();
+  const box = await dot.boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await panel
+    .locator('.legend')
+    .getByText(/^at 0\.\d+ mm$/)
+    .waitFor();
+  await panel
+    .locator('.legend')
+    .getByText(/^[\d.]+ N$/)
+    .waitFor();
+});

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::units::rounded;
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
 use crate::job::{HardeningLaw, Job, Material, OverDepth};
@@ -41,10 +42,12 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         let elements = f64::from(job.mesh.elements_per_half_width);
         let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
         let message = format!(
-            "The strength changes by {:.0} % within one element at (x, y) = ({x:.3e}, {y:.3e}) mm, where the stress is more \
+            "The strength changes by {:.0} % within one element at x = {}, y = {} mm, where the stress is more \
              than half of it: what yields there is known to its place within that element only. About {wanted:.0} elements \
              over the half-width (`mesh.elements_per_half_width`) would do.",
-            100.0 * (ratio - 1.0)
+            100.0 * (ratio - 1.0),
+            rounded(x),
+            rounded(y),
         );
         remarks.push(("coarse_case", message));
     }

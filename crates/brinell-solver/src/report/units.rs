@@ -68,8 +68,8 @@ impl UnitConverter {
     }
 }
 
-/// A figure to five digits.
-fn rounded(value: f64) -> String {
+/// A figure to five digits, for sentences.
+pub(super) fn rounded(value: f64) -> String {
     let digits = format!("{value:.4e}");
     match digits.parse::<f64>() {
         Ok(plain) if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) => plain.to_string(),

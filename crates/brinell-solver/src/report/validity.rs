@@ -198,7 +198,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         say(
             "near_support",
             "A support is closer than five half-widths below the contact; it shapes the stresses, and Hertz's \
-             half-space figures beside them do not apply."
+             figures of half-spaces do not apply."
                 .into(),
         );
     }
@@ -360,8 +360,9 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
         )
     } else if !step.contact_check.is_sound() {
         format!(
-            "The final state violates the contact conditions by {contact:.1e} of their scale (penetration, tension \
-             or load); do not use it.{other}"
+            "The final state violates the contact conditions by {} of their scale (penetration, tension \
+             or load); do not use it.{other}",
+            share(contact)
         )
     } else if step.has_collapsed {
         "There is no answer with small strains; see `collapse`.".into()
@@ -381,9 +382,19 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
              figures. A smaller load or a little hardening may have an answer."
         };
         format!(
-            "Not converged after {iterations} iterations: forces are off balance by {residual:.1e} of the contact \
-             force.{advice}"
+            "Not converged after {iterations} iterations: forces are off balance by {} of the contact \
+             force.{advice}",
+            share(residual)
         )
+    }
+}
+
+/// A part of a whole in percent, to two digits.
+fn share(part: f64) -> String {
+    let digits = format!("{:.1e}", 100.0 * part);
+    match digits.parse::<f64>() {
+        Ok(percent) if percent == 0.0 || (1e-3..1e4).contains(&percent) => format!("{percent} %"),
+        _ => format!("{digits} %"),
     }
 }
 
