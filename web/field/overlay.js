@@ -112,7 +112,9 @@ function marked(context, camera, { x, y, u, v, lift, text }, deformation, colour
   context.strokeStyle = ground;
   // Beside the scale of colours there is no room.
   const { width } = context.measureText(text);
-  const at = px + 9 + width > camera.width - SCALE && px - 9 - width > 0 ? px - 9 - width : px + 9;
+  const edge = camera.width - SCALE;
+  const left = Math.min(px - 9, edge) - width;
+  const at = px + 9 + width > edge && left > 0 ? left : px + 9;
   const covers = before && Math.abs(before[1] - py - 4) < ROW && Math.abs(before[0] - at) < width;
   const line = py + 4 + (covers ? (before[1] > py + 4 ? -ROW : ROW) : 0);
   context.strokeText(text, at, line);

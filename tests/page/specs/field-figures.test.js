@@ -177,9 +177,11 @@ service.test(
     await page.getByLabel('Cut', { exact: true }).check();
     await typeCut(page, ['0', '0', '0', '-0.00005']);
     await page.getByRole('img', { name: /^von Mises stress along the cut/ }).waitFor();
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     const short = await cutWords(page);
     assert.equal(await page.getByLabel('Cut to y').inputValue(), '-0.00005');
-    await page.getByLabel('Cut to x').fill('0.0002');
+    // Through the place of the largest stress, beside a figure that the page has written.
+    await page.getByLabel('Cut from y').fill('-0.0006');
     await page.keyboard.press('Enter');
     await page.waitForFunction(
       (before) => document.querySelector('.cut .plot')?.getAttribute('aria-label') !== before,
