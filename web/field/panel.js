@@ -176,7 +176,7 @@ export class FieldPanel {
         }),
         cut: later((on) => {
           this.over.classList.toggle('cutting', on);
-          this.cutter.show(on, this.#camera, this.#step()?.contact.half_width ?? 1);
+          this.cutter.show(on, this.#camera, this.#half());
         }),
         zoom: later((factor) => this.#camera.zoom(factor)),
         home: () => this.#home(),
@@ -440,11 +440,14 @@ export class FieldPanel {
     return [low, high];
   }
 
-  #home() {
-    // Where the load is taken away, what the largest one has left is to be seen.
+  /** Half-width of the contact; where the load is taken away, that of the largest one, whose traces are to be seen. */
+  #half() {
     const widths = this.#shown?.report.steps.map(({ contact }) => contact.half_width) ?? [];
-    const half = this.#step()?.contact.half_width || Math.max(...widths);
-    if (this.#shown) this.#camera.home(1.9 * half || 1);
+    return this.#step()?.contact.half_width || Math.max(0, ...widths) || 1 / 1.9;
+  }
+
+  #home() {
+    if (this.#shown) this.#camera.home(1.9 * this.#half());
     this.#later();
   }
 

@@ -277,3 +277,10 @@ service.test('one cannot go so close or so far that there is nothing left to see
   });
   assert.ok(scale[0] <= 1e4 && scale[0] > 100 && scale[1] >= 1e-4 && scale[1] < 0.1, scale.join());
 });
+
+service.test('without load a cut begins as long as the largest contact was', async (page) => {
+  await shown(page, { ...FIELDS, load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await drawn(page);
+  await page.getByLabel('Cut', { exact: true }).check();
+  await page.getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ }).waitFor();
+});
