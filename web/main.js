@@ -9,7 +9,7 @@ import { isObject, kept, tab } from './lib/kept.js';
 import { same } from './lib/pointer.js';
 import { duration, forceOf } from './lib/units.js';
 import { startTheme } from './lib/theme.js';
-import { showTitle, startKeys, startMemory, startMenus, startParts } from './shell.js';
+import { showPart, showTitle, startKeys, startMemory, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
 import { examplesOf } from './setup/examples.js';
@@ -39,7 +39,7 @@ startMemory();
 startTheme();
 const draft = new Draft();
 const form = new Form(draft, (moving) => live.ask(draft.job, moving));
-const readJson = startJson(draft);
+const json = startJson(draft);
 const sketch = startSketch(draft);
 const view = new View({
   fieldsWanted: () => {
@@ -148,8 +148,12 @@ let sending;
 let visits = 0;
 
 async function solve() {
-  const damaged = readJson();
-  if (damaged) return refuse(`The JSON beside is not a job: ${damaged}`);
+  const damaged = json.read();
+  if (damaged) {
+    showPart('json');
+    json.focusFault();
+    return refuse(`The JSON beside is not a job: ${damaged}`);
+  }
   draft.settle();
   const job = structuredClone(draft.job);
   // A key that is held down, or a second click, makes no second job; another set-up goes before the one that waits.
@@ -308,12 +312,13 @@ async function compareOnly(wanted, still) {
 async function applyAddress(edited = false) {
   view.closeReport();
   const address = location.hash;
-  const { job, compared: others, draft: packed } = link.read();
+  const { job, compared: others, draft: packed, damaged } = link.read();
   if (job) {
     await open(job, edited);
     return compareOnly(others, () => location.hash === address);
   }
   wanted = '';
+  if (damaged) return leave('This link is damaged: it does not name a job.');
   if (packed === undefined || edited) {
     // What a slider shows has no address.
     if (current?.id !== '') leave(WELCOME);
@@ -347,6 +352,7 @@ async function begin() {
   await applyAddress(before !== undefined && tab.get(KEPT_AT) === location.hash);
   addEventListener('hashchange', () => {
     visits += 1;
+    live.stop();
     applyAddress();
   });
 }
@@ -360,7 +366,9 @@ byId('form').addEventListener('submit', (event) => {
 });
 addEventListener('keydown', (event) => {
   if (event.key === 'Escape') view.closeReport();
-  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.repeat) {
+  // What is before the form is not to be solved around.
+  const hidden = document.querySelector('dialog[open]') || document.documentElement.dataset.view === 'sheet';
+  if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.repeat && !hidden) {
     event.preventDefault();
     solve();
   }

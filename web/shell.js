@@ -34,17 +34,21 @@ export function startMenus() {
   });
 }
 
+/** @param {string} part of the page @param {boolean} [on] */
+export function showPart(part, on = true) {
+  byId(part).hidden = !on;
+  byId(`show-${part}`).setAttribute('aria-pressed', String(on));
+  browser.set(`show-${part}`, String(on));
+}
+
 /** Buttons that show and hide the JSON and the jobs. @param {() => void} jobsShown */
 export function startParts(jobsShown) {
   for (const part of ['json', 'jobs']) {
-    const button = byId(`show-${part}`);
     const turn = (/** @type {boolean} */ on) => {
-      byId(part).hidden = !on;
-      button.setAttribute('aria-pressed', String(on));
-      browser.set(`show-${part}`, String(on));
+      showPart(part, on);
       if (part === 'jobs') jobsShown();
     };
-    button.addEventListener('click', () => {
+    byId(`show-${part}`).addEventListener('click', () => {
       turn(byId(part).hidden);
       // On a narrow page the parts are stacked, and this one may be far below.
       if (!byId(part).hidden && innerWidth <= 900) byId(part).scrollIntoView();
@@ -66,7 +70,7 @@ export function startKeys() {
   onKeyWanted((refused) => {
     byId('api-key').hidden = false;
     // Every change of the form asks the service: who has said no is not asked again at each.
-    if (declined) return;
+    if (declined || dialog.open) return;
     show(
       refused
         ? `The service does not know this key. Enter another one. ${kept}`
@@ -74,10 +78,19 @@ export function startKeys() {
     );
   });
   byId('api-key').addEventListener('click', () => show(`The key that is used for this service. ${kept}`));
+  const text = /** @type {HTMLInputElement} */ (byId('key-text'));
+  /** Without what cannot be seen and comes along when one copies. */
+  const key = () => text.value.replace(/[\s\u200b-\u200f\u2060\ufeff]/g, '');
+  dialog.addEventListener('submit', (event) => {
+    const saves = /** @type {HTMLButtonElement | null} */ (event.submitter)?.value === 'save';
+    if (!saves || /^[!-~]*$/.test(key())) return;
+    event.preventDefault();
+    show('This is no key: keys have letters, digits and signs such as - and _. Copy it once more.');
+  });
   dialog.addEventListener('close', () => {
     declined = dialog.returnValue !== 'save';
     if (declined) return;
-    if (useKey(/** @type {HTMLInputElement} */ (byId('key-text')).value.trim())) location.reload();
+    if (useKey(key())) location.reload();
     else announce();
   });
 }

@@ -129,6 +129,7 @@ function problemOf(text) {
 function report(answer, buffers) {
   // A solve answers with its job, which has the result inside.
   const parsed = answer.result ?? answer;
+  if (answer.result) parsed.solved_as = answer.id;
   for (const step of parsed.steps ?? []) {
     for (const side of ['upper', 'lower']) {
       if (step.fields?.[side]) step.fields[side] = pack(step.fields[side], buffers);

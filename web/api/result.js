@@ -1,7 +1,7 @@
 /** Results, fetched and parsed in a worker: that of a fine mesh is tens of megabytes of JSON. */
 
 import { NOTHING, wordsOf } from './answers.js';
-import { Problem, authorization, keyWanted } from './client.js';
+import { Problem, authorization, keyWanted, request } from './client.js';
 import { reportLost } from './connection.js';
 
 /** @typedef {import('../types.js').Report} Report */
@@ -56,7 +56,12 @@ export function prepare() {
  * @returns {Promise<Report>}
  * @throws {Problem}
  */
-export const solveNow = (job, signal) => ask('v1/solve', { method: 'POST', body: JSON.stringify(job) }, { signal });
+export async function solveNow(job, signal) {
+  const { solved_as: id, ...report } = await ask('v1/solve', { method: 'POST', body: JSON.stringify(job) }, { signal });
+  // The list of jobs is for those that somebody meant to keep.
+  if (id) request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
+  return report;
+}
 
 /**
  * @param {string} path

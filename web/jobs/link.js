@@ -3,12 +3,22 @@
  * definition (deflated, base64url), which works on any service.
  */
 
-/** @returns {{job?: string, compared: string[], draft?: string}} */
+/** What may be the id of a job; it becomes part of addresses. */
+const ID = /^[\w-]{1,64}$/;
+
+/** @returns {{job?: string, compared: string[], draft?: string, damaged: boolean}} `damaged`: it names a job by what is no id */
 export function read() {
   const fragment = new URLSearchParams(location.hash.slice(1));
+  const job = fragment.get('job') ?? undefined;
+  const damaged = job !== undefined && !ID.test(job);
   return {
-    job: fragment.get('job') ?? undefined,
-    compared: fragment.get('with')?.split(',').filter(Boolean) ?? [],
+    damaged,
+    job: damaged ? undefined : job,
+    compared:
+      fragment
+        .get('with')
+        ?.split(',')
+        .filter((id) => ID.test(id)) ?? [],
     draft: fragment.get('draft') ?? undefined,
   };
 }

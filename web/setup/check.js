@@ -71,7 +71,8 @@ export class Check {
 
   /** Nothing is known of this draft: it is asked again, when the service is back or after a while. @param {Problem} problem */
   #wait({ status, message, retryAfter }) {
-    if (status === 401) return byId('check').replaceChildren();
+    if (status === 401)
+      return byId('check').replaceChildren(h('p', { class: 'error' }, 'The service asks for an API key.'));
     if (status === 0) return;
     this.#again = setTimeout(() => this.now(), 1000 * retryAfter);
     byId('check').replaceChildren(

@@ -94,6 +94,12 @@ export class Draft extends EventTarget {
     this.#place = place;
   }
 
+  /** Puts what was typed before in the form that it has now; goes with the change before. @param {string} place @param {unknown} value @param {string} source */
+  amend(place, value, source) {
+    pointer.set(this.job, place, value);
+    this.#changed(source);
+  }
+
   /** The same physics in other units. @param {Units} units @param {string} source */
   changeUnits(units, source) {
     this.replace(jobIn(this.job, units), source);
@@ -111,6 +117,18 @@ export function jobIn(given, units) {
   convertAll(job, unitsOf(given), units);
   job.units = units;
   return job;
+}
+
+/**
+ * The job in another analysis. A load for each millimetre becomes that many newtons, in either system of units, and the other way round.
+ * @param {Job} given
+ * @param {string} analysis
+ * @returns {Job}
+ */
+export function jobFor(given, analysis) {
+  const units = unitsOf(given);
+  const { load } = jobIn({ ...jobIn(given, 'mm_N_MPa'), analysis }, units);
+  return { ...given, analysis, ...(load !== undefined && { load }) };
 }
 
 /** @param {Job} job whose figures are changed @param {Units} from @param {Units} to */

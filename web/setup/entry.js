@@ -8,6 +8,7 @@ import { historyControl } from './history.js';
 import { listControl } from './list.js';
 import { pointsControl, termsControl } from './points.js';
 import { slider } from './slider.js';
+import { written } from './written.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -32,6 +33,7 @@ import { slider } from './slider.js';
  * @typedef {object} Entry
  * @property {HTMLElement} element
  * @property {HTMLElement} input
+ * @property {(() => unknown) | undefined} read the value that its text has now; not of a choice
  * @property {(value: unknown, otherwise: unknown) => void} show the value, or else what holds without one
  * @property {(unit: string) => void} setUnit
  * @property {(message: string) => void} showError an empty message takes it back
@@ -89,6 +91,7 @@ export function entry(field, change, surroundings) {
       error,
     ),
     input,
+    read: problem && read,
     show: (value, otherwise) => {
       shown = { value, otherwise };
       show(document.activeElement === input);
@@ -184,7 +187,7 @@ function numberControl(field, id, { units, quantity }) {
   };
   return {
     input,
-    ...text(input, read, (value) => (value === undefined ? '' : String(value))),
+    ...text(input, read, written),
     problem: (value) => {
       const result = typeof value === 'string' ? reading(value) : { value };
       return 'problem' in result ? result.problem : '';

@@ -1,10 +1,11 @@
 /** The form: shows the draft, changes it, and puts the service's errors beside the fields they are about. */
 
-import { byId, h } from '../lib/dom.js';
+import { byId, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import * as pointer from '../lib/pointer.js';
 import { numberOf } from '../lib/number.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
+import { jobFor } from './draft.js';
 import { entry } from './entry.js';
 import {
   ANALYSES,
@@ -174,10 +175,11 @@ export class Form {
       h(
         'div',
         { class: 'pair' },
-        this.#choice('/analysis', 'Analysis', ANALYSES),
-        this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) =>
-          this.draft.changeUnits(/** @type {any} */ (units), SOURCE),
-        ),
+        this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
+        this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
+          this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
+          this.#readAgain();
+        }),
       ),
       this.#body('upper', 'Upper body'),
       this.#body('lower', 'Lower body'),
@@ -288,6 +290,31 @@ export class Form {
         this.#choice('/solver/theory', 'Theory', THEORIES),
       ),
     );
+  }
+
+  /** @param {string} analysis */
+  #useAnalysis(analysis) {
+    const { job } = this.draft;
+    const before = forceOf(job);
+    this.draft.replace(jobFor(job, analysis), SOURCE);
+    this.#readAgain();
+    const now = forceOf(this.draft.job);
+    const given = ['force', 'forces', 'history'].includes(loadOf(job.load));
+    if (given && now !== before)
+      toast(
+        now === 'force'
+          ? `The load is that of the whole contact now, in ${unit(now, unitsOf(job))}`
+          : `The load is that of each length now, in ${unit(now, unitsOf(job))}`,
+      );
+  }
+
+  /** Reads anew what could not be read: a unit may be right where it was wrong. */
+  #readAgain() {
+    for (const [place, { entry }] of [...this.#fields]) {
+      if (typeof pointer.get(this.draft.job, place) !== 'string' || !entry.read) continue;
+      const value = entry.read();
+      if (typeof value !== 'string') this.draft.amend(place, value, SOURCE);
+    }
   }
 
   #target() {

@@ -4,6 +4,7 @@ import { h } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { plain } from '../lib/units.js';
 import { partsOf, readParts } from './list.js';
+import { written } from './written.js';
 
 /** @typedef {{force: number} | {approach: number}} HistoryLoad */
 
@@ -12,8 +13,16 @@ const APPROACH = /^[αa]=?(.+)$/i;
 /** @param {unknown} history @returns {string} as it is typed */
 export const writeHistory = (history) =>
   Array.isArray(history)
-    ? history.map((load) => (load?.approach === undefined ? String(load?.force) : `α${load.approach}`)).join(' ')
-    : String(history ?? '');
+    ? history
+        .map((load) =>
+          load?.force !== undefined
+            ? String(load.force)
+            : load?.approach !== undefined
+              ? `α${load.approach}`
+              : JSON.stringify(load),
+        )
+        .join(' ')
+    : written(history);
 
 /** Loads that are written out where there is little room. */
 const FEW = 4;

@@ -5,37 +5,62 @@ import { byId, debounce } from '../lib/dom.js';
 const SOURCE = 'json';
 
 /**
+ * What is typed and is no job stays until it is put right, or given up for what the form has.
  * @param {import('./draft.js').Draft} draft
- * @returns {() => string} reads what is typed at once; answers with what is wrong with it
+ * @returns {{read: () => string, focusFault: () => void}} `read` takes what is typed at once; answers with what is wrong with it
  */
 export function startJson(draft) {
   const text = /** @type {HTMLTextAreaElement} */ (byId('json-text'));
   const state = byId('json-state');
+  const give = /** @type {HTMLButtonElement} */ (byId('json-again'));
   let typed = false;
+  /** What is wrong with what is typed. */
+  let fault = '';
+  const show = () => {
+    text.value = print(draft.job);
+    take('');
+  };
+  const take = (/** @type {string} */ wrong) => {
+    fault = wrong;
+    if (wrong) text.setAttribute('aria-invalid', 'true');
+    else text.removeAttribute('aria-invalid');
+    state.textContent = wrong || 'in step';
+    give.hidden = !wrong;
+    return wrong;
+  };
   const read = () => {
-    if (!typed) return text.hasAttribute('aria-invalid') ? (state.textContent ?? '') : '';
+    if (!typed) return fault;
     typed = false;
     try {
-      const job = JSON.parse(text.value, finite);
+      const job = JSON.parse(text.value.replace(/^\ufeff/, ''), finite);
       if (job === null || typeof job !== 'object' || Array.isArray(job)) throw new Error('a job is an object');
       draft.replace(job, SOURCE);
-      return '';
+      return take('');
     } catch (error) {
-      text.setAttribute('aria-invalid', 'true');
-      return (state.textContent = /** @type {Error} */ (error).message);
+      return take(/** @type {Error} */ (error).message);
     }
   };
   draft.addEventListener('change', (event) => {
-    if (/** @type {CustomEvent} */ (event).detail !== SOURCE) text.value = print(draft.job);
-    text.removeAttribute('aria-invalid');
-    state.textContent = 'in step';
+    if (/** @type {CustomEvent} */ (event).detail === SOURCE) take('');
+    else if (!fault && !typed) show();
+    else take(read() || fault);
+  });
+  give.addEventListener('click', () => {
+    typed = false;
+    show();
+    text.focus();
   });
   const later = debounce(read, 200);
   text.addEventListener('input', () => {
     typed = true;
     later();
   });
-  return read;
+  const focusFault = () => {
+    text.focus();
+    const at = Number(/position (\d+)/.exec(fault)?.[1] ?? NaN);
+    if (at >= 0) text.setSelectionRange(at, at);
+  };
+  return { read, focusFault };
 }
 
 /** @param {string} key @param {unknown} value @returns {unknown} the same, unless it is a number that JSON cannot carry on */

@@ -3,6 +3,7 @@
 import { h } from '../lib/dom.js';
 import { commas, groupsJoined, parted, readQuantity } from '../lib/number.js';
 import { inJobUnits } from '../lib/units.js';
+import { written } from './written.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 /** @typedef {import('../lib/units.js').Units} Units */
@@ -118,7 +119,7 @@ export function listControl(field, id, { units, quantity }) {
       return 'values' in result ? result.values : input.value;
     },
     write: (value) => {
-      input.value = Array.isArray(value) ? value.join(' ') : (value ?? '');
+      input.value = Array.isArray(value) ? value.map(written).join(' ') : written(value);
     },
     problem: (value) => {
       const result = typeof value === 'string' ? reading(value) : undefined;

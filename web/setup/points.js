@@ -7,6 +7,7 @@ import { textOf } from '../lib/text-file.js';
 import { unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromEngineering, fromTotal } from './hardening.js';
+import { written } from './written.js';
 
 /** Most letters of a table at fault that are shown to be put right. */
 const LONG = 100_000;
@@ -30,13 +31,17 @@ export function pointsControl(field, id, change, { units, parent }) {
     const result = table(input.value);
     return 'points' in result ? result.points : input.value;
   };
+  /** What the note is of. @type {unknown} */
+  let noted;
   const write = (/** @type {any} */ value) => {
+    if (!same(value, noted)) note.textContent = '';
     input.value = Array.isArray(value)
       ? value.map((point) => (Array.isArray(point) ? point.join('  ') : point)).join('\n')
-      : (value ?? '');
+      : written(value);
   };
   /** @param {Point[]} points @param {string[]} notes */
   const put = (points, notes) => {
+    noted = points;
     write(points);
     note.textContent = notes.join('; ');
     change(points);

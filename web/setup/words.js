@@ -21,9 +21,18 @@ function called(quoted, key) {
   return name && /^(solver|mesh)\./.test(key) ? titled(name) : (name ?? quoted);
 }
 
+/** What the service says to programs, and people are not told so. @type {[RegExp, string][]} */
+const PLAINER = [
+  [/ \(units \w+\)/g, ''],
+  [/must have between (\d+) and (\d+) items, got 0/g, 'is empty: $1 to $2 are needed'],
+  [/must have between (\d+) and (\d+) items/g, 'must have $1 to $2 lines or numbers'],
+  [/must be an array of (\d) numbers/g, 'must be $1 numbers'],
+  [/must be (.*), got an? (string|array|object|boolean)$/g, 'must be $1'],
+];
+
 /** @param {string} message in which keys stand between back-quotes */
 export const inWords = (message) =>
-  message
+  PLAINER.reduce((words, [pattern, plain]) => words.replace(pattern, plain), message)
     // Behind the words that it means, a key says nothing more.
     .replace(/ \(`[\w./]+`\)/g, '')
     .replace(/\b(the )?theory `flow`/g, 'flow theory')

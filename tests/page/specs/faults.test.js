@@ -114,4 +114,11 @@ service.test('messages speak the language of the form', async (page) => {
   const error = page.locator('[data-place="/upper/material/plasticity/tangent_modulus"] .error');
   await error.getByText('must be less than young’s modulus').waitFor();
   assert.doesNotMatch((await error.textContent()) ?? '', /_/);
+  await page.getByLabel('Radius').first().fill('1e-9');
+  const radius = page.locator('[data-place="/upper/shape/radius"] .error');
+  await radius.getByText('must be between').waitFor();
+  assert.doesNotMatch((await radius.textContent()) ?? '', /_/);
+  await page.getByLabel('Given').selectOption('forces');
+  await page.locator('[data-place="/load/forces"] input').fill('');
+  await page.locator('[data-place="/load/forces"] .error').getByText('is empty: 1 to 1000 are needed').waitFor();
 });

@@ -103,6 +103,18 @@ service.test('half a JSON beside the form is not solved around', async (page) =>
   await page.locator('#headline').getByText('500.00').waitFor();
 });
 
+service.test('the note of a conversion goes when it is undone, and what was pasted stays', async (page) => {
+  await page.getByLabel('Hardening').first().selectOption('table');
+  const place = page.locator('[data-place="/upper/material/plasticity/points"]');
+  await paste(place.locator('textarea'), '0 0\n0.001 210\n0.002 420\n0.01 500\n0.1 600');
+  await place.getByText('5 points read').waitFor();
+  await page.getByRole('button', { name: 'From total strain' }).click();
+  await place.getByText('converted to plastic strain').waitFor();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  assert.equal((await draft(page)).upper.material.plasticity.points.length, 5);
+  assert.equal(await place.locator('.note').textContent(), '');
+});
+
 service.test('changes are undone and done again', async (page) => {
   await page.locator(FORCE).fill('777');
   await page.getByLabel('Support').first().selectOption('roller');

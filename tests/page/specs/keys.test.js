@@ -76,3 +76,17 @@ service.test(
   },
   WANTED,
 );
+
+service.test(
+  'a key that cannot be one is told in the dialogue, and what came along unseen is left out',
+  async (page, { server }) => {
+    const dialog = page.getByRole('dialog');
+    await dialog.waitFor();
+    await page.getByLabel('Key', { exact: true }).fill('ключ');
+    await page.getByRole('button', { name: 'Use key' }).click();
+    await dialog.getByText('This is no key').waitFor();
+    await give(page, `\u200b${made(server, 'first')} `);
+    await page.getByText('1500.0 MPa').waitFor();
+  },
+  WANTED,
+);

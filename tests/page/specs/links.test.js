@@ -121,3 +121,16 @@ service.test('a slider goes on after a job that is gone, and a report of it name
   await foot.getByText('solved beside a slider and kept as no job').waitFor();
   assert.equal(await foot.locator('.link').count(), 0);
 });
+
+service.test('a link that names no job is called damaged, and nothing is asked for', async (page) => {
+  const asked = /** @type {string[]} */ ([]);
+  page.on('request', (request) => asked.push(request.url()));
+  await page.evaluate(() => {
+    location.hash = 'job=../../livez?&with=../metrics';
+  });
+  await page.getByText('This link is damaged: it does not name a job.').waitFor();
+  assert.deepEqual(
+    asked.filter((url) => /livez|metrics|request/.test(url)),
+    [],
+  );
+});

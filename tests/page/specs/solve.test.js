@@ -169,3 +169,32 @@ service.test(
     await sheet.getByText(`step ${many} of ${many} solved, of 400 asked for`).waitFor();
   },
 );
+
+service.test('a key of the form solves nothing behind a dialogue or a report', async (page) => {
+  let count = 0;
+  page.on('request', (request) => {
+    if (request.method() === 'POST' && request.url().endsWith('/v1/jobs')) count += 1;
+  });
+  await page.getByRole('button', { name: 'Keep as own…' }).first().click();
+  await page.getByLabel('Name').press('Control+Enter');
+  await page.getByRole('dialog').getByRole('button', { name: 'Cancel' }).click();
+  await page.keyboard.press('Control+Enter');
+  await page.locator(SOLVED).waitFor();
+  await page.getByRole('button', { name: 'Report' }).click();
+  await page.getByLabel('Force P').evaluate((one) => one.dispatchEvent(new Event('input')));
+  await page.keyboard.press('Control+Enter');
+  await page.keyboard.press('Escape');
+  assert.equal(count, 1);
+});
+
+service.test('what a slider has solved is no job of the list', async (page) => {
+  const place = page.locator('[data-place="/load/force"]');
+  const removed = page.waitForResponse((response) => response.request().method() === 'DELETE');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  await place.getByRole('slider').press('ArrowRight');
+  await page.locator('[data-status=live]').getByText('solved in').waitFor();
+  const response = await removed;
+  assert.equal(response.ok(), true);
+  const id = new URL(response.url()).pathname.split('/').at(-1);
+  assert.equal(await page.evaluate(async (id) => (await fetch(`v1/jobs/${id}`)).status, id), 404);
+});
