@@ -144,6 +144,9 @@ function refuse(words) {
 
 /** What is being sent. @type {{job: import('./types.js').Job, controller: AbortController} | undefined} */
 let sending;
+/** Another set-up than the one that is being sent may be solved. */
+const showSending = () =>
+  byId('solve').setAttribute('aria-disabled', String(Boolean(sending && same(sending.job, draft.job))));
 /** How often an address was followed. */
 let visits = 0;
 
@@ -162,7 +165,7 @@ async function solve() {
   const mine = { job, controller: new AbortController() };
   sending = mine;
   const begun = visits;
-  byId('solve').setAttribute('aria-disabled', 'true');
+  showSending();
   try {
     const { id } = await send(job, mine.controller.signal, (problem) => {
       if (sending === mine) refuse(waitingWords(problem));
@@ -187,7 +190,7 @@ async function solve() {
   } finally {
     if (sending === mine) {
       sending = undefined;
-      byId('solve').removeAttribute('aria-disabled');
+      showSending();
     }
   }
 }
@@ -377,6 +380,7 @@ draft.addEventListener('change', () => {
   compareWithDraft();
   // What is said of a job that waits to be sent stays.
   if (!sending) refuse('');
+  showSending();
   // Not `disabled`: a button that has the focus would lose it.
   byId('undo').setAttribute('aria-disabled', String(!draft.undoable));
   byId('redo').setAttribute('aria-disabled', String(!draft.redoable));
