@@ -106,6 +106,11 @@ impl InitialStressProfile {
         Self { sigma_x: component(|row| row.sigma_x), sigma_z: component(|row| row.sigma_z) }
     }
 
+    /// The depths of the rows \[mm\].
+    pub fn depths(&self) -> impl Iterator<Item = f64> {
+        self.sigma_x.iter().map(|[depth, _]| *depth)
+    }
+
     /// `[σ_x, σ_z]` at a depth \[MPa\].
     pub fn at(&self, depth: f64) -> [f64; 2] {
         [&self.sigma_x, &self.sigma_z].map(|points| interpolate(points, depth).unwrap_or(0.0))

@@ -68,6 +68,11 @@ impl GivenStress {
         [along * n_y * n_y, along * n_x * n_x, across, -along * n_x * n_y]
     }
 
+    /// Depths between which it varies evenly \[mm\].
+    pub fn depths(&self) -> impl Iterator<Item = f64> {
+        self.profile.depths()
+    }
+
     /// Whether it is in equilibrium as it is.
     pub fn is_in_equilibrium(&self) -> bool {
         self.outline.is_flat()

@@ -43,9 +43,20 @@ fn the_reported_onset_force_is_the_closed_form() {
 
 /// A roller or ball on a block, with strength over depth, and the force under which the block begins to yield.
 fn onset_on_block(analysis: &str, poisson_ratio: f64, over_depth: &Value) -> StepReport {
+    onset_on_stressed_block(analysis, poisson_ratio, over_depth, &Value::Null)
+}
+
+/// The same with stress in the block before the load.
+fn onset_on_stressed_block(
+    analysis: &str,
+    poisson_ratio: f64,
+    over_depth: &Value,
+    initial: &Value,
+) -> StepReport {
     let elastic = json!({"young_modulus": 210_000.0, "poisson_ratio": poisson_ratio});
     let mut yielding = elastic.clone();
     yielding["plasticity"] = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 4000.0, "over_depth": over_depth});
+    yielding["initial_stress"] = initial.clone();
     let job = json!({"analysis": analysis, "load": {"onset": true},
         "upper": {"shape": {"type": "cylinder", "radius": 100.0}, "material": elastic},
         "lower": {"shape": {"type": "block", "width": 600.0, "depth": 400.0}, "material": yielding}});
@@ -124,4 +135,57 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
         assert!(error <= bar && bar < 0.3, "{analysis}: {error} in {bar}");
         assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis}");
     }
+}
+
+/// Stress before the load that is highest at the surface, at a depth between nodes, and beside the contact.
+#[test]
+fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
+    let uniform = json!([[0, 1.0]]);
+    let rows =
+        |points: [[f64; 3]; 4]| {
+            json!(points.map(
+                |[depth, sigma_x, sigma_z]| json!({"depth": depth, "sigma_x": sigma_x, "sigma_z": sigma_z})
+            ))
+        };
+    let below = |z: f64| match z {
+        0.0..0.4 => -350.0 * z / 0.4,
+        0.4..1.0 => -350.0 + 450.0 * (z - 0.4) / 0.6,
+        _ => (100.0 - 25.0 * (z - 1.0)).max(0.0),
+    };
+    // Under the middle of the contact.
+    let unit = HertzLine::from_peak_pressure(1.0, 1.0, 2.0);
+    let bears = |p0: f64| {
+        let a = 200.0 * p0 / 105_000.0;
+        (0..4000u32).map(|k| 1e-3 * f64::from(k)).all(|z| {
+            let stress = unit.stress(0.0, z / a, 0.1);
+            let (x, y) = (p0 * stress.sigma_x + below(z), p0 * stress.sigma_y);
+            (x * x - x * y + y * y).sqrt() <= 500.0
+        })
+    };
+    let (mut low, mut high) = (0.0, 5000.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if bears(middle) { low = middle } else { high = middle }
+    }
+    let force = HertzLine::from_peak_pressure(low, 100.0, 105_000.0).force();
+    let given = rows([[0.0, 0.0, 0.0], [0.4, -350.0, 0.0], [1.0, 100.0, 0.0], [5.0, 0.0, 0.0]]);
+    let step = onset_on_stressed_block("plane_stress", 0.1, &uniform, &given);
+    assert_within(step.contact.force, force, 5e-3);
+    assert!((step.yield_onset.unwrap().depth - 0.4).abs() < 1e-6);
+
+    // In the middle of the surface, where the block has no stress: `σ_x = σ_y = -p0`, `σ_z = -2ν p0`.
+    let given = rows([[0.0, 0.0, 0.0], [0.4, -350.0, -350.0], [1.0, 100.0, 100.0], [5.0, 0.0, 0.0]]);
+    let step = onset_on_stressed_block("plane_strain", 0.1, &uniform, &given);
+    let force = HertzLine::from_peak_pressure(500.0 / 0.8, 100.0, effective(0.1)).force();
+    assert_within(step.contact.force, force, 5e-3);
+    assert_eq!(step.yield_onset.unwrap().depth, 0.0);
+
+    // `σ_r = q + (1 - 2ν) p0/3`, `σ_t = q - (1 - 2ν) p0/3`.
+    let given = rows([0.0, 1.0, 2.0, 400.0].map(|depth| [depth, -250.0, -250.0]));
+    let step = onset_on_stressed_block("axisymmetric", 0.1, &uniform, &given);
+    let peak = ((500.0f64.powi(2) - 250.0f64.powi(2)) / 3.0).sqrt() * 3.0 / 0.8;
+    let force = HertzPoint::from_peak_pressure(peak, 100.0, effective(0.1)).force();
+    let error = (step.contact.force / force - 1.0).abs();
+    assert!(error < 0.03 && error <= step.estimated_error.unwrap().force, "{error}");
+    assert!((step.yield_onset.unwrap().position / step.contact.half_width - 1.0).abs() < 1e-6);
 }

@@ -39,7 +39,7 @@ const TOLERANCE: f64 = 1e-3;
 /// The same for the onset of yield, which scatters less.
 const ONSET_TOLERANCE: f64 = 2e-4;
 /// Deviation of the utilization from which on an onset counts as missed: at the edge of a contact circle it scatters with the radius.
-const ONSET_MISSED: f64 = 1e-3;
+const ONSET_MISSED: f64 = 3e-3;
 /// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
 const MISSED: f64 = 0.01;
 const MISSED_ELEMENTS: f64 = 0.5;

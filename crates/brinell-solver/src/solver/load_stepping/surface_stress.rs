@@ -6,10 +6,13 @@
 //! ε_t = Δu·t / Δs          strain along the surface, exact to second order half-way between two nodes
 //! ε_θ = u_r / r            of a body of revolution; 0 in plane strain
 //! ```
-//! Hooke's law gives the other components. There is no friction and no shear stress.
+//! Hooke's law gives the other components. There is no friction and no shear stress. Stress that a body has before the load is
+//! added as it is given, and what the body did to it where it relaxed as recovered at the nodes.
 
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
+use crate::solver::problem::{GivenStress, ProblemBody};
+use crate::solver::recovery::Recovery;
 use crate::solver::solution::{BodySolution, PairState, StepSolution};
 
 /// A point of the surface half-way between two neighbouring pairs.
@@ -17,20 +20,63 @@ use crate::solver::solution::{BodySolution, PairState, StepSolution};
 pub(super) struct SurfacePoint {
     /// `[x, y]` \[mm\].
     pub position: [f64; 2],
-    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
-    pub stress: [f64; 4],
+    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` beyond the one that is given before the load \[MPa\].
+    pub beyond_given: [f64; 4],
     /// Whether it lies beside the contact.
     is_free: bool,
 }
 
-/// The points of a body in order of x; none of a body that had stress before the load.
-pub(super) fn surface_points(step: &StepSolution, body: &BodySolution) -> Vec<SurfacePoint> {
-    if body.initial_stress.is_some() || body.displacement.is_empty() {
+/// The points of a body in order of x.
+pub(super) fn surface_points(
+    step: &StepSolution,
+    body: &BodySolution,
+    limits: &ProblemBody,
+) -> Vec<SurfacePoint> {
+    if body.displacement.is_empty() {
         return Vec::new();
     }
-    let nodes = body.mesh.contact_nodes.windows(2);
+    let relaxed = relaxed_beyond_given(step, body, limits);
+    let nodes = body.mesh.contact_nodes.windows(2).zip(relaxed.windows(2));
     let pairs = step.pairs.windows(2);
-    nodes.zip(pairs).filter_map(|(nodes, pairs)| point(step.stress_state, body, nodes, pairs)).collect()
+    let points = nodes.zip(pairs).filter_map(|((nodes, relaxed), pairs)| {
+        let mut point = point(step.stress_state, body, nodes, pairs)?;
+        for (k, stress) in point.beyond_given.iter_mut().enumerate() {
+            *stress += relaxed.iter().map(|at_node| 0.5 * at_node[k]).sum::<f64>();
+        }
+        Some(point)
+    });
+    points.collect()
+}
+
+/// What the stress before the load is beyond the given one, at the nodes of the surface \[MPa\].
+fn relaxed_beyond_given(step: &StepSolution, body: &BodySolution, limits: &ProblemBody) -> Vec<[f64; 4]> {
+    let nodes = &body.mesh.contact_nodes;
+    let given = limits.initial_stress.as_deref().filter(|given| !given.is_in_equilibrium());
+    let (Some(given), Some(at_rest)) = (given, body.at_rest()) else { return vec![[0.0; 4]; nodes.len()] };
+    let beyond = beyond_given(at_rest, given);
+    let mut recovery = Recovery::new(&beyond, step.symmetric);
+    nodes
+        .iter()
+        .map(|&node| {
+            let [x, y, z, shear, ..] = recovery.node(node);
+            [x, y, z, shear]
+        })
+        .collect()
+}
+
+/// A body without the stress that is given before the load, which may vary faster than elements tell.
+pub(super) fn beyond_given(mut body: BodySolution, given: &GivenStress) -> BodySolution {
+    for point in body.stress.points.iter_mut().flatten() {
+        let given = given.at(point.position);
+        point.stress.iter_mut().zip(given).for_each(|(stress, given)| *stress -= given);
+    }
+    body
+}
+
+/// The same with it.
+pub(super) fn with_given(stress: [f64; 4], limits: &ProblemBody, position: [f64; 2]) -> [f64; 4] {
+    let given = limits.initial_stress.as_deref().map_or([0.0; 4], |given| given.at(position));
+    std::array::from_fn(|k| stress[k] + given[k])
 }
 
 fn point(
@@ -56,7 +102,7 @@ fn point(
     let [c, s] = tangent;
     Some(SurfacePoint {
         position,
-        stress: [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s],
+        beyond_given: [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s],
         is_free: a.force == 0.0 && b.force == 0.0,
     })
 }
@@ -75,12 +121,21 @@ fn principal(state: StressState, moduli: ElasticModuli, [along, across]: [f64; 2
     [twice_shear * along + volumetric, normal, twice_shear * across + volumetric]
 }
 
-/// Highest von Mises stress at the edge of the contact circle of a body of revolution \[MPa\], where stress along the surface has
-/// a peak that elements do not resolve: beside the contact it falls as 1/r², as that of a force on a point does.
-pub(super) fn at_contact_circle(step: &StepSolution, points: &[SurfacePoint]) -> Option<[f64; 2]> {
+/// Highest von Mises stress at the edge of the contact circle of a body of revolution and its place \[MPa, mm\]. Stress along the
+/// surface has a peak there that elements do not resolve: beside the contact it falls as 1/r², as that of a force on a point does.
+pub(super) fn at_contact_circle(
+    step: &StepSolution,
+    limits: &ProblemBody,
+    points: &[SurfacePoint],
+) -> Option<(f64, [f64; 2])> {
     let is_disc = step.stress_state == StressState::Axisymmetric && step.parts.len() == 1;
     let radius = step.patch.filter(|patch| is_disc && patch.left <= 0.0)?.right;
     // The outermost, because the others come into contact one after the other while a force is sought.
     let outside = points.last().filter(|point| point.is_free)?;
-    Some([radius, von_mises(outside.stress) * (outside.position[0] / radius).powi(2)])
+    let factor = (outside.position[0] / radius).powi(2);
+    let position = [radius, limits.outline.height(radius)];
+    Some((
+        von_mises(with_given(outside.beyond_given.map(|stress| factor * stress), limits, position)),
+        position,
+    ))
 }

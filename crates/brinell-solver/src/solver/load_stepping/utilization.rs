@@ -1,10 +1,10 @@
 //! How near a contact is to yield.
 
-use super::surface_stress::{SurfacePoint, at_contact_circle, surface_points};
+use super::surface_stress::{SurfacePoint, at_contact_circle, beyond_given, surface_points, with_given};
 use crate::fem::assembly::GaussPoint;
 use crate::fem::element::shape_functions;
 use crate::material::von_mises;
-use crate::solver::problem::{Problem, ProblemBody};
+use crate::solver::problem::{GivenStress, Problem, ProblemBody};
 use crate::solver::recovery::Recovery;
 use crate::solver::solution::{BodySolution, StepSolution};
 
@@ -20,8 +20,8 @@ pub(crate) struct Utilization {
 }
 
 /// The place with the highest von Mises stress over the yield stress there: of the middles of elements, by their means (single
-/// Gauss points lie above the field by half a percent), and of the surface; where strength varies with depth, by recovered
-/// stresses at points within the elements. Of two bodies alike, the lower one; `None` if no body can yield.
+/// Gauss points lie above the field by half a percent), and of the surface; where strength or the stress before the load varies with
+/// depth, by recovered stresses at points within the elements. Of two bodies alike, the lower one; `None` if no body can yield.
 pub(crate) fn highest_utilization(step: &StepSolution, problem: &Problem) -> Option<Utilization> {
     highest_within(step, problem, &|_| true)
 }
@@ -46,8 +46,8 @@ fn highest_within(
     let solutions = step.bodies.iter().zip(&problem.bodies).enumerate();
     let highest = solutions.filter_map(|(body, (solution, limits))| {
         let (solution, (least, greatest)) = (solution.as_ref()?, limits.strength_range());
-        let surface = surface_points(step, solution);
-        let inside = if least < greatest {
+        let surface = surface_points(step, solution, limits);
+        let inside = if least < greatest || limits.initial_stress.is_some() {
             highest_of_graded(solution, step.symmetric, limits, &surface, counts)?
         } else {
             highest_of_elements(solution, limits, counts)?
@@ -88,17 +88,18 @@ fn highest_of_surface(
 ) -> [Option<(f64, [f64; 2])>; 2] {
     let ratio =
         |stress: f64, position: [f64; 2]| Some((stress / limits.yield_stress_at(position)?, position));
-    let ratios = points.iter().filter_map(|point| ratio(von_mises(point.stress), point.position));
-    let edge = at_contact_circle(step, points)
-        .and_then(|[radius, stress]| ratio(stress, [radius, limits.outline.height(radius)]));
+    let ratios = points.iter().filter_map(|point| {
+        ratio(von_mises(with_given(point.beyond_given, limits, point.position)), point.position)
+    });
+    let edge = at_contact_circle(step, limits, points).and_then(|(stress, position)| ratio(stress, position));
     [ratios.max_by(|a, b| a.0.total_cmp(&b.0)), edge]
 }
 
 /// Parts of an element's side at whose ends a strength that varies is looked at.
 const PARTS: u32 = 8;
 
-/// The highest ratio of recovered stresses to a yield stress that varies within elements: at even points within them, and where
-/// they cross the depths of the profile, at which strength may change so fast that it jumps between such points.
+/// The highest ratio of recovered stresses to a yield stress where one of them varies within elements: at even points within them, and where
+/// they cross the depths of the profiles, at which strength and given stress may change so fast that they jump between such points.
 fn highest_of_graded(
     solution: &BodySolution,
     symmetric: bool,
@@ -107,27 +108,37 @@ fn highest_of_graded(
     counts: &dyn Fn([f64; 2]) -> bool,
 ) -> Option<(f64, [f64; 2])> {
     let mesh = &solution.mesh;
-    let mut stress: Vec<[f64; 4]> =
-        Recovery::new(solution, symmetric).nodes().into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
+    let given = limits.initial_stress.as_deref();
+    let beyond = given.map(|given| beyond_given(solution.clone(), given));
+    let recovered = Recovery::new(beyond.as_ref().unwrap_or(solution), symmetric).nodes();
+    let mut stress: Vec<[f64; 4]> = recovered.into_iter().map(|[x, y, z, t, ..]| [x, y, z, t]).collect();
     // Between two points of the surface.
     for (&node, points) in mesh.contact_nodes.iter().skip(1).zip(surface.windows(2)) {
-        let mean = |k: usize| points.iter().map(|point| 0.5 * point.stress[k]).sum();
+        let mean = |k: usize| points.iter().map(|point| 0.5 * point.beyond_given[k]).sum();
         stress[node as usize] = std::array::from_fn(mean);
     }
     if let (true, Some(&node), [first, second, ..]) = (symmetric, mesh.contact_nodes.first(), surface) {
         // Even about the axis.
-        stress[node as usize] = std::array::from_fn(|k| (9.0 * first.stress[k] - second.stress[k]) / 8.0);
+        stress[node as usize] =
+            std::array::from_fn(|k| (9.0 * first.beyond_given[k] - second.beyond_given[k]) / 8.0);
     }
     let is_near_core = |node: u32| mesh.frame.is_near_core(mesh.nodes[node as usize]);
     let at_node = |node: u32| {
         let (stress, position) = (stress[node as usize], mesh.nodes[node as usize]);
         let limit = limits.yield_stress_at(position)?;
-        Some(if is_near_core(node) { 0.0 } else { von_mises(stress) / limit })
+        Some(if is_near_core(node) { 0.0 } else { von_mises(with_given(stress, limits, position)) / limit })
     };
     let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect::<Option<Vec<_>>>()?;
     let highest = nodal.iter().copied().fold(0.0, f64::max);
     let depth: Vec<f64> = mesh.nodes.iter().map(|&node| limits.outline.foot(node).0).collect();
-    let (yield_stress, profile) = (limits.yield_stress()?, limits.material.as_ref()?.strength()?);
+    let yield_stress = limits.yield_stress()?;
+    let strength = limits.material.as_ref()?.strength();
+    let depths_of_strength = strength
+        .iter()
+        .flat_map(|profile| profile.points())
+        .map(|[z, factor]| (*z, Some(yield_stress * factor)));
+    let depths_of_stress = given.into_iter().flat_map(GivenStress::depths).map(|z| (z, None));
+    let knots: Vec<(f64, Option<f64>)> = depths_of_strength.chain(depths_of_stress).collect();
     let mut best = (0.0, [0.0; 2]);
     for (element, nodes) in mesh.elements.iter().enumerate() {
         let corners = mesh.corners(element);
@@ -139,21 +150,22 @@ fn highest_of_graded(
         let depths = nodes.map(|node| depth[node as usize]);
         let (least, greatest) =
             depths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (z.min(a), z.max(b)));
-        let crossed = profile.points().iter().filter(|[z, _]| least < *z && *z < greatest);
+        let crossed = knots.iter().filter(|(z, _)| least < *z && *z < greatest);
         let mut look = |natural: [f64; 2], limit: Option<f64>| -> Option<()> {
             let shape = shape_functions(natural);
             let mix = |values: &dyn Fn(usize) -> f64| (0..4).map(|c| shape[c] * values(c)).sum::<f64>();
             let position = std::array::from_fn(|axis| mix(&|c| corners[c][axis]));
             let stress = std::array::from_fn(|s| mix(&|c| stress[nodes[c] as usize][s]));
-            let found = von_mises(stress) / limit.or_else(|| limits.yield_stress_at(position))?;
+            let found = von_mises(with_given(stress, limits, position))
+                / limit.or_else(|| limits.yield_stress_at(position))?;
             if found > best.0 {
                 best = (found, position);
             }
             Some(())
         };
-        for [z, factor] in crossed {
-            for natural in crossings(depths, *z) {
-                look(natural, Some(yield_stress * factor))?;
+        for &(z, limit) in crossed {
+            for natural in crossings(depths, z) {
+                look(natural, limit)?;
             }
         }
         // Between nodes and depths of the profile it is higher by no more than the strength varies within an element.
