@@ -135,8 +135,7 @@ fn highest_of_graded(
     let strength = limits.material.as_ref()?.strength();
     let depths_of_strength = strength
         .iter()
-        .flat_map(|profile| profile.points())
-        .map(|[z, factor]| (*z, Some(yield_stress * factor)));
+        .flat_map(|profile| profile.points().iter().map(|[z, factor]| (*z, Some(yield_stress * factor))));
     let depths_of_stress = given.into_iter().flat_map(GivenStress::depths).map(|z| (z, None));
     let knots: Vec<(f64, Option<f64>)> = depths_of_strength.chain(depths_of_stress).collect();
     let mut best = (0.0, [0.0; 2]);
