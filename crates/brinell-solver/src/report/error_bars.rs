@@ -3,7 +3,8 @@
 //! ```text
 //! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge or tip
 //!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves
-//! half-width      max(|Δ|, 0.5 h/a), 0.75 h/a where the pressure is highest next to an end
+//! half-width      max(|Δ|, 0.5 h/a), 0.75 h/a where the pressure is highest next to an end; on a rounded edge that is not resolved
+//!                 its distance from the closed form
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
 //!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
 //!                 h/a of the widest contact
@@ -12,7 +13,7 @@
 //! force           0; of the onset of yield max(|Δ|, 0.2 h/a); under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
-//! and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
+//! at the onset of yield what the error of the force is on the curves over force, and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
 //! errors that fall with h or faster, |Δ| is at least the error of the finer mesh. But the errors also scatter with
 //! where the edge of the contact happens to fall between two nodes, so that now and then Δ is far below the error.
 //! The second terms are floors for that: half an element for the half-width, second order for the rest (the rings grow
@@ -142,6 +143,9 @@ pub struct ErrorEstimate {
     pub contact_stiffness: f64,
 }
 
+/// Exponent of the force with which peak pressure and half-width of a contact of arcs grow at most: those of a line contact.
+const WITH_FORCE: f64 = 0.5;
+
 /// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
 pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     let coarse = step.coarse?;
@@ -161,7 +165,7 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
     // Of a contact in several parts the coarsest one may have the peak.
     let peak_size = step.coarsest_part().map_or(size, |(_, elements)| size.max(elements.recip()));
     let peak_floor = (PEAK_FLOOR * peak_size * peak_size).max(if is_axis_raw { AXIS_FLOOR } else { 0.0 });
-    let edge_floor = step.rounded_edge.map_or(0.0, |edge| relative(step.peak_pressure, edge.peak_pressure()));
+    let edge_floor = step.rounded_edge.map_or(0.0, |edge| edge.pressure_error / step.peak_pressure);
     let tip_floor = step.rounded_tip.map_or(0.0, |tip| tip.pressure_error / step.peak_pressure);
     let peak_floor = peak_floor.max(edge_floor).max(tip_floor);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
@@ -174,8 +178,13 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
         ContactLoad::Approach(_) => relative(step.force(), coarse.force),
     };
     let contact_stiffness = stiffness_bar(step, yields, size, difference);
+    // What an error of the force is on the curves over force.
+    let onset = step.onset_error.unwrap_or(0.0);
     let (approach, force) = match step.load {
-        ContactLoad::Force(_) => (approach, step.onset_error.unwrap_or(0.0)),
+        ContactLoad::Force(force) => {
+            let compliance = step.contact_stiffness * step.approach;
+            (approach + if compliance > 0.0 { onset * force / compliance } else { onset }, onset)
+        }
         ContactLoad::Approach(_) => {
             // What an error of the approach is on the curve of force over approach.
             let force = step.force();
@@ -184,11 +193,15 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
             (0.0, relative(force, coarse.force).max(floor))
         }
     };
+    let width_floor = (half_width_floor(step) * size)
+        .max(step.rounded_edge.map_or(0.0, |edge| relative(half_width, edge.half_width)));
     Some(ErrorEstimate {
         peak_pressure: increments.peak_pressure
+            + WITH_FORCE * onset
             + relative(step.peak_pressure, coarse.peak_pressure).max(peak_floor),
         half_width: increments.half_width
-            + relative(half_width, coarse.half_width).max(half_width_floor(step) * size),
+            + WITH_FORCE * onset
+            + relative(half_width, coarse.half_width).max(width_floor),
         approach,
         force,
         contact_stiffness,

@@ -62,6 +62,8 @@ const VERY_LARGE_STRAIN: f64 = 0.2;
 const COARSE_MESH: f64 = 9.0;
 /// Relative error of the force of an onset of yield beyond which that is said.
 const UNCERTAIN_ONSET: f64 = 0.03;
+/// Part of the largest pressure from which on the error at the tip of a power is told.
+const POINTED_ERROR: f64 = 0.02;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -84,10 +86,10 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
     }
     if let Some(edge) = &step.rounded_edge {
         messages.push(format!(
-            "The contact ends within about {:.2e} mm on the rounded edges, with a peak of about {:.0} MPa there in closed form; \
-             elements of {:.2e} mm leave that out. What is away from the edges does not depend on it.",
-            edge.width(),
-            edge.peak_pressure(),
+            "The contact ends within about {:.2e} mm on the rounded edges, where elastic bodies have a peak of about {:.0} MPa in \
+             closed form; elements of {:.2e} mm leave that out. What is away from the edges does not depend on it.",
+            edge.elastic.width(),
+            edge.elastic.peak_pressure(),
             step.spacing
         ));
     }
@@ -98,7 +100,9 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             100.0 * error
         ));
     }
-    if let Some(tip) = &step.rounded_tip {
+    let is_told =
+        |tip: &&RoundedTip| tip.arc.is_some() || tip.pressure_error > POINTED_ERROR * step.peak_pressure;
+    if let Some(tip) = step.rounded_tip.as_ref().filter(is_told) {
         messages.push(rounded_tip(tip, step, half_width));
     }
     if let Some(needed) = step.unresolved {
@@ -113,7 +117,15 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
 
 /// What is said of a tip whose arc is narrow beside the elements.
 fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String {
-    let needed = (TIP_ELEMENTS * half_width / tip.arc).ceil();
+    let Some(arc) = tip.arc else {
+        return format!(
+            "The curvature of the surface is infinite at its tip; elements of {:.2e} mm leave that out, and pressure, yield and strain at \
+             the tip are those of the mesh. In closed form elastic bodies have a peak of about {:.0} MPa there. What is away from the tip \
+             does not depend on it.",
+            step.spacing, tip.elastic_pressure
+        );
+    };
+    let needed = (TIP_ELEMENTS * half_width / arc).ceil();
     let advice = if needed > f64::from(MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH) {
         "No mesh that may be asked for resolves it.".to_owned()
     } else {
@@ -123,7 +135,7 @@ fn rounded_tip(tip: &RoundedTip, step: &StepSolution, half_width: f64) -> String
         "The tip is rounded off within {:.2e} mm to each side of its middle; elements of {:.2e} mm leave that out, and pressure, \
          yield and strain at the tip are those of the mesh. In closed form elastic bodies have a peak of about {:.0} MPa there. {advice} \
          What is away from the tip does not depend on it.",
-        tip.arc, step.spacing, tip.elastic_pressure
+        arc, step.spacing, tip.elastic_pressure
     )
 }
 

@@ -41,5 +41,6 @@ pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
 pub use solution::{
-    BodySolution, CoarseFigures, Energy, IncrementRecord, PairState, RoundedTip, Solution, StepSolution,
+    BodySolution, CoarseFigures, Energy, IncrementRecord, NarrowEdge, PairState, RoundedTip, Solution,
+    StepSolution,
 };

@@ -285,6 +285,11 @@ impl Problem {
         self.bodies.iter().filter_map(|body| body.outline.tip_arc()).fold(f64::INFINITY, f64::min)
     }
 
+    /// The least exponent below 2 of a power, whose curvature is infinite at the tip.
+    pub fn pointed_exponent(&self) -> Option<f64> {
+        self.bodies.iter().filter_map(|body| body.outline.pointed_exponent()).reduce(f64::min)
+    }
+
     /// Whether a knot lies on a rounded edge of a punch, or is one of the arc of a tip.
     pub fn is_rounded_off(&self, x: f64) -> bool {
         let is_on = |outline: &Outline| {

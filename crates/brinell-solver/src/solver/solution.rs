@@ -82,10 +82,9 @@ pub struct StepSolution {
     pub has_collapsed: bool,
     /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
     pub unresolved: Option<f64>,
-    /// Pressure at a rounded edge in closed form and the width of the contact on it, where the bodies are elastic and elements too
-    /// large for it \[MPa, mm\].
-    pub rounded_edge: Option<RoundedEdge>,
-    /// The tip of a wedge or cone that is rounded off within a few elements.
+    /// The rounded edge of a punch, where elements are too large for the contact on it.
+    pub rounded_edge: Option<NarrowEdge>,
+    /// The tip of a wedge or cone that is rounded off within a few elements, or that of a power below 2.
     pub rounded_tip: Option<RoundedTip>,
     /// The figure that is sought over its wanted value, where no force gave it: it jumps from one mesh to the next.
     pub missed: Option<f64>,
@@ -108,11 +107,22 @@ pub struct StepSolution {
     pub energy: Option<Energy>,
 }
 
-/// A tip whose arc is narrow beside the elements.
+/// A rounded edge on which the contact is narrow beside the elements.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NarrowEdge {
+    /// Width of the contact and pressure on it, of elastic bodies.
+    pub elastic: RoundedEdge,
+    /// Half-width of that contact \[mm\].
+    pub half_width: f64,
+    /// By how much the largest pressure may differ from that of the mesh \[MPa\].
+    pub pressure_error: f64,
+}
+
+/// A tip that is narrow beside the elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundedTip {
-    /// Half of the width of the arc \[mm\].
-    pub arc: f64,
+    /// Half of the width of the arc \[mm\]; `None` of a power below 2, whose curvature is infinite there.
+    pub arc: Option<f64>,
     /// Largest pressure on it of elastic bodies, in closed form \[MPa\].
     pub elastic_pressure: f64,
     /// By how much the largest pressure may differ from that of the mesh \[MPa\].

@@ -129,6 +129,58 @@ fn the_bar_of_the_half_width_holds_for_high_powers() {
     }
 }
 
+/// Powers below 2 are pointed: `p(0) = (n + 1)/(2(n - 1)) · P/(π a²)` (axisymmetric), `n/(n - 1) · P/(π a)` (plane), of which a mesh sees
+/// a part.
+#[test]
+fn the_bar_of_a_pointed_power_holds_its_pressure() {
+    for exponent in [1.05_f64, 1.2, 1.5, 1.7, 1.95] {
+        let indenter = PowerIndenter::new(exponent, 30f64.powf(1.0 - exponent), MODULUS);
+        let rest = exponent - 1.0;
+        for (analysis, force, peak) in [
+            (
+                "axisymmetric",
+                indenter.force(1.0),
+                0.5 * (exponent + 1.0) / rest * indenter.force(1.0) / std::f64::consts::PI,
+            ),
+            (
+                "plane_strain",
+                indenter.line_force(1.0),
+                exponent / rest * indenter.line_force(1.0) / std::f64::consts::PI,
+            ),
+        ] {
+            let shape =
+                json!({"type": "power", "exponent": exponent, "scale": 30.0, "width": 20.0, "depth": 20.0});
+            let step = step(&press(analysis, shape, json!({"force": force}), 200.0, Value::Null));
+            let error = (peak / step.contact.peak_pressure - 1.0).abs();
+            let bar = step.estimated_error.unwrap().peak_pressure;
+            // The bar takes force and half-width of the mesh.
+            assert!(error <= 1.01 * bar + 0.005, "{analysis} {exponent}: {error} in {bar}");
+            let is_told = step.validity.iter().any(|note| note.code == "coarse_mesh");
+            assert!(is_told || error < 0.025, "{analysis} {exponent}: {error}");
+        }
+    }
+}
+
+/// An edge that yields by next to nothing is told like an elastic one, and its bar holds the elastic pressure.
+#[test]
+fn a_rounded_edge_that_hardly_yields_is_told_like_an_elastic_one() {
+    let law = json!({"law": "ramberg_osgood", "reference_stress": 200.0, "offset": 0.3, "exponent": 6});
+    let punch = json!({"type": "punch", "width": 2.0, "depth": 4.0, "edge_radius": 0.1356});
+    let mut job = press("axisymmetric", punch, json!({"force": 31.3}), 40.0, law);
+    job["mesh"] = json!({"elements_per_half_width": 12});
+    let step = step(&job);
+    let edge = RoundedEdge::circular(0.1356, 1.0 - 0.1356, 31.3, MODULUS);
+    let bars = step.estimated_error.unwrap();
+    assert!(
+        (1.0 + bars.peak_pressure) * step.contact.peak_pressure >= 0.99 * edge.peak_pressure(),
+        "{} {bars:?} {}",
+        step.contact.peak_pressure,
+        edge.peak_pressure()
+    );
+    assert!((step.contact.half_width / (1.0 - 0.1356 + edge.width()) - 1.0).abs() <= bars.half_width);
+    assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{:?}", step.validity);
+}
+
 #[test]
 fn a_parabola_has_hertz_pressure_and_an_ellipse_that_of_its_vertex() {
     let plane =

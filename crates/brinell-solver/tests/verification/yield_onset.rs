@@ -129,8 +129,17 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
         if bears(middle) { low = middle } else { high = middle }
     }
     let roller = HertzLine::from_peak_pressure(low, 100.0, effective(0.45)).force();
-    for (analysis, nu, force) in [("axisymmetric", 0.3, ball), ("plane_strain", 0.45, roller)] {
-        let step = onset_on_block(analysis, nu, &soft);
+    // In a skin thinner than an element.
+    let skin = |depth: f64| 500.0 * (0.4 + 0.6 * ((depth - 0.03) / 0.01).clamp(0.0, 1.0));
+    let skinned = DepthLimit::point_onset(0.3, 0.5 * std::f64::consts::PI * 100.0 / effective(0.3), skin);
+    let skinned = HertzPoint::from_peak_pressure(skinned.peak_pressure, 100.0, effective(0.3)).force();
+    let thin = json!([[0, 0.4], [0.03, 0.4], [0.04, 1.0]]);
+    for (analysis, nu, over_depth, force) in [
+        ("axisymmetric", 0.3, &soft, ball),
+        ("plane_strain", 0.45, &soft, roller),
+        ("axisymmetric", 0.3, &thin, skinned),
+    ] {
+        let step = onset_on_block(analysis, nu, over_depth);
         let (error, bar) = ((step.contact.force / force - 1.0).abs(), step.estimated_error.unwrap().force);
         assert!(error <= bar && bar < 0.3, "{analysis}: {error} in {bar}");
         assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis}");

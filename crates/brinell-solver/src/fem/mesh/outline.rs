@@ -334,6 +334,14 @@ impl Outline {
         }
     }
 
+    /// The exponent of a power below 2, whose curvature is infinite at the tip.
+    pub fn pointed_exponent(&self) -> Option<f64> {
+        match self.surface {
+            Surface::Power { exponent, .. } if exponent < 2.0 => Some(exponent),
+            _ => None,
+        }
+    }
+
     /// The rounded edges of a punch as corners, if their radius is smaller than a length: elements of it do not see the arcs.
     pub fn edges_rounded_below(&self, length: f64) -> Vec<Corner> {
         match self.surface {

@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 use contact_stiffness::contact_stiffness;
 
+use std::f64::consts::PI;
+
 use crate::analytical::RoundedEdge;
 use crate::contact::{ContactLoad, KktReport, kkt};
 use crate::fem::assembly::StressField;
@@ -19,7 +21,7 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
-use crate::solver::solution::{BodySolution, Energy, PairState, RoundedTip, StepSolution};
+use crate::solver::solution::{BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepSolution};
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
 const RESIDUAL_SLACK: f64 = 1.5;
@@ -92,14 +94,13 @@ pub(crate) fn finish(
     })
 }
 
-/// The rounded edge of a punch on an elastic body on which elements are too large for the contact.
-fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<RoundedEdge> {
+/// The rounded edge of a punch on which elements are too large for the contact.
+fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge> {
     let radius = problem.edge_radius();
     let flat = problem.walls()[1] - radius;
     let patch = step.patch?;
-    let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     // The end of a contact on the edge is found to about an element.
-    if yields || !flat.is_finite() || patch.half_width() + step.spacing < flat {
+    if !flat.is_finite() || patch.half_width() + step.spacing < flat {
         return None;
     }
     let of = if problem.stress_state == StressState::Axisymmetric {
@@ -107,29 +108,58 @@ fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<RoundedEdge
     } else {
         RoundedEdge::plane
     };
-    let edge = of(radius, flat, step.force(), problem.effective_modulus());
-    (step.spacing > EDGE_ELEMENT * edge.width()).then_some(edge)
+    let elastic = of(radius, flat, step.force(), problem.effective_modulus());
+    let needed = EDGE_ELEMENT * elastic.width();
+    (step.spacing > needed).then(|| NarrowEdge {
+        elastic,
+        half_width: flat + elastic.width(),
+        pressure_error: unresolved_pressure(step, elastic.peak_pressure(), (step.spacing / needed).ln()),
+    })
 }
 
-/// The tip in the middle of the contact whose arc is too narrow for the elements.
+/// By how much the largest pressure may differ from that of the mesh, where elastic bodies have another in closed form \[MPa\].
 ///
-/// In bodies that yield pressure rises towards the tip by no more than the flow stress for each e-fold of the distance: in 48 cases,
-/// against meshes five times as fine, by 0.75 of that at most.
+/// In bodies that yield by more than their elastic strain pressure rises by no more than the flow stress for each e-fold of the distance from
+/// a tip or edge: at tips in 48 cases, against meshes five times as fine, by 0.75 of that at most.
+fn unresolved_pressure(step: &StepSolution, elastic_pressure: f64, e_folds: f64) -> f64 {
+    let elastic_error = (elastic_pressure - step.peak_pressure).abs();
+    let flow_stresses = step.bodies.iter().flatten().filter_map(|body| {
+        let stresses = body.stress.points.iter().flatten().map(|point| von_mises(point.stress));
+        let flow_stress = stresses.reduce(f64::max)?;
+        let elastic_strain = flow_stress / (3.0 * body.model.elastic().shear);
+        (body.max_plastic_strain() > elastic_strain).then_some(flow_stress)
+    });
+    flow_stresses.reduce(f64::max).map_or(elastic_error, |stress| elastic_error.min(stress * e_folds))
+}
+
+/// The tip in the middle of the contact that is too narrow for the elements.
 fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> {
     let (arc, half_width) = (problem.tip_arc(), step.half_width());
-    let is_narrow = arc < half_width && arc < TIP_ELEMENTS * step.spacing;
-    let is_in_middle = step.patch.is_some_and(|patch| patch.left <= 0.0 && patch.right >= arc);
-    if !is_narrow || !is_in_middle {
+    let patch = step.patch.filter(|patch| patch.left <= 0.0)?;
+    if let Some(exponent) = problem.pointed_exponent() {
+        let elastic_pressure = pointed_pressure(step, exponent);
+        // The slope falls by e over so many e-folds of the distance.
+        let pressure_error = unresolved_pressure(step, elastic_pressure, (exponent - 1.0).recip());
+        return Some(RoundedTip { arc: None, elastic_pressure, pressure_error });
+    }
+    if arc >= half_width || arc >= TIP_ELEMENTS * step.spacing || patch.right < arc {
         return None;
     }
     let elastic_pressure = problem.elastic_pressure_in_middle(half_width);
-    let elastic_error = (elastic_pressure - step.peak_pressure).abs();
-    let yields = step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
-    let points = yields.flat_map(|body| body.stress.points.iter().flatten());
-    let flow_stress = points.map(|point| von_mises(point.stress)).reduce(f64::max);
-    let plastic_error = flow_stress.map(|stress| stress * (TIP_ELEMENTS * step.spacing / arc).ln());
-    let pressure_error = plastic_error.map_or(elastic_error, |plastic| plastic.min(elastic_error));
-    Some(RoundedTip { arc, elastic_pressure, pressure_error })
+    let e_folds = (TIP_ELEMENTS * step.spacing / arc).ln();
+    let pressure_error = unresolved_pressure(step, elastic_pressure, e_folds);
+    Some(RoundedTip { arc: Some(arc), elastic_pressure, pressure_error })
+}
+
+/// Pressure in the middle under a power on an elastic half-space, as a sum of flat punches whose forces grow with the half-width s as
+/// `sⁿ` (plane) and `sⁿ⁺¹` (axisymmetric) \[MPa\].
+fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
+    let (force, half_width) = (step.force(), step.half_width());
+    let rest = exponent - 1.0;
+    match step.stress_state {
+        StressState::Axisymmetric => 0.5 * (exponent + 1.0) / rest * force / (PI * half_width * half_width),
+        StressState::PlaneStrain | StressState::PlaneStress => exponent / rest * force / (PI * half_width),
+    }
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the

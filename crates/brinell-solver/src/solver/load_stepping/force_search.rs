@@ -18,6 +18,7 @@ use crate::solver::error::{Unreachable, UnreachableReason};
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::problem::{Problem, ProblemBody};
+use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{BodySolution, Solution, StepSolution};
 use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
 
@@ -294,7 +295,20 @@ impl ForceSearch<'_> {
             }
             _ => 0.0,
         };
+        let change = change.max(self.beyond_closed_form(force));
         Ok(found.ratio.ln().abs() / slope + change.max(ONSET_FLOOR / f64::from(elements)))
+    }
+
+    /// By how much a force is larger than the one under which yield begins below the middle in closed form, in bodies whose strength
+    /// varies over the depth: in a layer thinner than an element.
+    fn beyond_closed_form(&self, force: f64) -> f64 {
+        let is_graded = self.problem.bodies.iter().any(|body| {
+            let (least, greatest) = body.strength_range();
+            least < greatest
+        });
+        let reference = is_graded.then(|| ElasticReference::of(self.sequence.job, force)).flatten();
+        let onset = reference.and_then(|reference| reference.yield_onset_force);
+        onset.map_or(0.0, |onset| force / onset - 1.0)
     }
 
     /// Solves under one force, with a stepper on its meshes as long as they serve.
