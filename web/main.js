@@ -79,13 +79,21 @@ const watch = new Watch({
     if (errors.length) form.showError(errors);
     if (!first) nothing(document.status === 'cancelled' ? 'The job was stopped before its first iteration.' : '');
   },
+  removed: (id) => {
+    list.refresh();
+    if (first?.id !== id) return;
+    first = { ...first, removed: true };
+    show();
+    view.refreshReport();
+  },
 });
 
 /** Answers that are shown while a slider moves. */
 const live = new Live({
   solved: ({ job, solved }, report) => {
+    if (isLeft()) return;
     // What a slider shows has no address.
-    if (location.hash) history.pushState(null, '', location.pathname);
+    if (location.hash) addressed('pushState', location.pathname);
     current = { id: '', job };
     first = { id: '', report, job: solved, colour: COLOURS[0], label: '' };
     const { total } = report.timings_ms;
@@ -149,6 +157,16 @@ const showSending = () =>
   byId('solve').setAttribute('aria-disabled', String(Boolean(sending && same(sending.job, draft.job))));
 /** How often an address was followed. */
 let visits = 0;
+/** The address that was followed last. */
+let followed = location.hash;
+/** Whether another address is asked for, of which the event is still to come: what arrives meanwhile must not replace it. */
+const isLeft = () => location.hash !== followed;
+
+/** Gives what is shown an address. @param {'pushState' | 'replaceState'} how @param {string} address */
+function addressed(how, address) {
+  history[how](null, '', address);
+  followed = location.hash;
+}
 
 async function solve() {
   const damaged = json.read();
@@ -172,13 +190,13 @@ async function solve() {
     });
     if (sending !== mine) return;
     refuse('');
-    if (visits !== begun) {
+    if (visits !== begun || isLeft()) {
       toast('The job is made: the list of jobs has it');
       return list.refresh();
     }
     live.stop();
     current = { id, job };
-    history.pushState(null, '', link.jobFragment(id, [...compared.keys()]));
+    addressed('pushState', link.jobFragment(id, [...compared.keys()]));
     keep();
     follow(id);
   } catch (error) {
@@ -280,7 +298,7 @@ async function compare(id, on) {
 /** Writes into the address, and into the list, what is compared. */
 function nameCompared() {
   const others = [...compared.keys()].filter((one) => one !== current?.id);
-  if (current?.id) history.replaceState(null, '', link.jobFragment(current.id, others));
+  if (current?.id && !isLeft()) addressed('replaceState', link.jobFragment(current.id, others));
   keep();
   list.show();
 }
@@ -314,7 +332,7 @@ async function compareOnly(wanted, still) {
 /** Does what the address says. @param {boolean} [edited] whether the draft has been changed at this address */
 async function applyAddress(edited = false) {
   view.closeReport();
-  const address = location.hash;
+  const address = (followed = location.hash);
   const { job, compared: others, draft: packed, damaged } = link.read();
   if (job) {
     await open(job, edited);
@@ -352,12 +370,12 @@ async function begin() {
   draft.replace(before ?? examples[0]?.job ?? {}, before ? 'kept' : 'example');
   nothing(WELCOME);
   draft.addEventListener('change', keep);
-  await applyAddress(before !== undefined && tab.get(KEPT_AT) === location.hash);
   addEventListener('hashchange', () => {
     visits += 1;
     live.stop();
     applyAddress();
   });
+  await applyAddress(before !== undefined && tab.get(KEPT_AT) === location.hash);
 }
 
 byId('solve').addEventListener('click', (event) => {
@@ -404,7 +422,12 @@ onReconnect(() => {
   // A definition that the address carries has come, and may have been changed since.
   if (link.read().job) applyAddress();
   list.refresh();
+  watch.look();
 });
+document.addEventListener('visibilitychange', () => {
+  if (!document.hidden) watch.look();
+});
+byId('report').addEventListener('click', () => watch.look());
 byId('restore').addEventListener('click', () => {
   if (current) draft.replace(current.job, 'job');
   // The button is gone: what it was about is the result.

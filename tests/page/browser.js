@@ -53,6 +53,8 @@ export async function serve(args = []) {
   };
   let [child, url] = await start('127.0.0.1:0');
   const kill = async () => {
+    // One that has ended says so no second time.
+    if (child.exitCode !== null || child.signalCode !== null) return;
     const ended = once(child, 'exit');
     child.kill('SIGKILL');
     await ended;

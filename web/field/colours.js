@@ -14,6 +14,8 @@ export class ColourRange {
   #of = 'steps';
   /** Limits that are held, in the units of the job. @type {Limits} */
   #fixed = [0, 1];
+  /** Limits that were typed and are beyond the other one, which may be typed next. @type {(number | undefined)[]} */
+  #waiting = [];
   /** What they are of. @type {{kind: import('../lib/units.js').Quantity, units: import('../lib/units.js').Units, factor: number}} */
   #measure = { kind: 'number', units: 'mm_N_MPa', factor: 1 };
   /** Whether there is one step alone. */
@@ -69,9 +71,8 @@ export class ColourRange {
     }
     const { kind, units, factor } = this.#measure;
     const reading = readShown(box.value, kind, units, factor);
-    const limits = /** @type {Limits} */ ([...this.#fixed]);
+    const limits = /** @type {Limits} */ (this.#fixed.map((limit, k) => this.#waiting[k] ?? limit));
     if ('value' in reading) limits[end] = reading.value;
-    limits.sort((a, b) => a - b);
     const [low, high] = limits.map((limit) => limit * factor);
     const problem =
       'problem' in reading
@@ -80,7 +81,11 @@ export class ColourRange {
           ? 'the limits are too far apart'
           : high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high))
             ? ''
-            : 'the least value is the largest one too';
+            : low > high
+              ? `${plain(low)} is above ${plain(high)}: the other limit is wanted too`
+              : 'the least value is the largest one too';
+    this.#waiting = [];
+    if (low > high && !('problem' in reading)) this.#waiting[end] = limits[end];
     this.fault.textContent = problem && `${problem}. The colours stay as they were.`;
     box.setAttribute('aria-invalid', String(Boolean(problem)));
     if (problem) return;
@@ -138,6 +143,7 @@ export class ColourRange {
     this.#measure = { kind, units, factor };
     this.#fixed = /** @type {Limits} */ (ends.map((end) => end / factor));
     this.fault.textContent = '';
+    this.#waiting = [];
     this.boxes.forEach((box, k) => {
       box.value = plain(ends[k]).replace('−', '-');
       box.removeAttribute('aria-invalid');

@@ -1,6 +1,6 @@
 /** The jobs of the service: state, tags, search, and which of them are laid over the one that is shown. */
 
-import { ask } from '../api/client.js';
+import { Problem, ask } from '../api/client.js';
 import { byId, debounce, h } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
@@ -57,30 +57,36 @@ export class JobList {
 
   async refresh() {
     if (byId('jobs').hidden) return;
-    await this.#fetch().then(
-      ({ jobs, next_cursor: next }) => {
-        this.#jobs = jobs;
-        this.#next = next;
-        this.#pages = 1;
-        this.#through = THROUGH;
-        this.show();
-        return this.#lookThrough().then(() => this.#ask());
-      },
-      (error) => {
-        byId('jobs-state').textContent = error.message;
-      },
-    );
+    await this.#fill(async () => {
+      const { jobs, next_cursor: next } = await this.#fetch();
+      this.#jobs = jobs;
+      this.#next = next;
+      this.#pages = 1;
+      this.#through = THROUGH;
+    });
   }
 
   async #more() {
-    const { jobs, next_cursor: next } = await this.#fetch(this.#next);
-    this.#jobs.push(...jobs);
-    this.#next = next;
-    this.#pages += 1;
-    this.#through = this.#jobs.length + THROUGH;
-    this.show();
-    await this.#lookThrough();
-    await this.#ask();
+    await this.#fill(async () => {
+      const { jobs, next_cursor: next } = await this.#fetch(this.#next);
+      this.#jobs.push(...jobs);
+      this.#next = next;
+      this.#pages += 1;
+      this.#through = this.#jobs.length + THROUGH;
+    });
+  }
+
+  /** Shows what is fetched, or says why nothing comes. @param {() => Promise<void>} fetched */
+  async #fill(fetched) {
+    try {
+      await fetched();
+      this.show();
+      await this.#lookThrough();
+      await this.#ask();
+    } catch (error) {
+      if (!(error instanceof Problem)) throw error;
+      byId('jobs-state').textContent = `Could not list the jobs: ${error.message}.`;
+    }
   }
 
   /** Fetches older jobs until some match the word that is looked for, or many have been looked through. */

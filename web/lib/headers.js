@@ -24,6 +24,9 @@ export function unitsNamed(headers, quantities, units) {
   const known = (/** @type {string} */ name, /** @type {number} */ axis) =>
     inJobUnits(1, name, quantities[axis], units);
   for (const { number, cells } of headers) {
+    const turned = cells.length === 2 && quantities.every((one) => one === 'length') && cells.map(isPlace);
+    if (turned && turned[1] && !turned[0])
+      return { problem: `line ${number}: “${cells[1]}” is the second column, and places x belong in the first` };
     if (cells.length !== quantities.length) {
       const other = cells.flatMap(mayBeUnits).find(({ name }) => isOther(name, quantities, units));
       if (other)
@@ -38,10 +41,14 @@ export function unitsNamed(headers, quantities, units) {
       const found = mayBeUnits(cell);
       const good = found.find(({ name }) => known(name, axis) !== undefined);
       const bad = good ? undefined : (found.find(({ sure }) => sure)?.name ?? (bare ? cell : ''));
-      const own = unit(quantities[axis], units) || '1';
+      const own = unit(quantities[axis], units);
       if (bad)
         return {
-          problem: `line ${number}, column ${axis + 1}: “${bad}” is no unit known here for this column. Write a unit such as ${own}, or leave it out if the figures are in ${own}`,
+          problem: `line ${number}, column ${axis + 1}: “${bad}” is no unit known here for this column. ${
+            own
+              ? `Write a unit such as ${own}, or leave it out if the figures are in ${own}`
+              : 'Leave it out if the figures are plain numbers'
+          }`,
         };
       const before = named[axis];
       if (good && before !== undefined && known(before, axis) !== known(good.name, axis))
@@ -51,6 +58,9 @@ export function unitsNamed(headers, quantities, units) {
   }
   return { named };
 }
+
+/** Whether a header names the place along the surface. @param {string} header */
+const isPlace = (header) => /^(x|r|position|distance)(?![a-zα-ω])/i.test(header);
 
 /** Whether it is a unit of one of the columns, and not that of the job. @param {string} name @param {Quantity[]} quantities @param {Units} units */
 const isOther = (name, quantities, units) =>

@@ -11,8 +11,8 @@ import { Panel } from './panel.js';
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 
-/** @type {{title: string, quantity: (report: Report) => Quantity | 'percent', value: (step: Step) => number | null | undefined, error?: keyof NonNullable<Step['estimated_error']>}[]} */
-export const FIGURES = [
+/** `round`: its title in axisymmetry. @type {{title: string, round?: string, quantity: (report: Report) => Quantity | 'percent', value: (step: Step) => number | null | undefined, error?: keyof NonNullable<Step['estimated_error']>}[]} */
+const FIGURES = [
   { title: 'force', quantity: forceOf, value: ({ contact }) => contact.force, error: 'force' },
   { title: 'approach', quantity: () => 'length', value: ({ approach }) => approach, error: 'approach' },
   {
@@ -21,7 +21,13 @@ export const FIGURES = [
     value: ({ contact }) => contact.peak_pressure,
     error: 'peak_pressure',
   },
-  { title: 'half-width', quantity: () => 'length', value: ({ contact }) => contact.half_width, error: 'half_width' },
+  {
+    title: 'half-width',
+    round: 'contact radius',
+    quantity: () => 'length',
+    value: ({ contact }) => contact.half_width,
+    error: 'half_width',
+  },
   { title: 'mean pressure', quantity: () => 'stress', value: ({ contact }) => contact.mean_pressure },
   { title: 'plastic strain', quantity: () => 'percent', value: (step) => 100 * strainOf(step) },
   { title: 'dP/dα', quantity: stiffnessOf, value: ({ contact_stiffness: slope }) => slope, error: 'contact_stiffness' },
@@ -50,9 +56,10 @@ export function figuresTable(shown) {
   const several = shown.length > 1;
   const figures = FIGURES.filter(({ value }) =>
     shown.some(({ report }) => report.steps.some((step) => value(step) != null)),
-  ).map(({ error, ...figure }) => {
+  ).map(({ error, round, ...figure }) => {
+    const title = report.analysis === 'axisymmetric' && round ? round : figure.title;
     const hasBars = error && shown.some(({ report }) => report.steps.some((step) => barOf(step, error)));
-    return { ...figure, error: hasBars ? error : undefined };
+    return { ...figure, title, error: hasBars ? error : undefined };
   });
   // A state that is not the usual one stands where it is seen.
   const amiss = shown.some(({ report }) => report.steps.some(({ status }) => status !== 'converged'));

@@ -44,7 +44,7 @@ import { asked, beside, endedEarly } from './loads.js';
  * @param {SVGSVGElement | null} of.cutDrawing curve of the cut that is seen in the field
  */
 export function showSheet({ shown, at, drawings, field, cutDrawing }) {
-  const [{ id, job, report, label }] = shown;
+  const [{ id, job, report, label, removed }] = shown;
   const step = report.steps[at];
   const bodies = pairOf(job);
   const many = report.steps.length;
@@ -137,7 +137,7 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
         'div',
         { class: 'sheet-foot' },
         `Brinell ${report.version}, ${id ? `job ${id}` : 'solved beside a slider and kept as no job'}${label && label !== (id.slice(-8) || 'live') ? ` (${label})` : ''}, ${new Date().toISOString().slice(0, 10)}. `,
-        id ? h('span', { class: 'link' }, location.href) : null,
+        removed ? 'The service no longer has it.' : id ? h('span', { class: 'link' }, location.href) : null,
       ),
     ),
   );
@@ -192,18 +192,15 @@ function inputs(job) {
     /** @type {(body: any) => any} */ place,
   ) => {
     const fields = new Map(bodies.flatMap((body) => pick(body).map((field) => [field.key, field])));
-    return [...fields.values()].map((field) =>
-      row(
-        field.label,
-        field.symbol ?? '',
-        bodies.map((body) => pointer.get(place(body), `/${field.key}`)),
-        field.columns
-          ? field.columns.map((one) => unit(one, units) || '1').join(', ')
-          : field.quantity && field.quantity !== 'load'
-            ? unit(field.quantity, units)
-            : '',
-      ),
-    );
+    return [...fields.values()].flatMap((field) => {
+      const values = bodies.map((body) => pointer.get(place(body), `/${field.key}`) ?? undefined);
+      const of = field.columns
+        ? field.columns.map((one) => unit(one, units) || '1').join(', ')
+        : field.quantity && field.quantity !== 'load'
+          ? unit(field.quantity, units)
+          : '';
+      return values.every((value) => value === undefined) ? [] : [row(field.label, field.symbol ?? '', values, of)];
+    });
   };
   const kind = loadOf(job.load);
   const load = kind === 'target' ? TARGETS[targetOf(job.load)] : LOADS[kind].field;

@@ -136,6 +136,11 @@ export class View {
     if (this.field.busy) this.field.settled.then(() => dataset.view === 'sheet' && open());
   }
 
+  /** Makes the sheet anew where it is seen. */
+  refreshReport() {
+    if (document.documentElement.dataset.view === 'sheet') this.report();
+  }
+
   /** Back to the page, from the sheet. */
   closeReport() {
     if (document.documentElement.dataset.view === 'sheet') close();

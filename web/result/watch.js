@@ -6,6 +6,7 @@ import { follow } from '../api/events.js';
 import { fetchResult, prepare } from '../api/result.js';
 import { byId, copy, h, toast } from '../lib/dom.js';
 import { duration, loaded } from '../lib/units.js';
+import { sentence } from '../setup/send.js';
 import { inWords } from '../setup/words.js';
 import { jobLink } from '../jobs/link.js';
 import { downloads } from './downloads.js';
@@ -30,6 +31,7 @@ const LOOK = 2000;
  * @property {(history: Iteration[]) => void} iterated
  * @property {(id: string, report: Report) => void} solved
  * @property {(document: JobDocument) => void} ended in whatever state
+ * @property {(id: string) => void} removed the service no longer has the job
  */
 
 export class Watch {
@@ -37,6 +39,8 @@ export class Watch {
   #running;
   /** What the bar on the page is of. */
   #bar = '';
+  /** The job that is shown, where it has ended. */
+  #shown = '';
 
   /** @param {Handlers} on */
   constructor(on) {
@@ -46,7 +50,33 @@ export class Watch {
 
   stop() {
     this.#running?.abort();
+    this.#shown = '';
     this.#put('');
+  }
+
+  /** Looks whether the service still has the job that is shown. */
+  async look() {
+    const id = this.#shown;
+    if (!id) return;
+    const gone = await ask(`v1/jobs/${id}`).then(() => false, isGone);
+    if (gone && this.#shown === id)
+      this.#removed(id, 'Links to it lead nowhere; what is shown stays until another is.');
+  }
+
+  /** @param {string} id @param {string} meaning what follows of it */
+  #removed(id, meaning) {
+    this.#shown = '';
+    this.on.titled('Removed');
+    this.#put(
+      'removed',
+      h(
+        'div',
+        { class: 'state failed', role: 'alert', 'data-status': 'removed' },
+        h('b', {}, 'Removed'),
+        ` The service no longer has this job. ${meaning}`,
+      ),
+    );
+    this.on.removed(id);
   }
 
   /** @param {string} bar what it is of @param {...Node} content */
@@ -70,6 +100,7 @@ export class Watch {
   /** Says what is shown while a slider moves. @param {string} words */
   showLive(words) {
     this.#running?.abort();
+    this.#shown = '';
     this.on.titled('Live');
     if (this.#bar !== 'live')
       this.#put(
@@ -84,6 +115,7 @@ export class Watch {
     this.#running?.abort();
     const { signal } = (this.#running = new AbortController());
     prepare();
+    this.#shown = '';
     this.#put('');
     try {
       const last = await this.#follow(id, signal);
@@ -96,17 +128,20 @@ export class Watch {
       if (signal.aborted) return;
       if (report) this.on.solved(id, report);
       this.#show(last, report);
+      this.#shown = id;
     } catch (error) {
-      if (!signal.aborted)
-        this.#put(
-          '',
-          h(
-            'div',
-            { class: 'state failed', role: 'alert' },
-            h('b', {}, 'No answer'),
-            ` ${/** @type {Error} */ (error).message}`,
-          ),
-        );
+      if (signal.aborted) return;
+      if (isGone(error)) return this.#removed(id, 'What was set up is beside: Solve makes it anew.');
+      this.on.titled('No answer');
+      this.#put(
+        '',
+        h(
+          'div',
+          { class: 'state failed', role: 'alert' },
+          h('b', {}, 'No answer'),
+          ` ${sentence(/** @type {Error} */ (error).message)}`,
+        ),
+      );
     }
   }
 
@@ -200,7 +235,11 @@ export class Watch {
       document.cancel_requested ? 'Stopping…' : 'Cancel',
     );
     cancel.disabled = document.cancel_requested;
-    const link = h('button', { type: 'button', class: 'plain', onclick: () => copy(jobLink(), 'Link') }, 'Copy link');
+    const take = () => {
+      copy(jobLink(), 'Link');
+      this.look();
+    };
+    const link = h('button', { type: 'button', class: 'plain', onclick: take }, 'Copy link');
     return h(
       'div',
       {
@@ -227,6 +266,9 @@ export class Watch {
     await post(`v1/jobs/${id}/cancel`, '').catch((error) => toast(error.message));
   }
 }
+
+/** @param {unknown} error */
+const isGone = (error) => error instanceof Problem && error.status === 404;
 
 /** @param {JobDocument} document */
 export const finished = ({ status }) => status !== 'queued' && status !== 'running';

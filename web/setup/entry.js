@@ -75,6 +75,7 @@ export function entry(field, change, surroundings) {
           name: field.label,
           value: () => shown.value ?? shown.otherwise,
           bounds: field.bounds,
+          refused: () => input.getAttribute('aria-invalid') === 'true',
           typical: () => surroundings.wire(typeof field.example === 'number' ? field.example : 1, field),
           move: slide,
         })

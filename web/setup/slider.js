@@ -17,11 +17,12 @@ const endsOf = (figure, typical) =>
  * @param {string} of.name
  * @param {() => unknown} of.value in the job
  * @param {[number, number]} [of.bounds] of figures that have some
+ * @param {() => boolean} of.refused whether the figure is at fault
  * @param {() => number} of.typical figure in the units of the job, for those that are 0
  * @param {(value: number, moving: boolean) => void} of.move
  * @returns {{button: HTMLElement, element: HTMLElement, follow: () => void}} `follow` is called when the job has changed
  */
-export function slider({ name, value, bounds, typical, move }) {
+export function slider({ name, value, bounds, refused, typical, move }) {
   /** @type {[number, number]} */
   let ends = [0, 1];
   const range = h('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, solved as it moves` });
@@ -50,7 +51,8 @@ export function slider({ name, value, bounds, typical, move }) {
   /** Ends and thumb from the figure of the job, which may have other units now. */
   const set = (/** @type {number} */ figure) => {
     [shown, beside] = [figure, typical()];
-    ends = bounds ?? endsOf(figure, beside);
+    // About the usual size where the figure itself is none that is taken.
+    ends = bounds ?? endsOf(refused() ? beside : figure, beside);
     range.value = String(Math.round(STEPS * Math.min(1, Math.max(0, place(figure)))));
     say();
   };

@@ -283,10 +283,28 @@ service.test(
     await shown(page, { load: { force: 612.6106 }, output: { fields: true } });
     await drawn(page);
     const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
-    await least.fill('400');
-    await least.press('Enter');
-    await largest.fill('100');
-    await largest.press('Enter');
+    for (const [box, limit] of /** @type {const} */ ([
+      [largest, '400'],
+      [least, '100'],
+    ])) {
+      await box.fill(limit);
+      await box.press('Enter');
+    }
+    assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['100', '400']);
+    // One limit beyond the other waits for that one.
+    await least.fill('600');
+    await least.press('Tab');
+    await page.getByText('600 is above 400: the other limit is wanted too').waitFor();
+    assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['600', '400']);
+    await largest.fill('800');
+    await largest.press('Tab');
+    assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['600', '800']);
+    assert.match((await page.locator('.colours').textContent()) ?? '', /^800.*600MPa$/);
+    await largest.fill('400');
+    await largest.press('Tab');
+    await page.getByText('600 is above 400').waitFor();
+    await least.fill('100');
+    await least.press('Tab');
     assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['100', '400']);
     await page.getByText('Units shown').click();
     await page.getByLabel('Unit of stress').selectOption('GPa');

@@ -157,3 +157,23 @@ service.test('a search looks through the jobs that are not shown yet', async (pa
     assert.equal(await rows.count(), 1, word);
   }
 });
+
+service.test('the list says why older jobs do not come', async (page) => {
+  for (const force of [201, 202]) await solved(page, { load: { force } });
+  let refused = true;
+  await page.route(/v1\/jobs\?limit=\d+/, (route) => {
+    const url = route
+      .request()
+      .url()
+      .replace(/limit=\d+/, 'limit=1');
+    const older = url.includes('cursor=') && refused;
+    return older ? route.fulfill({ status: 429, json: { detail: 'too many questions' } }) : route.continue({ url });
+  });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.getByText('1 shown', { exact: true }).waitFor();
+  await page.getByRole('button', { name: 'Older jobs' }).click();
+  await page.getByText('Could not list the jobs: too many questions.').waitFor();
+  refused = false;
+  await page.getByRole('button', { name: 'Older jobs' }).click();
+  await page.getByText('2 shown', { exact: true }).waitFor();
+});

@@ -134,3 +134,61 @@ service.test('a link that names no job is called damaged, and nothing is asked f
     [],
   );
 });
+
+service.test('another address is followed although the answer of a slider comes first', async (page) => {
+  // The event of a new address is let go by hand: it may be as late as the page is busy.
+  await page.addInitScript(() => {
+    const held = /** @type {Event[]} */ ([]);
+    let holding = false;
+    addEventListener('hashchange', (event) => {
+      if (!holding) return;
+      event.stopImmediatePropagation();
+      held.push(event);
+    });
+    Object.assign(window, {
+      hold: () => {
+        holding = true;
+      },
+      letGo: () => {
+        holding = false;
+        dispatchEvent(new Event('hashchange'));
+      },
+    });
+  });
+  await page.reload();
+  await shown(page, { load: { force: 300 } });
+  const place = page.locator('[data-place="/load/force"]');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  let answer = () => {};
+  const held = new Promise((resolve) => {
+    answer = () => resolve(undefined);
+  });
+  await page.route('**/v1/solve', async (route) => {
+    await held;
+    await route.continue();
+  });
+  // What a slider has solved is removed from the service before it is shown.
+  const answered = page.waitForResponse((response) => response.request().method() === 'DELETE');
+  await place.getByRole('slider').press('ArrowRight');
+  await page.evaluate('hold()');
+  await follow(page, 'job=0197e1f0-0000-7000-8000-000000000000');
+  answer();
+  await answered;
+  assert.match(page.url(), /#job=0197e1f0-0000-7000-8000-000000000000$/);
+  await page.evaluate('letGo()');
+  await page.getByText('This link leads to a job that is not here').waitFor();
+});
+
+service.test('a job that was removed while it is shown is said to be, and its report has no link', async (page) => {
+  const id = await shown(page, { load: { force: 300 } });
+  await page.evaluate((id) => fetch(`v1/jobs/${id}`, { method: 'DELETE' }), id);
+  await page.getByRole('button', { name: 'Report' }).click();
+  const foot = page.locator('.sheet-foot');
+  await foot.getByText('The service no longer has it.').waitFor();
+  assert.equal(await foot.locator('.link').count(), 0);
+  await page.keyboard.press('Escape');
+  await page.locator('[data-status=removed]').getByText('The service no longer has this job.').waitFor();
+  assert.equal(await page.getByRole('button', { name: 'Copy link' }).count(), 0);
+  assert.match(await page.title(), /^Removed/);
+  await page.locator('#headline').getByText('300.00').waitFor();
+});

@@ -181,6 +181,8 @@ test('a unit in the header of a table is converted, or refused where it is not k
     ['x [mm];h [mm]\nmm;µm', /^line 2, column 2: “µm”, and “mm” in a line above$/],
     ['All lengths in µm', /^line 1: it cannot be told which of the two columns “µm” is the unit of$/],
     ['x;mm;h;µm', /^line 1: it cannot be told which/],
+    ['h [µm];x [mm]', /^line 1: “x \[mm\]” is the second column, and places x belong in the first$/],
+    ['y;x', /^line 1: “x” is the second column/],
   ])) {
     const result = readTable(`${header}\n1;5`, [...heights], 'mm_N_MPa');
     assert.match('problem' in result ? result.problem : JSON.stringify(result), problem, header);
@@ -262,6 +264,16 @@ service.test('an open slider follows its field, and the units of the job', async
   assert.ok(Math.abs((await value()) - 5.06) < 0.02, `${await value()} mm after undo`);
   await radius.fill('five');
   assert.equal(await slider.count(), 0, 'what is no figure has no slider');
+});
+
+service.test('a slider beside a figure that is refused moves among those that are taken', async (page) => {
+  const place = page.locator('[data-place="/upper/shape/radius"]');
+  await place.locator('input[type=text]').fill('-5');
+  await place.locator('input[aria-invalid=true]').waitFor();
+  await place.getByRole('button', { name: 'Slider' }).click();
+  await place.getByRole('slider').press('Home');
+  assert.equal((await draft(page)).upper.shape.radius, 6.67);
+  await page.locator('[data-status=live]').getByText('solved in').waitFor();
 });
 
 service.test('typing and sliding are undone one after the other', async (page) => {

@@ -1,10 +1,47 @@
 /** A service that goes away in the middle, and comes back: nothing has to be loaded again by hand. */
 
 import assert from 'node:assert/strict';
-import { suite } from '../browser.js';
+import { test } from 'node:test';
+import { serve, suite } from '../browser.js';
 import { drawn, follow, sent, solved } from '../jobs.js';
 
 const service = suite();
+
+/** A sweep that takes some seconds. */
+const LONG = {
+  mesh: { elements_per_half_width: 30 },
+  load: { forces: Array.from({ length: 12 }, (_, k) => 100 * (k + 1)) },
+  output: { fields: true },
+};
+
+test('a service that was killed is stopped all the same', { timeout: 20_000 }, async () => {
+  const server = await serve();
+  await server.kill();
+  await server.stop();
+});
+
+service.test(
+  'a running job that the service has lost is said to be removed',
+  async (page, { server }) => {
+    await page.getByText('1500.0 MPa').waitFor();
+    const id = await sent(page, LONG);
+    await follow(page, `job=${id}`);
+    await page.locator('[data-status=running]').waitFor();
+    // As a service answers that has come back without its data.
+    await page.route(`**/v1/jobs/${id}*`, (route) =>
+      route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
+    );
+    await page.route(`**/v1/jobs/${id}/**`, (route) =>
+      route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
+    );
+    await server.kill();
+    await page.getByText('Connection lost, retrying').waitFor();
+    await server.again();
+    await page.locator('[data-status=removed]').getByText('Solve makes it anew.').waitFor();
+    assert.match(await page.title(), /^Removed/);
+  },
+  { own: ['--workers', '1'], amiss: true },
+);
 
 service.test(
   'a program of the page that does not come is asked for again',
@@ -39,13 +76,6 @@ service.test(
   },
   { own: [], amiss: true },
 );
-
-/** A sweep that takes some seconds. */
-const LONG = {
-  mesh: { elements_per_half_width: 30 },
-  load: { forces: Array.from({ length: 12 }, (_, k) => 100 * (k + 1)) },
-  output: { fields: true },
-};
 
 service.test(
   'a job that is cut off in its middle is followed again, to an answer that can be read',

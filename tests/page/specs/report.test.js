@@ -170,3 +170,14 @@ service.test(
   },
   PHONE,
 );
+
+service.test('a report calls the half-width of a round contact its radius, and has no empty rows', async (page) => {
+  const examples = await page.evaluate(async () => (await (await fetch('v1/examples')).json()).examples);
+  const { job } = examples.find((/** @type {{name: string}} */ { name }) => name === 'pin_in_hole');
+  await shown(page, { ...job, analysis: 'axisymmetric', load: { forces: [100, 200] } });
+  const place = await sheet(page);
+  await place.getByRole('columnheader', { name: /^contact radius/ }).waitFor();
+  assert.equal(await place.getByRole('columnheader', { name: /^half-width/ }).count(), 0);
+  for (const row of await place.locator('.inputs tbody tr').all())
+    assert.doesNotMatch(await row.innerText(), /—\s+—/, 'a figure that neither body has');
+});
