@@ -12,6 +12,7 @@ import { startTheme } from './lib/theme.js';
 import { showPart, showTitle, startKeys, startMemory, startMenus, startParts } from './shell.js';
 import { Check } from './setup/check.js';
 import { Draft } from './setup/draft.js';
+import { DEFAULTS } from './setup/fields.js';
 import { examplesOf } from './setup/examples.js';
 import { Form } from './setup/form.js';
 import { startJson } from './setup/json.js';
@@ -90,8 +91,14 @@ const watch = new Watch({
 
 /** Answers that are shown while a slider moves. */
 const live = new Live({
+  begun: (job) => {
+    if (current?.id !== '') return;
+    const elements = job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
+    watch.showLive(`the figures are those while it moved; solving on ${elements} elements…`);
+  },
   solved: ({ job, solved }, report) => {
     if (isLeft()) return;
+    if (watch.isRunning) toast('The job before goes on: Back shows it, and so does the list of jobs');
     // What a slider shows has no address.
     if (location.hash) addressed('pushState', location.pathname);
     current = { id: '', job };
@@ -104,6 +111,7 @@ const live = new Live({
     show();
   },
   failed: ({ status, message }) => {
+    if (current?.id === '') watch.showLive('where the slider was left is not solved; the figures are those before');
     if (status === 202) watch.showLive('this job takes too long to follow a slider');
     else if (status !== 422) refuse(`${sentence(message)} Move the slider again, or press Solve.`);
   },

@@ -1,18 +1,50 @@
 /** The iteration as it runs: what is left to do on a log axis, approach and peak pressure as they settle. */
 
+import { h, svg } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Iteration} Iteration */
 
+const SETTLING = 'Approach and peak pressure';
+
+/** One drawing below the other. @param {(SVGSVGElement | null)[]} drawings of the same width */
+function stackedDrawing(drawings) {
+  const parts = drawings.filter((one) => one !== null);
+  if (parts.length === 0) return null;
+  let height = 0;
+  for (const part of parts) {
+    part.setAttribute('y', String(height));
+    height += Number(part.getAttribute('height'));
+  }
+  const width = Number(parts[0].getAttribute('width'));
+  return svg('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height }, parts);
+}
+
+/** @param {(Blob | null)[]} pictures @returns {Promise<Blob | null>} */
+async function stackedPicture(pictures) {
+  const parts = await Promise.all(pictures.filter((one) => one !== null).map((one) => createImageBitmap(one)));
+  const width = Math.max(...parts.map((part) => part.width));
+  const canvas = h('canvas', { width, height: parts.reduce((sum, part) => sum + part.height, 0) });
+  const context = canvas.getContext('2d');
+  if (!context || parts.length === 0) return null;
+  let top = 0;
+  for (const part of parts) {
+    context.drawImage(part, 0, top);
+    top += part.height;
+  }
+  return new Promise((resolve) => canvas.toBlob(resolve));
+}
+
 export class ConvergencePanel {
   constructor() {
     this.residual = new Chart(200);
     this.settling = new Chart(140);
     this.panel = new Panel('convergence', 'Convergence', [this.residual.element, this.settling.element], {
-      picture: (title) => this.residual.picture(title),
-      drawing: (title) => this.residual.drawing(title),
+      picture: async (title) =>
+        stackedPicture([await this.residual.picture(title), await this.settling.picture(SETTLING)]),
+      drawing: (title) => stackedDrawing([this.residual.drawing(title), this.settling.drawing(SETTLING)]),
     });
   }
 

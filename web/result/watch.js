@@ -54,6 +54,11 @@ export class Watch {
     this.#put('');
   }
 
+  /** Whether a job is followed that has not ended. */
+  get isRunning() {
+    return this.place.querySelector('[data-status=queued], [data-status=running]') !== null;
+  }
+
   /** Looks whether the service still has the job that is shown. */
   async look() {
     const id = this.#shown;

@@ -6,6 +6,7 @@
 import { Problem, post } from '../api/client.js';
 import { onReconnect } from '../api/connection.js';
 import { byId, debounce, h } from '../lib/dom.js';
+import { hasInitialStress } from './fields.js';
 import { closedForm } from './hertz.js';
 import { inWords } from './words.js';
 import { figure, forceOf, grouped, megabytes, unit, unitsOf } from '../lib/units.js';
@@ -161,7 +162,9 @@ function figures(job, hertz) {
       {},
       at && row('half-width', at.half_width, unit('length', units)),
       at && row('peak pressure', at.peak_pressure, unit('stress', units)),
-      row('first yield at', onset, unit(forceOf(job), units)),
+      onset === null && (hasInitialStress(job.upper?.material) || hasInitialStress(job.lower?.material))
+        ? h('div', {}, h('dt', {}, 'first yield'), h('dd', {}, 'not known beside stress before the load'))
+        : row('first yield at', onset, unit(forceOf(job), units)),
       row('effective radius', hertz.effective_radius, unit('length', units)),
     ),
     verdict,

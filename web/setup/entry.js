@@ -2,6 +2,7 @@
 
 import { h } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
+import { isObject } from '../lib/kept.js';
 import { same } from '../lib/pointer.js';
 import { help } from './help.js';
 import { historyControl } from './history.js';
@@ -132,7 +133,8 @@ function control(field, id, change, surroundings) {
       return termsControl(field, id, change, surroundings);
     case 'tags': {
       const input = h('textarea', { id, rows: 2, spellcheck: 'false' });
-      return { input, ...text(input, readTags, writeTags) };
+      const problem = (/** @type {unknown} */ value) => (typeof value === 'string' ? faultOfTags(value) : '');
+      return { input, ...text(input, readTags, writeTags), problem };
     }
     case 'history':
       return historyControl(field, id, change, surroundings);
@@ -196,20 +198,35 @@ function numberControl(field, id, { units, quantity }) {
   };
 }
 
-/** @param {string} text */
-function readTags(text) {
-  const lines = text.split('\n').filter((line) => line.trim());
-  if (lines.length === 0) return undefined;
-  return Object.fromEntries(
-    lines.map((line) => {
+/** Names of tags and what they say. @param {string} text one a line */
+const tagsIn = (text) =>
+  text
+    .split('\n')
+    .filter((line) => line.trim())
+    .map((line) => {
       const [name, ...rest] = line.split(':');
       return [name.trim(), rest.join(':').trim()];
-    }),
-  );
+    });
+
+/** @param {string} text @returns {string} why no tags can be read from it */
+function faultOfTags(text) {
+  const tags = tagsIn(text);
+  const nameless = tags.find(([name]) => !name);
+  if (nameless) return `“: ${nameless[1]}” has no name before the colon`;
+  const twice = tags.find(([name], k) => tags.findIndex(([other]) => other === name) < k);
+  return twice ? `there are two tags “${twice[0]}”: a name stands for one` : '';
+}
+
+/** @param {string} text @returns {Record<string, string> | string | undefined} what cannot be read stays as it is typed */
+function readTags(text) {
+  const tags = tagsIn(text);
+  return tags.length === 0 ? undefined : faultOfTags(text) ? text : Object.fromEntries(tags);
 }
 
 /** @param {any} value */
 const writeTags = (value) =>
-  Object.entries(value ?? {})
-    .map(([name, text]) => `${name}: ${text}`)
-    .join('\n');
+  isObject(value)
+    ? Object.entries(value)
+        .map(([name, text]) => `${name}: ${text}`)
+        .join('\n')
+    : written(value);

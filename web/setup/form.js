@@ -53,12 +53,19 @@ export class Form {
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
 
+  /** Whether flow theory was chosen with a load that it alone knows. */
+  #lent = false;
+
   /**
    * @param {import('./draft.js').Draft} draft
    * @param {(moving: boolean) => void} slid called when a slider has changed the draft
    */
   constructor(draft, slid) {
     this.draft = draft;
+    draft.addEventListener('change', (event) => {
+      const { detail } = /** @type {CustomEvent} */ (event);
+      if (![SOURCE, 'slider', 'page'].includes(detail) || draft.job.solver?.theory !== 'flow') this.#lent = false;
+    });
     this.slid = slid;
     this.root = byId('form');
     draft.addEventListener('change', () => keepFocus(this.root, () => this.#show()));
@@ -330,9 +337,18 @@ export class Form {
     const job = structuredClone(this.draft.job);
     const { example, quantity } = TARGETS[figure];
     const value = quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', unitsOf(job)) : example;
-    job.load = { target: { [figure]: value } };
-    if (PERMANENT.has(figure)) job.solver = { ...job.solver, theory: 'flow' };
-    this.draft.replace(job, SOURCE);
+    this.#setLoad(job, { target: { [figure]: value } }, PERMANENT.has(figure));
+  }
+
+  /** Gives the job another load, and flow theory as long as that alone knows the load. @param {import('../types.js').Job} job @param {object} load @param {boolean} flow */
+  #setLoad(job, load, flow) {
+    const theory = job.solver?.theory;
+    const needed = flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
+    const back = this.#lent && !needed;
+    const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
+    this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, SOURCE);
+    this.#lent = flow && (theory !== 'flow' || this.#lent);
+    if (back) toast('Deformation theory again: this load does not need flow theory');
   }
 
   /** @param {string} parent @param {Field} field */
@@ -417,9 +433,7 @@ export class Form {
       history: [{ force }, { force: 0 }],
       onset: true,
     });
-    // Only flow theory knows what a load leaves behind.
-    const solver = kind === 'history' ? { solver: { ...job.solver, theory: 'flow' } } : {};
-    this.draft.replace({ ...job, load: { [kind]: loads[kind] }, ...solver }, SOURCE);
+    this.#setLoad(job, { [kind]: loads[kind] }, kind === 'history');
   }
 }
 
@@ -434,10 +448,12 @@ function valueIn(job, place) {
   return pointer.get(job, place);
 }
 
+/** Whether a body has backstress, which flow theory alone knows. @param {any} body */
+const hasTerms = (body) => Boolean(body?.material?.plasticity?.backstress);
+
 /** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */
 const hasBackstress = (job, body) =>
-  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) &&
-  (job.solver?.theory === 'flow' || Boolean(job[body]?.material?.plasticity?.backstress));
+  Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) && (job.solver?.theory === 'flow' || hasTerms(job[body]));
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail: reported }) {

@@ -2,11 +2,15 @@
 
 import { h } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
+import { same } from '../lib/pointer.js';
 import { plain } from '../lib/units.js';
 import { partsOf, readParts } from './list.js';
 import { written } from './written.js';
 
 /** @typedef {{force: number} | {approach: number}} HistoryLoad */
+
+/** Most loads that the service takes. */
+const MOST = 1000;
 
 const APPROACH = /^[αa]=?(.+)$/i;
 
@@ -55,6 +59,13 @@ export function readHistory(text, force, units) {
   return { loads: parts.map(({ key }, k) => /** @type {HistoryLoad} */ ({ [key]: readings.values[k] })) };
 }
 
+/** The loads that are repeated: the fewest from which all of them come. @param {HistoryLoad[]} loads */
+function cycleOf(loads) {
+  const repeats = (/** @type {number} */ period) => loads.every((load, k) => same(load, loads[k % period]));
+  const period = loads.findIndex((_, k) => k > 0 && loads.length % k === 0 && repeats(k));
+  return period < 0 ? loads : loads.slice(0, period);
+}
+
 /**
  * @param {import('./fields.js').Field} field
  * @param {string} id
@@ -75,7 +86,7 @@ export function historyControl(field, id, change, { units, quantity }) {
   const append = (/** @type {(loads: HistoryLoad[]) => HistoryLoad[]} */ more) => {
     const loads = read();
     if (!Array.isArray(loads)) return;
-    const longer = [...loads, ...more(loads)];
+    const longer = [...loads, ...more(loads)].slice(0, MOST);
     write(longer);
     change(longer);
   };
@@ -94,7 +105,7 @@ export function historyControl(field, id, change, { units, quantity }) {
         'div',
         { class: 'bar beside' },
         button('and back to 0', () => [{ force: 0 }]),
-        button('and once more', (loads) => loads),
+        button('and once more', cycleOf),
       ),
     ],
   };

@@ -13,7 +13,7 @@ export const COARSE = 10;
 const SLOW = 400;
 
 /** @typedef {import('../types.js').Job} Job */
-/** @typedef {{job: Job, solved: Job}} Asked the draft, and what of it is solved */
+/** @typedef {{job: Job, solved: Job, moving: boolean}} Asked the draft, what of it is solved, and whether more is to come */
 
 export class Live {
   /** @type {Asked | undefined} */
@@ -21,7 +21,7 @@ export class Live {
   /** @type {{since: number, controller: AbortController} | undefined} */
   #running;
 
-  /** @param {{solved: (asked: Asked, report: import('../types.js').Report) => void, failed: (problem: Problem) => void}} on */
+  /** @param {{begun: (job: Job) => void, solved: (asked: Asked, report: import('../types.js').Report) => void, failed: (problem: Problem) => void}} on `begun`: where the slider was left is being solved */
   constructor(on) {
     this.on = on;
   }
@@ -32,7 +32,7 @@ export class Live {
     const elements = numberOf(job.mesh?.elements_per_half_width ?? 20);
     const solved =
       moving && elements > COARSE ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: COARSE } } : copy;
-    this.#next = { job: copy, solved };
+    this.#next = { job: copy, solved, moving };
     if (!this.#running) this.#run();
     else if (performance.now() - this.#running.since > SLOW) this.#running.controller.abort();
   }
@@ -49,6 +49,7 @@ export class Live {
       this.#next = undefined;
       const controller = new AbortController();
       this.#running = { since: performance.now(), controller };
+      if (!asked.moving) this.on.begun(asked.job);
       try {
         const report = await solveNow(asked.solved, controller.signal);
         if (!controller.signal.aborted) this.on.solved(asked, report);

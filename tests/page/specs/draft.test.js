@@ -77,3 +77,51 @@ service.test('what a definition has instead of figures is shown as it is', async
       /** @type {HTMLInputElement} */ (document.querySelector('[data-place="/load/history"] input'))?.value === '{} 5',
   );
 });
+
+service.test('flow theory is left again with the load that needed it, and stays where it was chosen', async (page) => {
+  const theory = async () => (await draft(page)).solver?.theory;
+  const given = page.getByLabel('Given', { exact: true });
+  await given.selectOption('target');
+  await page.getByLabel('Figure', { exact: true }).selectOption('dent_depth');
+  assert.equal(await theory(), 'flow');
+  await page.getByLabel('Figure', { exact: true }).selectOption('permanent_approach');
+  assert.equal(await theory(), 'flow');
+  await page.getByLabel('Figure', { exact: true }).selectOption('peak_pressure');
+  assert.equal(await theory(), 'deformation');
+  await page.getByText('Deformation theory again').waitFor();
+  await page.getByLabel('Theory', { exact: true }).selectOption('flow');
+  await given.selectOption('history');
+  await given.selectOption('force');
+  assert.equal(await theory(), 'flow');
+});
+
+service.test('loads are repeated one more time at each press', async (page) => {
+  await page.getByLabel('Given', { exact: true }).selectOption('history');
+  const field = page.locator('[data-place="/load/history"] input');
+  await field.fill('600 0');
+  const more = page.getByRole('button', { name: 'and once more' });
+  await more.click();
+  assert.equal(await field.inputValue(), '600 0 600 0');
+  await more.click();
+  assert.equal(await field.inputValue(), '600 0 600 0 600 0');
+  await field.fill('100 0 200');
+  await more.click();
+  assert.equal(await field.inputValue(), '100 0 200 100 0 200');
+});
+
+service.test('two tags of one name are refused, and one without a name', async (page) => {
+  await page.getByText('Mesh, solver, output, tags').click();
+  const place = page.locator('[data-place="/tags"]');
+  await place.locator('textarea').fill('a: 1\na: 2');
+  await place.getByText('there are two tags “a”: a name stands for one').waitFor();
+  await place.locator('textarea').fill(': x');
+  await place.getByText('“: x” has no name before the colon').waitFor();
+  await place.locator('textarea').fill('a: 1\nb: 2');
+  await page.waitForFunction(() => document.querySelectorAll('[aria-invalid=true]').length === 0);
+  assert.deepEqual((await draft(page)).tags, { a: '1', b: '2' });
+});
+
+service.test('the onset of Hertz says that it does not know stress before the load', async (page) => {
+  await page.locator('[data-place="/lower/material/stress_kind"] select').selectOption('given');
+  await page.locator('#check').getByText('not known beside stress before the load').waitFor();
+});

@@ -2,8 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, solved } from '../jobs.js';
+import { drawn, follow, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -176,4 +177,12 @@ service.test('the list says why older jobs do not come', async (page) => {
   refused = false;
   await page.getByRole('button', { name: 'Older jobs' }).click();
   await page.getByText('2 shown', { exact: true }).waitFor();
+});
+
+service.test('pictures of the convergence have both of its charts', async (page) => {
+  await shown(page);
+  const panel = page.locator('#panel-convergence');
+  const [file] = await Promise.all([page.waitForEvent('download'), panel.getByText('SVG').click()]);
+  const text = await readFile(await file.path(), 'utf8');
+  for (const words of ['out-of-balance force', 'approach', 'peak pressure']) assert.ok(text.includes(words), words);
 });

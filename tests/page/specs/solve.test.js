@@ -198,3 +198,25 @@ service.test('what a slider has solved is no job of the list', async (page) => {
   const id = new URL(response.url()).pathname.split('/').at(-1);
   assert.equal(await page.evaluate(async (id) => (await fetch(`v1/jobs/${id}`)).status, id), 404);
 });
+
+service.test('a slider says what it leaves running, and that the finest answer is under way', async (page) => {
+  const id = await sent(page, {
+    mesh: { elements_per_half_width: 40 },
+    load: { forces: Array.from({ length: 400 }, (_, k) => 100 + k) },
+  });
+  await follow(page, `job=${id}`);
+  await page.locator('[data-status=running]').waitFor();
+  await page.getByLabel('Given', { exact: true }).selectOption('approach');
+  await page.route('**/v1/solve', (route) => {
+    // The coarse one alone is answered.
+    if (route.request().postDataJSON().mesh.elements_per_half_width === 10) route.continue();
+  });
+  const place = page.locator('[data-place="/upper/shape/radius"]');
+  await place.getByRole('button', { name: 'Slider' }).click();
+  await place.getByRole('slider').press('ArrowRight');
+  await page.locator('#toast').getByText('The job before goes on').waitFor();
+  await page.locator('[data-status=live]').getByText('solving on 40 elements').waitFor();
+  await page.goBack();
+  await page.locator('[data-status=running]').getByRole('button', { name: 'Cancel' }).click();
+  await page.locator('[data-status=cancelled]').waitFor();
+});
