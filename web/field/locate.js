@@ -55,32 +55,34 @@ export const vectorAt = ({ nodes, weights }, vectors) =>
   );
 
 /**
- * The triangles under many points of the undeformed mesh, in one look at every triangle.
+ * The triangles under many points of the undeformed mesh, in one look at every triangle: those whose corners all lie on one side of
+ * all points are known by a bit of each corner.
  * @param {Mesh} mesh
  * @param {[number, number][]} points
  * @returns {(Place | null)[]}
  */
 export function locateAll({ nodes, elements }, points) {
   const found = /** @type {(Place | null)[]} */ (points.map(() => null));
+  if (points.length === 0) return found;
   const order = points.map((_, k) => k).sort((a, b) => points[a][0] - points[b][0]);
-  const xs = Float64Array.from(order, (k) => points[k][0]);
-  let [least, most] = [Infinity, -Infinity];
-  for (const [, y] of points) [least, most] = [Math.min(least, y), Math.max(most, y)];
+  const [xs, ys] = [0, 1].map((axis) => Float64Array.from(order, (k) => points[k][axis]));
+  const beyond = sidesOf(nodes, points);
   for (let k = 0; k < 2 * elements.length; k += 4) {
     const a = corner(elements, k, 0);
     const b = corner(elements, k, 1);
     const c = corner(elements, k, 2);
+    if (beyond[a] & beyond[b] & beyond[c]) continue;
     const ay = nodes[2 * a + 1];
     const by = nodes[2 * b + 1];
     const cy = nodes[2 * c + 1];
-    if ((ay < least && by < least && cy < least) || (ay > most && by > most && cy > most)) continue;
     const ax = nodes[2 * a];
     const bx = nodes[2 * b];
     const cx = nodes[2 * c];
     const right = Math.max(ax, bx, cx);
     const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
     for (let j = firstFrom(xs, Math.min(ax, bx, cx)); j < xs.length && xs[j] <= right; j++) {
-      const [x, y] = points[order[j]];
+      const x = xs[j];
+      const y = ys[j];
       const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area;
       const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
       if (wb >= -1e-6 && wc >= -1e-6 && wb + wc <= 1 + 1e-6)
@@ -88,6 +90,19 @@ export function locateAll({ nodes, elements }, points) {
     }
   }
   return found;
+}
+
+/** On which sides of all points each node lies, a bit for each side. @param {Float32Array} nodes @param {[number, number][]} points */
+function sidesOf(nodes, points) {
+  const limits = [0, 1].map((axis) => points.map((point) => point[axis]));
+  const [[left, bottom], [right, top]] = [limits.map((all) => Math.min(...all)), limits.map((all) => Math.max(...all))];
+  const beyond = new Uint8Array(nodes.length / 2);
+  for (let n = 0; n < beyond.length; n++) {
+    const x = nodes[2 * n];
+    const y = nodes[2 * n + 1];
+    beyond[n] = (x < left ? 1 : 0) | (x > right ? 2 : 0) | (y < bottom ? 4 : 0) | (y > top ? 8 : 0);
+  }
+  return beyond;
 }
 
 /** @param {Float64Array} list rising @param {number} x @returns {number} index of the first that is not less */
