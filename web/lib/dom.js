@@ -51,6 +51,21 @@ function fill(element, properties, children) {
 }
 
 /**
+ * Gives an element these children. Those that it has already stay where they are, with the focus and with what the browser knows of
+ * what is being typed into them.
+ * @param {Element} parent
+ * @param {(Node | null | undefined | false)[]} children
+ */
+export function arrange(parent, children) {
+  const wanted = children.filter((child) => child instanceof Node);
+  for (const child of [...parent.childNodes]) if (!wanted.includes(child)) child.remove();
+  wanted.forEach((child, k) => {
+    const there = parent.childNodes[k];
+    if (there !== child) parent.insertBefore(child, there ?? null);
+  });
+}
+
+/**
  * The element of this id, which the page has.
  * @template {HTMLElement} [E=HTMLElement]
  * @param {string} id

@@ -12,9 +12,9 @@ const focusables = (root) =>
 function keyOf(one) {
   const part = /** @type {HTMLElement | null} */ (one.closest('[data-place], [data-key]'));
   const words = one.matches('button, summary, a') && !part?.dataset.key ? one.textContent : '';
-  return [part?.dataset.place, part?.dataset.key, one.id || one.tagName, one.getAttribute('aria-label'), words].join(
-    '|',
-  );
+  // The id of an entry of the form is new with the entry.
+  const own = part?.dataset.place ? one.tagName : one.id || one.tagName;
+  return [part?.dataset.place, part?.dataset.key, own, one.getAttribute('aria-label'), words].join('|');
 }
 
 /**

@@ -231,10 +231,11 @@ export const DEFAULTS = {
  * A shape of another kind and about the same size.
  * @param {string} type
  * @param {Record<string, any>} old
+ * @param {import('../lib/units.js').Units} units
  * @returns {Record<string, any>}
  */
-export function shapeLike(type, old) {
-  const size = numberOf(old?.radius ?? old?.depth) || 20;
+export function shapeLike(type, old, units) {
+  const size = numberOf(old?.radius ?? old?.depth) || convert(20, 'length', 'mm_N_MPa', units);
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   switch (type) {
     case 'block':
@@ -245,7 +246,8 @@ export function shapeLike(type, old) {
       return { type, radius: round(1.005 * size), outer_radius: round(10 * size) };
     case 'profile': {
       const at = (/** @type {number} */ t) => [round(t * size), round((-t * t * size) / 2)];
-      return { type, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), depth: round(2 * size) };
+      const points = [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at);
+      return { type, points, interpolation: 'smooth', depth: round(2 * size) };
     }
     default: {
       const { fields } = SHAPES[type];

@@ -1,6 +1,6 @@
 /** The form: shows the draft, changes it, and puts the service's errors beside the fields they are about. */
 
-import { byId, h, toast } from '../lib/dom.js';
+import { arrange, byId, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import * as pointer from '../lib/pointer.js';
 import { numberOf } from '../lib/number.js';
@@ -49,9 +49,21 @@ const TYPICAL = { force: 600, approach: 0.02 };
 export class Form {
   /** @type {Map<string, {entry: import('./entry.js').Entry, field: Field}>} by pointer */
   #fields = new Map();
+  /** Those before the form was put together anew: what is needed again stays as it is. */
+  #former = this.#fields;
   #shape = '';
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
+
+  /** Where the fields stand. */
+  #parts = {
+    general: h('div', { class: 'pair' }),
+    upper: h('div', { class: 'grid' }),
+    lower: h('div', { class: 'grid' }),
+    load: h('div', { class: 'grid' }),
+    settings: h('div', { class: 'grid' }),
+  };
+  #previews = { upper: previewsOf('upper'), lower: previewsOf('lower') };
 
   /** Whether flow theory was chosen with a load that it alone knows. */
   #lent = false;
@@ -169,87 +181,86 @@ export class Form {
   /** @param {'upper' | 'lower'} body */
   #showPreview(body) {
     const { job } = this.draft;
-    const place = (/** @type {string} */ name) => this.root.querySelector(`[data-preview="${body}-${name}"]`);
-    place('shape')?.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
-    place('stress')?.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
-    place('curve')?.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
+    const { shape, stress, curve } = this.#previews[body];
+    shape.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
+    stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
+    curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
+  /** Puts the form together for the kinds that the draft has. */
   #build() {
-    const open = this.root.querySelector('details')?.open ?? false;
-    this.#fields.clear();
-    this.root.replaceChildren(
-      h(
-        'div',
-        { class: 'pair' },
-        this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
-        this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
-          this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
-          this.#readAgain();
-        }),
-      ),
-      this.#body('upper', 'Upper body'),
-      this.#body('lower', 'Lower body'),
-      this.#load(),
-      h(
-        'details',
-        { open },
-        h('summary', {}, 'Mesh, solver, output, tags'),
-        h(
-          'div',
-          { class: 'grid' },
-          SETTINGS.map((field) => this.#field('', field)),
-        ),
-      ),
+    this.#former = this.#fields;
+    this.#fields = new Map();
+    if (!this.root.firstChild)
+      this.root.append(
+        this.#parts.general,
+        this.#fieldset('upper', 'Upper body'),
+        this.#fieldset('lower', 'Lower body'),
+        h('fieldset', {}, h('legend', {}, 'Load'), this.#parts.load),
+        h('details', {}, h('summary', {}, 'Mesh, solver, output, tags'), this.#parts.settings),
+      );
+    arrange(this.#parts.general, [
+      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
+      this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
+        this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
+        this.#readAgain();
+      }),
+    ]);
+    for (const body of /** @type {const} */ (['upper', 'lower'])) arrange(this.#parts[body], this.#body(body));
+    arrange(this.#parts.load, this.#load());
+    arrange(
+      this.#parts.settings,
+      SETTINGS.map((field) => this.#field('', field)),
     );
   }
 
   /** @param {'upper' | 'lower'} body @param {string} title */
-  #body(body, title) {
-    const { job } = this.draft;
-    const at = `/${body}`;
+  #fieldset(body, title) {
     const other = body === 'upper' ? 'lower' : 'upper';
-    const law = lawOf(job[body]?.material);
-    const shape = job[body]?.shape?.type;
-    const shapes = Object.fromEntries(Object.keys(SHAPES).map((key) => [key, shapeLabel(key, job.analysis)]));
+    const copy = () => this.draft.set(`/${body}`, structuredClone(this.draft.job[other]), SOURCE);
     return h(
       'fieldset',
       {},
-      h(
-        'legend',
-        {},
-        title,
-        h(
-          'button',
-          { type: 'button', class: 'plain', onclick: () => this.draft.set(at, structuredClone(job[other]), SOURCE) },
-          `same as ${other}`,
-        ),
-      ),
-      h(
-        'div',
-        { class: 'grid' },
-        this.#choice(`${at}/shape/type`, 'Shape', shapes, (type) =>
-          this.draft.set(`${at}/shape`, shapeLike(String(type), job[body]?.shape), SOURCE),
-        ),
-        (SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
-        h('div', { 'data-preview': `${body}-shape` }),
-        this.#choice(`${at}/support`, 'Support', SUPPORTS),
-        this.materials[body].elements,
-        law !== 'rigid' && ELASTIC.map((field) => this.#field(`${at}/material`, field)),
-        this.#choice(
-          `${at}/material/law`,
-          'Hardening',
-          Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label])),
-          (law) => this.#useLaw(body, String(law)),
-        ),
-        LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? [],
-        LAWS[law]?.fields.length ? this.#overDepth(body) : [],
-        hasBackstress(job, body) && this.#field(`${at}/material/plasticity`, BACKSTRESS),
-        h('div', { 'data-preview': `${body}-curve` }),
-        law === 'rigid' ? [] : this.#initialStress(body),
-        h('div', { 'data-preview': `${body}-stress` }),
-      ),
+      h('legend', {}, title, h('button', { type: 'button', class: 'plain', onclick: copy }, `same as ${other}`)),
+      this.#parts[body],
     );
+  }
+
+  /** @param {'upper' | 'lower'} body @returns {(Node | false)[]} */
+  #body(body) {
+    const { job } = this.draft;
+    const at = `/${body}`;
+    const law = lawOf(job[body]?.material);
+    const shape = job[body]?.shape?.type;
+    const shapes = Object.fromEntries(Object.keys(SHAPES).map((key) => [key, shapeLabel(key, job.analysis)]));
+    return [
+      this.#choice(`${at}/shape/type`, 'Shape', shapes, (type) =>
+        this.draft.set(`${at}/shape`, this.#shapeLike(body, String(type)), SOURCE),
+      ),
+      ...(SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
+      this.#previews[body].shape,
+      this.#choice(`${at}/support`, 'Support', SUPPORTS),
+      ...this.materials[body].elements,
+      ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
+      this.#choice(
+        `${at}/material/law`,
+        'Hardening',
+        Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label])),
+        (law) => this.#useLaw(body, String(law)),
+      ),
+      ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
+      ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
+      hasBackstress(job, body) && this.#field(`${at}/material/plasticity`, BACKSTRESS),
+      this.#previews[body].curve,
+      ...(law === 'rigid' ? [] : this.#initialStress(body)),
+      this.#previews[body].stress,
+    ];
+  }
+
+  /** @param {'upper' | 'lower'} body @param {string} type */
+  #shapeLike(body, type) {
+    const { job } = this.draft;
+    return shapeLike(type, job[body]?.shape, unitsOf(job));
   }
 
   /** @param {'upper' | 'lower'} body */
@@ -262,7 +273,8 @@ export class Form {
         `${plasticity}/depth_kind`,
         'Strength over depth',
         { uniform: 'Uniform', ...Object.fromEntries(kinds) },
-        (kind) => this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(job)), SOURCE),
+        (kind) =>
+          this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(this.draft.job)), SOURCE),
       ),
       ...(OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
     ];
@@ -284,19 +296,12 @@ export class Form {
     const kind = loadOf(this.draft.job.load);
     const { field } = LOADS[kind];
     const kinds = Object.fromEntries(Object.entries(LOADS).map(([key, { label }]) => [key, label]));
-    return h(
-      'fieldset',
-      {},
-      h('legend', {}, 'Load'),
-      h(
-        'div',
-        { class: 'grid' },
-        this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
-        field && this.#field('/load', field),
-        kind === 'target' && this.#target(),
-        this.#choice('/solver/theory', 'Theory', THEORIES),
-      ),
-    );
+    return [
+      this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
+      field && this.#field('/load', field),
+      ...(kind === 'target' ? this.#target() : []),
+      this.#choice('/solver/theory', 'Theory', THEORIES),
+    ];
   }
 
   /** @param {string} analysis */
@@ -369,6 +374,11 @@ export class Form {
 
   /** @param {string} place @param {Field} field @param {(value: unknown) => void} change */
   #place(place, field, change) {
+    const former = this.#former.get(place);
+    if (former && JSON.stringify(former.field) === JSON.stringify(field)) {
+      this.#fields.set(place, former);
+      return former.entry.element;
+    }
     const body = place.split('/')[1];
     const made = entry(field, change, {
       units: () => unitsOf(this.draft.job),
@@ -390,8 +400,10 @@ export class Form {
 
   /** @param {'upper' | 'lower'} body @param {string} law */
   #useLaw(body, law) {
-    const old = this.draft.job[body]?.material;
-    const elastic = { young_modulus: old?.young_modulus ?? 210000, poisson_ratio: old?.poisson_ratio ?? 0.3 };
+    const { job } = this.draft;
+    const old = job[body]?.material;
+    const steel = convert(210_000, 'stress', 'mm_N_MPa', unitsOf(job));
+    const elastic = { young_modulus: old?.young_modulus ?? steel, poisson_ratio: old?.poisson_ratio ?? 0.3 };
     const { over_depth, backstress } = old?.plasticity ?? {};
     const plasticity = plasticityLike(law, { ...elastic, ...old });
     if (plasticity && over_depth) plasticity.over_depth = over_depth;
@@ -436,6 +448,13 @@ export class Form {
     this.#setLoad(job, { [kind]: loads[kind] }, kind === 'history');
   }
 }
+
+/** @param {string} body */
+const previewsOf = (body) => ({
+  shape: h('div', { 'data-preview': `${body}-shape` }),
+  curve: h('div', { 'data-preview': `${body}-curve` }),
+  stress: h('div', { 'data-preview': `${body}-stress` }),
+});
 
 /** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
 function valueIn(job, place) {

@@ -93,3 +93,60 @@ service.test('in the list of jobs, which is fetched again and again', async (pag
     assert.equal(await row.locator(part).evaluate((one) => one === document.activeElement), true, part);
   }
 });
+
+service.test('on the choice that one walks through, though fields come and go above it', async (page) => {
+  const given = page.locator('[data-place="/load/kind"] select');
+  await given.focus();
+  // History asks for flow theory, which gives both bodies a backstress.
+  for (const kind of ['forces', 'approach', 'approaches', 'history', 'onset', 'target']) {
+    await page.keyboard.press('ArrowDown');
+    assert.equal(await at(page), '/load/kind SELECT');
+    assert.equal(await given.inputValue(), kind);
+  }
+  const poisson = page.locator('[data-place="/lower/material/poisson_ratio"] input[type=text]');
+  const law = page.locator('[data-place="/upper/material/law"] select');
+  await law.selectOption('elastic');
+  await poisson.focus();
+  await page.keyboard.press('Control+z');
+  assert.ok((await law.inputValue()) !== 'elastic');
+  assert.equal(await at(page), '/lower/material/poisson_ratio INPUT', 'fields above are there again');
+});
+
+service.test('choices are typed by their whole names', async (page) => {
+  for (const [place, typed, value] of [
+    ['[data-place="/load/kind"] select', 'Sweep of a', 'approaches'],
+    ['[data-place="/load/kind"] select', 'Force for', 'target'],
+    ['[data-place="/upper/shape/type"] select', 'Power', 'power'],
+    ['[data-place="/upper/shape/type"] select', 'Par', 'parabola'],
+    ['[data-preset=upper]', 'Bearing steel 1', 'Bearing steel 100Cr6, 58 HRC'],
+  ]) {
+    const choice = page.locator(place);
+    await choice.focus();
+    await page.keyboard.type(typed);
+    assert.equal(await choice.inputValue(), value, typed);
+    // The browser begins another word after a second.
+    await page.locator('[data-place="/units"] select').focus();
+  }
+});
+
+service.test('never behind the bar with Solve', async (page) => {
+  for (const height of [900, 800]) {
+    await page.setViewportSize({ width: 1440, height });
+    await page.locator('#example').focus();
+    for (let stop = 0; stop < 100; stop++) {
+      await page.keyboard.press('Tab');
+      const { id, hidden, name } = await page.evaluate(() => {
+        const one = /** @type {HTMLElement} */ (document.activeElement);
+        const bar = document.querySelector('.submit')?.getBoundingClientRect();
+        return {
+          id: one.id,
+          name: `${one.closest('[data-place]')?.getAttribute('data-place')} ${one.tagName}`,
+          hidden: !one.closest('.submit') && one.getBoundingClientRect().bottom > (bar?.top ?? 0),
+        };
+      });
+      if (id === 'solve') break;
+      assert.ok(stop < 99, 'Solve is never reached');
+      assert.ok(!hidden, name);
+    }
+  }
+});

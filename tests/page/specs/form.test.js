@@ -419,6 +419,9 @@ service.test('a slider begins at nothing too, and a choice that is not made says
   assert.equal((await draft(page)).upper.material.plasticity.tangent_modulus, 10500);
   await page.getByLabel('Shape').first().selectOption('profile');
   const between = page.getByLabel('Between points');
+  await between.selectOption('automatic');
+  assert.equal((await draft(page)).upper.shape.interpolation, undefined);
+  await page.locator('#example').focus();
   assert.equal(await between.locator('option:checked').textContent(), 'automatic');
   await between.selectOption('linear');
   assert.equal((await draft(page)).upper.shape.interpolation, 'linear');
@@ -467,4 +470,54 @@ service.test('every example converges', async (page) => {
   });
   assert.ok(states.length >= 8);
   for (const state of states) assert.match(state, /: converged/);
+});
+
+service.test('a profile that is chosen is one that is taken', async (page) => {
+  for (const body of ['upper', 'lower']) {
+    const answered = page.waitForResponse((response) => response.url().endsWith('/validate'));
+    await page.locator(`[data-place="/${body}/shape/type"] select`).selectOption('profile');
+    assert.equal((await answered).status(), 200);
+    assert.equal(await page.locator('#form [aria-invalid=true]').count(), 0);
+  }
+});
+
+service.test('a body is copied as it is, not as it was when the form was put together', async (page) => {
+  await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('33');
+  await page.locator('#example').focus();
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+y');
+  await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('44');
+  await page.getByRole('button', { name: 'same as lower' }).click();
+  assert.equal((await draft(page)).upper.shape.radius, 44);
+});
+
+service.test('shapes, strengths and laws that are chosen after other units are as large', async (page) => {
+  const lower = async () => (await draft(page)).lower;
+  const choose = (/** @type {string} */ place, /** @type {string} */ value) =>
+    page.locator(`[data-place="/lower${place}"] select`).selectOption(value);
+  await page.locator('[data-place="/units"] select').selectOption('SI');
+  const shapes = await page
+    .locator('[data-place="/lower/shape/type"] option')
+    .evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+  for (const type of shapes) {
+    await choose('/shape/type', 'cylinder');
+    await page.locator('[data-place="/lower/shape/radius"] input[type=text]').fill('0.02');
+    await choose('/shape/type', type);
+    for (const [key, value] of Object.entries((await lower()).shape))
+      if (typeof value === 'number' && !['exponent', 'angle'].includes(key))
+        assert.ok(value < 1, `${type}: ${key} ${value} m`);
+  }
+  for (const kind of ['factors', 'hardness']) {
+    await choose('/material/plasticity/depth_kind', kind);
+    const { over_depth: given } = (await lower()).material.plasticity;
+    const rows = Array.isArray(given) ? given : given.hardness.profile;
+    assert.ok(rows.at(-1)[0] < 0.1, JSON.stringify(given));
+  }
+  await choose('/material/plasticity/depth_kind', 'case');
+  assert.equal((await lower()).material.plasticity.over_depth.hardness.case_depth, 0.001);
+  await choose('/material/law', 'rigid');
+  await choose('/material/law', 'bilinear');
+  const { young_modulus: modulus, plasticity } = (await lower()).material;
+  assert.equal(modulus, 2.1e11);
+  assert.equal(plasticity.yield_stress, 5e8);
 });
