@@ -125,6 +125,11 @@ const list = new JobList({
   colourOf: (id) => compared.get(id)?.colour,
   isChosen: (id) => compared.has(id) || chosen.has(id),
   current: () => current?.id,
+  deleted: (id) => {
+    if (compared.has(id) || chosen.has(id)) compare(id, false);
+  },
+  // Another may have deleted the job that is shown.
+  refreshed: () => watch.look(),
 });
 
 /** Leaves out of the comparison what has another kind of force: whole in axisymmetry, for each length otherwise. */
@@ -444,10 +449,11 @@ byId('restore').addEventListener('click', () => {
 byId('share-job').addEventListener('click', async () =>
   copy(await link.draftLink(draft.job), 'Link to this definition'),
 );
-document.querySelector('[data-skip]')?.addEventListener('click', (event) => {
-  event.preventDefault();
-  byId('result').focus();
-});
+for (const skip of document.querySelectorAll('[data-skip]'))
+  skip.addEventListener('click', (event) => {
+    event.preventDefault();
+    byId(/** @type {HTMLElement} */ (skip).dataset.skip ?? '').focus();
+  });
 
 startParts(() => list.refresh());
 startKeys();

@@ -1,13 +1,13 @@
 /** The jobs of the service: state, tags, search, and which of them are laid over the one that is shown. */
 
-import { Problem, ask } from '../api/client.js';
-import { byId, debounce, h } from '../lib/dom.js';
+import { Problem, ask, post, request } from '../api/client.js';
+import { dialogue } from '../lib/dialogue.js';
+import { byId, debounce, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
-import { duration, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
-import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
-import { historyWords } from '../setup/history.js';
+import { duration, figure, unit, unitsOf } from '../lib/units.js';
 import { asked } from '../result/loads.js';
 import { NAMES, finished } from '../result/watch.js';
+import { loadWords } from './load.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
@@ -28,7 +28,7 @@ export class JobList {
   /** What was asked of each job, which does not change. @type {Map<string, import('../types.js').Job>} */
   #requests = new Map();
 
-  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf: (id: string) => string | undefined, isChosen: (id: string) => boolean, current: () => string | undefined}} on */
+  /** @param {{open: (id: string) => void, compare: (id: string, on: boolean) => void, colourOf: (id: string) => string | undefined, isChosen: (id: string) => boolean, current: () => string | undefined, deleted: (id: string) => void, refreshed: () => void}} on */
   constructor(on) {
     this.on = on;
     this.search = h('input', {
@@ -63,6 +63,7 @@ export class JobList {
       this.#next = next;
       this.#pages = 1;
       this.#through = THROUGH;
+      this.on.refreshed();
     });
   }
 
@@ -193,7 +194,51 @@ export class JobList {
       h('code', { class: 'quiet' }, job.id.slice(-8)),
       tags,
     );
-    return h('li', { 'data-key': job.id }, box, open);
+    return h('li', { 'data-key': job.id }, box, open, this.#ending(job, label));
+  }
+
+  /** Takes a job from the queue or stops it; removes one that has ended. @param {JobDocument} job @param {string} label */
+  #ending(job, label) {
+    const [word, work] = finished(job)
+      ? [`Delete ${label}`, () => this.#askToDelete(job, label)]
+      : [`Cancel ${label}`, () => this.#do(() => post(`v1/jobs/${job.id}/cancel`, ''), `${label} is asked to stop`)];
+    const stopping = job.cancel_requested && !finished(job);
+    return h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        title: stopping ? 'Stopping…' : word,
+        'aria-label': word,
+        'aria-disabled': stopping ? 'true' : null,
+        onclick: stopping ? () => {} : work,
+      },
+      '×',
+    );
+  }
+
+  /** @param {JobDocument} job @param {string} label */
+  #askToDelete({ id }, label) {
+    const words = `“${label}” and its result are removed from the service, for everyone. Links to it lead nowhere then.`;
+    dialogue('Delete a job', [h('p', {}, words)], 'Delete', () => {
+      this.#do(async () => {
+        await request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {});
+        this.on.deleted(id);
+      }, `${label} is deleted`);
+      return '';
+    });
+  }
+
+  /** @param {() => Promise<unknown>} work @param {string} done what it came to */
+  async #do(work, done) {
+    try {
+      await work();
+      toast(done);
+    } catch (error) {
+      if (!(error instanceof Problem)) throw error;
+      toast(error.message);
+    }
+    await this.refresh();
   }
 }
 
@@ -202,31 +247,6 @@ const isTag = (text) => /^[^:]+:./.test(text);
 
 /** @param {{id: string, tags?: Record<string, string>}} job */
 export const labelOf = ({ id, tags }) => Object.values(tags ?? {})[0]?.slice(0, 24) ?? id.slice(-8);
-
-/** @param {import('../types.js').Job} job @returns {string} */
-function loadWords(job) {
-  const kind = loadOf(job.load);
-  const value = job.load?.[kind];
-  if (kind === 'onset') return 'onset of yield';
-  if (kind === 'target') return `P for ${targetWords(job)}`;
-  const far = kind.startsWith('approach');
-  const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
-  const figures =
-    kind === 'history'
-      ? historyWords(value)
-      : Array.isArray(value)
-        ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
-        : plain(Number(value));
-  return `${far ? 'α' : 'P'} ${figures} ${name}`;
-}
-
-/** @param {import('../types.js').Job} job */
-function targetWords({ load, ...job }) {
-  const figure = targetOf(load);
-  const { label, quantity } = TARGETS[figure];
-  const name = quantity && quantity !== 'load' ? unit(quantity, unitsOf(job)) : '';
-  return `${label.toLowerCase()} ${plain(Number(load.target[figure]))} ${name}`.trim();
-}
 
 /** @param {string} time */
 function age(time) {

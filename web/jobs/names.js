@@ -4,6 +4,7 @@ import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, allFields } from '../setup/fields.js';
 import { forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { historyWords } from '../setup/history.js';
+import { loadWords } from './load.js';
 
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{pointer: string, label: string, symbol: string, unit: string, values: unknown[], texts: string[]}} Difference `texts`: the values as they are written, whole where they would look alike */
@@ -33,10 +34,7 @@ export function differences(jobs) {
   // A force and a sweep of forces are both the load of their job.
   const loads = all.filter((pointer) => pointer.startsWith('/load/'));
   const pointers = loads.length > 1 ? ['/load', ...all.filter((pointer) => !loads.includes(pointer))] : all;
-  for (const map of maps) {
-    const load = loads.find((pointer) => map.has(pointer)) ?? '';
-    map.set('/load', load === '/load/onset' ? 'onset of yield' : map.get(load));
-  }
+  for (const [k, map] of maps.entries()) map.set('/load', loadWords(alike[k]));
   return pointers
     .map((pointer) => ({
       pointer,
@@ -64,7 +62,7 @@ const sentence = (text) => text[0].toUpperCase() + text.slice(1);
 
 /** @param {string} pointer @param {Job} job of whose units it is */
 function nameOf(pointer, job) {
-  if (pointer === '/load') return { label: 'Load', symbol: 'P', unit: '' };
+  if (pointer === '/load') return { label: 'Load', symbol: '', unit: '' };
   const parts = pointer.split('/').slice(1);
   const key = parts[parts.length - 1];
   const field = FIELDS.get(key);
@@ -128,7 +126,11 @@ export function names(jobs) {
     const made = jobs.map((_, k) =>
       found
         .slice(0, count)
-        .map(({ symbol, values }) => `${symbol.replaceAll('_', '')} ${writeValue(values[k])}`.trim())
+        .map(({ symbol, values, unit }) =>
+          [symbol.replaceAll('_', ''), writeValue(values[k]), values[k] === undefined ? '' : unit]
+            .filter(Boolean)
+            .join(' '),
+        )
         .join(', '),
     );
     if (new Set(made).size === made.length || count === Math.min(3, found.length))

@@ -4,6 +4,7 @@ import { figure, forceOf, percent, stiffnessOf, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { TARGETS } from '../setup/fields.js';
 import { barOf, strainOf } from './figures.js';
+import { isDented } from './loads.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
@@ -15,6 +16,7 @@ import { barOf, strainOf } from './figures.js';
  * @property {string} unit
  * @property {number} [error] relative bound of the error of the mesh
  * @property {number} [elastic] the same by elastic theory
+ * @property {boolean} [undented] whether that is of bodies that have not been dented before
  * @property {string} note
  * @property {boolean} [long] whether the note is too long for a card
  */
@@ -34,6 +36,8 @@ export function answersOf(job, report, step) {
   // Without load there is no contact for Hertz's theory to tell of.
   const elastic = loaded ? hertz : undefined;
   const { width, mean } = widthWords(contact);
+  const undented = isDented(report, report.steps.indexOf(step));
+  const first = undented ? 'first yield of undented bodies' : 'first yield';
   return [
     {
       name: 'Peak pressure',
@@ -41,6 +45,7 @@ export function answersOf(job, report, step) {
       unit: stress,
       error: barOf(step, 'peak_pressure'),
       elastic: elastic?.peak_pressure,
+      undented,
       note: '',
     },
     {
@@ -49,6 +54,7 @@ export function answersOf(job, report, step) {
       unit: length,
       error: barOf(step, 'half_width'),
       elastic: elastic?.half_width,
+      undented,
       note: width,
     },
     {
@@ -66,8 +72,8 @@ export function answersOf(job, report, step) {
       error: barOf(step, 'force'),
       note: onset
         ? loaded
-          ? `${figure(contact.force / onset, 3)} × first yield by elastic theory, ${figure(onset, 4)}`
-          : `first yield by elastic theory at ${figure(onset, 4)}`
+          ? `${figure(contact.force / onset, 3)} × ${first} by elastic theory, ${figure(onset, 4)}`
+          : `${first} by elastic theory at ${figure(onset, 4)}`
         : '',
     },
     {
@@ -75,6 +81,7 @@ export function answersOf(job, report, step) {
       value: contact.mean_pressure,
       unit: stress,
       elastic: elastic ? meanOf(elastic, round) : undefined,
+      undented,
       note: mean,
     },
     ...(report.target

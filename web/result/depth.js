@@ -6,7 +6,7 @@ import { yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
-import { beside } from './loads.js';
+import { beside, isDented } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -121,7 +121,7 @@ export class DepthPanel {
       });
     const [stress, length] = [unit('stress', units), unit('length', units)];
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
-      curves.push(...this.#elastic(first, step, profile.depth));
+      curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
       x: `depth  [${length}]`,
       y: `stress  [${stress}]`,
@@ -142,8 +142,9 @@ export class DepthPanel {
     });
   }
 
-  /** What the stresses would be without yield. @param {Shown} shown @param {import('../types.js').Step} step @param {number[]} depths @returns {import('./chart.js').Curve[]} */
-  #elastic({ job, report }, { hertz }, depths) {
+  /** What the stresses would be without yield. @param {Shown} shown @param {number} at @param {number[]} depths @returns {import('./chart.js').Curve[]} */
+  #elastic({ job, report }, at, depths) {
+    const { hertz } = report.steps[at];
     if (!hertz) return [];
     const ratio = Number(job[this.#body]?.material?.poisson_ratio);
     const stresses = elasticStresses(depths, hertz, ratio, report.analysis);
@@ -152,7 +153,7 @@ export class DepthPanel {
         ? []
         : [
             {
-              label: `${nameOf(component, report.analysis)}, elastic`,
+              label: `${nameOf(component, report.analysis)}, elastic${isDented(report, at) ? ', undented' : ''}`,
               colour: COMPONENTS[component].colour,
               dash: [2, 3],
               dashed: true,

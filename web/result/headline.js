@@ -36,7 +36,7 @@ const rows = new ResizeObserver(([{ target, contentRect }]) => {
 });
 
 /** @param {import('./answers.js').Answer} answer */
-function card({ name, value, unit, error, elastic, note, long = false }) {
+function card({ name, value, unit, error, elastic, undented, note, long = false }) {
   const text = figure(value);
   const key = name.toLowerCase().replaceAll(' ', '-');
   const bar =
@@ -48,7 +48,10 @@ function card({ name, value, unit, error, elastic, note, long = false }) {
           `± ${percent(error)}`,
           help('error_bar', 'Error bar', `bar-of-${key}`),
         );
-  const words = [elastic ? `Hertz ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '', note]
+  const words = [
+    elastic ? `Hertz${undented ? ', undented' : ''} ${figure(elastic, 4)}, ratio ${figure(value / elastic, 3)}` : '',
+    note,
+  ]
     .filter(Boolean)
     .join('; ');
   return h(

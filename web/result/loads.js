@@ -38,6 +38,21 @@ export const loadWords = (report, at) =>
   `${figure(report.steps[at].contact.force, 4)} ${unit(forceOf(report), report.units)}`;
 
 /**
+ * Whether a load before this one, at least as large, has dented the bodies: Hertz's theory tells of bodies without a dent.
+ * @param {Report} report @param {number} at
+ */
+export const isDented = ({ steps }, at) =>
+  steps
+    .slice(0, at)
+    .some(
+      ({ contact, plasticity }) =>
+        contact.force >= steps[at].contact.force && (plasticity.upper?.yielded || plasticity.lower?.yielded),
+    );
+
+/** What figures by Hertz's theory are of. @param {Report} report @param {number} at */
+export const hertzName = (report, at) => (isDented(report, at) ? 'Hertz, undented bodies' : 'Hertz, elastic');
+
+/**
  * The step of every job that is laid beside a step of the first: that under the same force, or else that of the same number, or
  * else the last one. Where there are several to choose from, the label says which it is.
  * @param {Shown[]} shown @param {number} at step of the first

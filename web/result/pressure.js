@@ -2,7 +2,7 @@
 
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
-import { beside } from './loads.js';
+import { beside, hertzName } from './loads.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -53,7 +53,8 @@ export class PressurePanel {
       };
     });
     const { hertz, contact } = step;
-    if (hertz) curves.push({ ...hertzCurve(hertz, round), filled: false });
+    const name = hertzName(first.report, at);
+    if (hertz) curves.push({ ...hertzCurve(hertz, round, name), filled: false });
     const marks = contact.patches
       .flatMap(({ left, right }) => [left, right])
       .filter((x) => x !== 0 || !round)
@@ -71,7 +72,7 @@ export class PressurePanel {
       marks,
       range: reach > 0 && contact.patches.length < 2 ? [round ? 0 : -reach, reach] : undefined,
       words: `Contact pressure over x: highest ${figure(contact.peak_pressure)} ${unit('stress', units)}, half-width ${figure(contact.half_width)} ${unit('length', units)}${
-        hertz ? `; Hertz, elastic: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
+        hertz ? `; ${name}: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
       }.`,
     });
   }
@@ -84,11 +85,11 @@ const mark = (x, units, half) => ({
   text: Math.abs(x - half) < 1e-9 * half ? `a ${figure(half, 4)} ${unit('length', units)}` : '',
 });
 
-/** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only */
-function hertzCurve({ half_width, peak_pressure }, round) {
+/** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only @param {string} [label] */
+function hertzCurve({ half_width, peak_pressure }, round, label = 'Hertz, elastic') {
   const angles = Array.from({ length: 121 }, (_, k) => (round ? (Math.PI * k) / 240 : Math.PI * (k / 120 - 0.5)));
   return {
-    label: 'Hertz, elastic',
+    label,
     colour: '--hertz',
     dashed: true,
     x: angles.map((angle) => half_width * Math.sin(angle)),

@@ -30,7 +30,7 @@ import { inWords } from '../setup/words.js';
 import { writeValue, writeWhole } from '../jobs/names.js';
 import { answersOf, leftBehind, targetWords } from './answers.js';
 import { figuresTable, tableElements } from './figures.js';
-import { asked, beside, endedEarly } from './loads.js';
+import { asked, beside, endedEarly, hertzName } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -299,7 +299,7 @@ function answers({ job, report }, at) {
     '',
     '',
     ...(hasBars ? ['error of mesh'] : []),
-    ...(hasElastic ? ['Hertz, elastic', 'ratio'] : []),
+    ...(hasElastic ? [hertzName(report, at), 'ratio'] : []),
     '',
   ].map((text) => (text ? h('th', { scope: 'col' }, text) : h('td')));
   return h('table', { class: 'answers' }, h('thead', {}, h('tr', {}, head)), h('tbody', {}, rows));

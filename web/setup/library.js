@@ -1,5 +1,6 @@
 /** Materials of one's own, kept in this browser, and strengths from a hardness. */
 
+import { dialogue } from '../lib/dialogue.js';
 import { h, toast } from '../lib/dom.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { readNumber } from '../lib/number.js';
@@ -48,44 +49,6 @@ export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
 const [SOFTEST, HARDEST] = [136, 622];
 /** Brinell over Vickers hardness, ISO 18265. */
 const BRINELL = 0.95;
-
-/**
- * A dialogue of a few entries.
- * @param {string} title
- * @param {import('../lib/dom.js').Child[]} content
- * @param {string} action
- * @param {() => string} done takes what is entered; answers with what is wrong with it
- */
-function dialogue(title, content, action, done) {
-  const error = h('p', { class: 'error', role: 'alert' });
-  const box = h(
-    'dialog',
-    { 'aria-labelledby': 'library-title' },
-    h(
-      'form',
-      {
-        method: 'dialog',
-        onsubmit: (/** @type {SubmitEvent} */ event) => {
-          if (/** @type {HTMLButtonElement | null} */ (event.submitter)?.value !== 'save') return;
-          error.textContent = done();
-          if (error.textContent) event.preventDefault();
-        },
-      },
-      h('h2', { id: 'library-title' }, title),
-      content,
-      error,
-      h(
-        'div',
-        { class: 'bar' },
-        h('button', { value: 'save', class: 'primary' }, action),
-        h('button', { value: '', formnovalidate: true }, 'Cancel'),
-      ),
-    ),
-  );
-  box.addEventListener('close', () => box.remove());
-  document.body.append(box);
-  box.showModal();
-}
 
 /** @param {Record<string, any>} material in mm, N, MPa @param {(name: string) => void} done */
 export function askToKeep(material, done) {

@@ -34,7 +34,7 @@ service.test('jobs in other units differ in nothing but what they ask, which has
   await follow(page, `job=${mm}&with=${si}`);
   await page.locator(ROWS).first().waitFor();
   assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Force [N/mm]', '300', '400']);
-  await page.locator('#panel-pressure .legend').getByText('P 400', { exact: true }).waitFor();
+  await page.locator('#panel-pressure .legend').getByText('P 400 N/mm', { exact: true }).waitFor();
   await follow(page, `job=${si}&with=${mm}`);
   await page.locator(ROWS).getByText('Force [N/m]').waitFor();
   assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Force [N/m]', '400000', '300000']);
@@ -44,7 +44,7 @@ service.test('the onset of yield is called so beside a force', async (page) => {
   const [one, onset] = [await solved(page, { load: { force: 300 } }), await solved(page, { load: { onset: true } })];
   await follow(page, `job=${one}&with=${onset}`);
   await page.locator(ROWS).first().waitFor();
-  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', '300', 'onset of yield']);
+  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', 'P 300 N/mm', 'onset of yield']);
 });
 
 service.test('an axisymmetric job is not laid over a plane one', async (page) => {
@@ -149,4 +149,16 @@ service.test('what differs is written so that it is seen, and shapes are called 
   assert.match(cells[1], /−100/);
   assert.match(cells[2], /−50/);
   await page.locator('#panel-pressure .legend').getByText('parabola', { exact: true }).waitFor();
+});
+
+service.test('loads of different kinds have their own letters and units in names and differences', async (page) => {
+  const jobs = [];
+  for (const load of [{ force: 300 }, { approach: 0.01 }, { forces: [100, 300] }, { target: { half_width: 0.2 } }])
+    jobs.push(await solved(page, { load }));
+  await follow(page, `job=${jobs[0]}&with=${jobs.slice(1).join()}`);
+  await page.locator(ROWS).first().waitFor();
+  const texts = ['P 300 N/mm', 'α 0.01 mm', 'P 100 … 300 N/mm', 'P for half-width 0.2 mm'];
+  await page.waitForFunction(() => document.querySelectorAll('#panel-differences thead th').length === 5);
+  assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', ...texts]);
+  assert.deepEqual((await page.locator('#panel-differences thead th').allTextContents()).slice(1), texts);
 });

@@ -55,3 +55,22 @@ service.test('bodies that stay elastic have no loop of force over approach', asy
   await shown(page, { load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
   await sweep.locator('svg').waitFor();
 });
+
+service.test('beside dented bodies Hertz’s figures are said to be of undented ones', async (page) => {
+  const history = [{ force: 600 }, { force: 0 }, { force: 700 }, { force: 100 }];
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const [headline, legend] = [page.locator('#headline'), page.locator('#panel-pressure .legend')];
+  await headline.getByText('Hertz, undented ').first().waitFor();
+  await headline.getByText('× first yield of undented bodies by elastic theory').waitFor();
+  await legend.getByText('Hertz, undented bodies').waitFor();
+  await page.locator('#panel-depth .legend').getByText(', elastic, undented').first().waitFor();
+  await page.locator('#report').click();
+  await page.locator('#sheet').getByRole('columnheader', { name: 'Hertz, undented bodies' }).waitFor();
+  await page.keyboard.press('Escape');
+  // Under a load beyond all before it the dent makes no difference.
+  for (const step of [0, 2]) {
+    await page.locator('.steps input').fill(String(step));
+    await legend.getByText('Hertz, elastic').waitFor();
+    assert.equal(await headline.getByText('undented').count(), 0);
+  }
+});

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, sent, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -55,6 +55,49 @@ service.test('jobs are listed, searched and laid over each other', async (page) 
   await legend.getByText('this contact').waitFor();
   await page.getByLabel('State', { exact: true }).selectOption('failed');
   await page.getByText('No job matches.').waitFor();
+});
+
+service.test('jobs of the list are cancelled at once and deleted after a question, by keyboard too', async (page) => {
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  const compared = await solved(page, { tags: { press: 'beside' } });
+  const id = await shown(page, { tags: { press: 'shown' } });
+  await follow(page, `job=${id}&with=${compared}`);
+  const legend = page.locator('#panel-pressure .legend');
+  await legend.getByText('beside').waitFor();
+  for (const [name, one] of /** @type {const} */ ([
+    ['beside', compared],
+    ['shown', id],
+  ])) {
+    const remove = page.getByRole('button', { name: `Delete ${name}` });
+    await remove.focus();
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Escape');
+    assert.equal(await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one), 200);
+    await remove.focus();
+    await page.keyboard.press('Enter');
+    await page.getByRole('dialog').getByText(`“${name}” and its result are removed`).waitFor();
+    await page.keyboard.press('Enter');
+    await remove.waitFor({ state: 'detached' });
+    assert.equal(await page.evaluate(async (one) => (await fetch(`v1/jobs/${one}`)).status, one), 404);
+    assert.notEqual(await page.evaluate(() => document.activeElement?.tagName), 'BODY');
+  }
+  await legend.getByText('this contact').waitFor();
+  await page.locator('[data-status=removed]').waitFor();
+  const long = { tags: { press: 'long' }, mesh: { elements_per_half_width: 100 }, load: { forces: [100, 200, 300] } };
+  await sent(page, long);
+  const cancel = page.getByRole('button', { name: 'Cancel long' });
+  await cancel.focus();
+  await page.keyboard.press('Enter');
+  await page.locator('#jobs-list').getByText('Cancelled').waitFor();
+  await page.getByRole('button', { name: 'Delete long' }).waitFor();
+});
+
+service.test('a job that another deletes is said to be, as soon as the list is fetched', async (page) => {
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  const id = await shown(page, { load: { force: 321 } });
+  await page.evaluate((id) => fetch(`v1/jobs/${id}`, { method: 'DELETE' }), id);
+  await page.locator('[data-status=removed]').waitFor();
+  assert.notEqual(await page.locator('#headline .figure').count(), 0, 'its figures stay');
 });
 
 service.test('everything can be taken along', async (page) => {

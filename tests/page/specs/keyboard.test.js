@@ -165,3 +165,19 @@ service.test(
   },
   { own: ['--require-api-key'], amiss: true },
 );
+
+service.test('two links before everything lead to the result and to Solve', async (page) => {
+  for (const [stops, id] of /** @type {const} */ ([
+    [1, 'result'],
+    [2, 'solve'],
+  ])) {
+    await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+    await page.reload();
+    await page.getByText('1500.0 MPa').waitFor();
+    for (let k = 0; k < stops; k++) await page.keyboard.press('Tab');
+    const seen = await page.evaluate(() => document.activeElement?.getBoundingClientRect().left ?? -1);
+    assert.ok(seen >= 0, 'the link is seen');
+    await page.keyboard.press('Enter');
+    assert.equal(await page.evaluate(() => document.activeElement?.id), id);
+  }
+});

@@ -85,11 +85,25 @@ test('jobs with loads of different kinds are told apart by them', () => {
     solver: { tolerance: 1e-6 },
   });
   const jobs = [job({ forces: [100, 612] }), job({ force: 300 }), job({ approach: 0.01 })];
-  assert.deepEqual(names(jobs.map((job, k) => ({ id: `job-${k}`, job }))), ['P 100 … 612', 'P 300', 'P 0.01']);
+  assert.deepEqual(names(jobs.map((job, k) => ({ id: `job-${k}`, job }))), [
+    'P 100 … 612 N/mm',
+    'P 300 N/mm',
+    'α 0.01 mm',
+  ]);
   assert.deepEqual(
     differences(jobs).map(({ pointer }) => pointer),
     ['/load'],
   );
+  const targets = [
+    job({ target: { peak_pressure: 1200 } }),
+    job({ target: { half_width: 0.3 } }),
+    job({ onset: true }),
+  ];
+  assert.deepEqual(names(targets.map((job, k) => ({ id: `job-${k}`, job }))), [
+    'P for peak pressure 1200 MPa',
+    'P for half-width 0.3 mm',
+    'onset of yield',
+  ]);
   assert.deepEqual(
     differences([job({ force: 1 }), job({ force: 2 })]).map(({ label }) => label),
     ['Force'],
