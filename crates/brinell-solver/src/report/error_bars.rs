@@ -9,11 +9,13 @@
 //!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
 //!                 h/a of the widest contact
 //! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
-//!                 memory 0.12 + 1.5 h/a; of those whose contact is in several parts, or in a hole, 4 h/a
+//!                 memory 0.12 + 1.5 h/a, below an earlier load 0.01 + 0.3 h/a; of those whose contact is in several parts, or in a
+//!                 hole, or in plane stress passes corners, 4 h/a; where it ends on a narrow edge at least what one pair more or
+//!                 less changes
 //! force           0; of the onset of yield max(|Δ|, 0.2 h/a); under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
-//! at the onset of yield what the error of the force is on the curves over force, and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
+//! at the onset of yield what the error of the force is on the curves over force, of the stiffness half of it, and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For
 //! errors that fall with h or faster, |Δ| is at least the error of the finer mesh. But the errors also scatter with
 //! where the edge of the contact happens to fall between two nodes, so that now and then Δ is far below the error.
 //! The second terms are floors for that: half an element for the half-width, second order for the rest (the rings grow
@@ -62,8 +64,22 @@ const STIFFNESS_OVER_APPROACH: f64 = 3.0;
 /// makes smaller; and its part over h/a.
 const STIFFNESS_OF_HISTORIES: [f64; 2] = [0.12, 1.5];
 
-/// The same over h/a for a contact in several parts and a pin in its hole, where no mesh grows with the contact.
+/// The same over h/a for a contact in several parts and a pin in its hole, where no mesh grows with the contact, and in plane stress
+/// for one that passes corners, at each of which the curve has one.
 const STIFFNESS_OF_FIXED_ENDS: f64 = 4.0;
+
+/// The same where an earlier load of a history has been larger, so that what yields there hardly does now.
+const STIFFNESS_BELOW_LARGEST: [f64; 2] = [0.01, 0.3];
+
+/// Whether corners of the surfaces carry pressure between the ends of the contact, beside its middle.
+fn has_corners_within(step: &StepSolution) -> bool {
+    let is_within = |x: f64| {
+        step.patch.is_some_and(|patch| {
+            x.abs() > step.spacing && x > patch.left + step.spacing && x < patch.right - step.spacing
+        })
+    };
+    step.loaded_corners.iter().any(|&x| is_within(x))
+}
 
 /// The bar of the contact stiffness for elements of a size over the half-width and an approach that differs by so much.
 fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) -> f64 {
@@ -72,12 +88,14 @@ fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) ->
         StressState::PlaneStress => plane_stress,
         StressState::PlaneStrain | StressState::Axisymmetric => plastic,
     };
+    let is_faceted = step.stress_state == StressState::PlaneStress && has_corners_within(step);
     if !yields {
         elastic * size
-    } else if step.parts.len() > 1 || step.conforming.is_some() {
+    } else if step.parts.len() > 1 || step.conforming.is_some() || is_faceted {
         STIFFNESS_OF_FIXED_ENDS * size
     } else if step.energy.is_some() {
-        let [bias, scatter] = STIFFNESS_OF_HISTORIES;
+        let is_below_largest = step.approach < step.reached[0];
+        let [bias, scatter] = if is_below_largest { STIFFNESS_BELOW_LARGEST } else { STIFFNESS_OF_HISTORIES };
         bias + scatter * size
     } else {
         (floor * size).max(STIFFNESS_OVER_APPROACH * approach)
@@ -143,7 +161,7 @@ pub struct ErrorEstimate {
     pub contact_stiffness: f64,
 }
 
-/// Exponent of the force with which peak pressure and half-width of a contact of arcs grow at most: those of a line contact.
+/// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs grow at most: those of a line contact.
 const WITH_FORCE: f64 = 0.5;
 
 /// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
@@ -177,9 +195,10 @@ pub(super) fn estimate(step: &StepSolution) -> Option<ErrorEstimate> {
         ContactLoad::Force(_) => relative(step.approach, coarse.approach),
         ContactLoad::Approach(_) => relative(step.force(), coarse.force),
     };
-    let contact_stiffness = stiffness_bar(step, yields, size, difference);
     // What an error of the force is on the curves over force.
     let onset = step.onset_error.unwrap_or(0.0);
+    let contact_stiffness =
+        stiffness_bar(step, yields, size, difference).max(step.held_edge) + WITH_FORCE * onset;
     let (approach, force) = match step.load {
         ContactLoad::Force(force) => {
             let compliance = step.contact_stiffness * step.approach;

@@ -117,6 +117,8 @@ pub(crate) struct MeshSolve {
     pub reaches_edge: bool,
     /// From where to where the surfaces have moved into each other beyond the zone \[mm\].
     pub meets: Option<(f64, f64)>,
+    /// Whether an earlier load of a history has pressed the bodies together as far.
+    pub is_within_earlier_contact: bool,
     /// Times the zone was widened.
     pub enlargements: usize,
     /// Meshes made.
@@ -136,6 +138,7 @@ impl MeshSolve {
             patch,
             reaches_edge,
             meets,
+            is_within_earlier_contact: false,
             enlargements: 0,
             meshes: 1,
             previous_states: Vec::new(),
@@ -278,6 +281,7 @@ pub(crate) fn run(
             patch,
             reaches_edge,
             meets,
+            is_within_earlier_contact: false,
             enlargements,
             meshes,
             previous_states: states,

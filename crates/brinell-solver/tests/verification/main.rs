@@ -10,6 +10,7 @@ mod bodies;
 mod bodies_of_revolution;
 mod conforming;
 mod contact_solvers;
+mod contact_stiffness;
 #[path = "../support/contacts.rs"]
 mod contacts;
 mod error_bars;

@@ -19,6 +19,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::edge_contact::{EDGE_ELEMENT, EdgeContact};
 use super::mesh_motion::MeshMotion;
 use super::tangent::{ActivePairConstraint, Change, Correction, Tangent, add};
 use crate::solver::body_system::system::{BlockVector, System};
@@ -29,25 +30,53 @@ use crate::solver::problem::Problem;
 use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
 
-/// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches. The observer can
-/// stop it.
+/// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactStiffness {
+    pub slope: f64,
+    /// Part of it by which one pair more or less changes it, where the contact ends on an edge that is narrow beside an element, and
+    /// 0 elsewhere.
+    pub held_edge: f64,
+}
+
+/// The contact stiffness of an answer. The observer can stop it.
 pub(crate) fn contact_stiffness(
     problem: &Problem,
     solve: &MeshSolve,
     observer: &mut dyn Observer,
-) -> Result<f64, Interrupt> {
+) -> Result<ContactStiffness, Interrupt> {
     let MeshSolve { system, outcome, patch, .. } = solve;
     let state = &outcome.state;
     let tangent = Tangent::new(system, &state.response.displacement);
     let softening = |v: &BlockVector| tangent.softening(v);
     ask(observer)?;
-    if solve.yields() {
+    if let Some(patch) = patch.filter(|patch| ends_on_narrow_edge(problem, solve, *patch)) {
+        let slope = stiffness(system, state, None, &softening, observer)?;
+        let active: Vec<usize> = state.response.contact.active_set.iter().collect();
+        return Ok(ContactStiffness {
+            slope,
+            held_edge: (edge_correction(system, &active, patch) - 1.0).abs(),
+        });
+    }
+    // Ends that go back, or forth again over material that has yielded, leave it as elastic as the rest.
+    if solve.yields() && !solve.is_within_earlier_contact {
         let motions = MeshMotion::of(solve);
-        if let Some(stiffness) = growing(problem, solve, &motions, &softening, observer)? {
-            return Ok(stiffness);
+        if let Some(slope) = growing(problem, solve, &motions, &softening, observer)? {
+            return Ok(ContactStiffness { slope, held_edge: 0.0 });
         }
     }
-    stiffness(system, state, *patch, &softening, observer)
+    let slope = stiffness(system, state, *patch, &softening, observer)?;
+    Ok(ContactStiffness { slope, held_edge: 0.0 })
+}
+
+/// Whether the contact ends on a rounded edge on which it has few elements. It does not grow there with the load as far as the mesh
+/// can tell.
+fn ends_on_narrow_edge(problem: &Problem, solve: &MeshSolve, patch: ContactPatch) -> bool {
+    let (spacing, force) = (solve.system.zone.spacing(), solve.all_figures().force);
+    let edge = EdgeContact::of(problem, patch, spacing, force);
+    edge.is_some_and(|edge| {
+        edge.is_narrow(spacing) && EDGE_ELEMENT * (patch.half_width() - edge.flat) < spacing
+    })
 }
 
 /// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh; `None` where they do not or where

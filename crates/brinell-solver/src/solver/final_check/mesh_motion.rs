@@ -17,6 +17,8 @@ use crate::solver::{Interrupt, Observer};
 
 /// Distance from the middle of the contact up to which the mesh moves as its surface does, over the half-width.
 const RIGID: f64 = 2.0;
+/// Elements between a corner that does not move and the end of the contact that does, at least.
+const FEWEST_ELEMENTS: f64 = 4.0;
 /// Part of the smallest extent of a body beyond which nothing moves.
 const STILL: f64 = 0.5;
 /// Finite step of the mesh over the element size.
@@ -37,7 +39,7 @@ impl MeshMotion {
     /// One for each end of the contact that is not held by an edge; none where the contact is in several parts, and for a pin in
     /// its hole, whose nodes are on circles, and for bodies with a stress before the load, which belongs to their nodes.
     ///
-    /// Corners of the surfaces within the contact do not move.
+    /// The last corner of the surfaces within the contact that is some elements from its end does not move.
     pub fn of(solve: &MeshSolve) -> Vec<Self> {
         let MeshSolve { system, outcome, patch, .. } = solve;
         let zone = &system.zone;
@@ -53,12 +55,18 @@ impl MeshMotion {
             (first + 1..last).filter(|&k| zone.is_corner(k)).map(|k| zone.abscissa(k)).collect();
         let (centre, half_width) = (0.5 * (patch.left + patch.right), patch.half_width());
         let motion = |still: f64, end: f64| Self { still, end, centre, half_width };
+        // Between a corner and the end that moves there have to be elements that tell how pressure falls off.
+        let far = |corner: f64, end: f64| (end - corner).abs() >= FEWEST_ELEMENTS * zone.spacing();
         let mut motions = Vec::new();
         if zone.edge(last).is_none() {
-            motions.push(motion(corners.last().copied().unwrap_or(left), patch.right));
+            let still =
+                corners.iter().rev().copied().find(|&corner| far(corner, patch.right)).unwrap_or(left);
+            motions.push(motion(still, patch.right));
         }
         if !zone.is_symmetric() && zone.edge(first).is_none() {
-            motions.push(motion(corners.first().copied().unwrap_or(patch.right), patch.left));
+            let still =
+                corners.iter().copied().find(|&corner| far(corner, patch.left)).unwrap_or(patch.right);
+            motions.push(motion(still, patch.left));
         }
         motions.retain(|motion| (motion.end - motion.still).abs() > zone.spacing());
         motions

@@ -1,16 +1,17 @@
 //! The final state, checked afresh by the full displacement fields and the material law everywhere.
 
 mod contact_stiffness;
+mod edge_contact;
 mod mesh_motion;
 mod tangent;
 
 use std::sync::Arc;
 
-use contact_stiffness::contact_stiffness;
+use contact_stiffness::{ContactStiffness, contact_stiffness};
+use edge_contact::EdgeContact;
 
 use std::f64::consts::PI;
 
-use crate::analytical::RoundedEdge;
 use crate::contact::{ContactLoad, KktReport, kkt};
 use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
@@ -27,9 +28,6 @@ use crate::solver::solution::{BodySolution, Energy, NarrowEdge, PairState, Round
 const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
-
-/// Elements of a contact on a rounded edge over its width at most.
-pub(crate) const EDGE_ELEMENT: f64 = 0.25;
 
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
@@ -66,18 +64,18 @@ pub(crate) fn finish(
     observer: &mut dyn Observer,
 ) -> StepSolution {
     let contact_stiffness = if pass.outcome.status.is_stopped() {
-        0.0
+        ContactStiffness::default()
     } else {
         match phases
             .time_observed(Phase::Solves, observer, |observer| contact_stiffness(problem, pass, observer))
         {
             // No answer is lost because its slope is not known, and a body that collapses has none.
-            Ok(stiffness) if stiffness.is_finite() => stiffness.max(0.0),
-            Ok(_) => 0.0,
+            Ok(stiffness) if stiffness.slope.is_finite() && stiffness.slope > 0.0 => stiffness,
+            Ok(_) => ContactStiffness::default(),
             Err(interrupt) => {
                 pass.outcome.status = interrupt.into();
                 pass.fields.clear();
-                0.0
+                ContactStiffness::default()
             }
         }
     };
@@ -86,7 +84,8 @@ pub(crate) fn finish(
             pass.outcome.status = interrupt.into();
             from_iteration(pass)
         });
-        let contact_stiffness = if pass.outcome.status.is_stopped() { 0.0 } else { contact_stiffness };
+        let is_stopped = pass.outcome.status.is_stopped();
+        let contact_stiffness = if is_stopped { ContactStiffness::default() } else { contact_stiffness };
         let mut step = judge(pass, evidence, contact_stiffness, load, tolerance);
         step.rounded_edge = unresolved_edge(problem, &step);
         step.rounded_tip = unresolved_tip(problem, &step);
@@ -96,24 +95,12 @@ pub(crate) fn finish(
 
 /// The rounded edge of a punch on which elements are too large for the contact.
 fn unresolved_edge(problem: &Problem, step: &StepSolution) -> Option<NarrowEdge> {
-    let radius = problem.edge_radius();
-    let flat = problem.walls()[1] - radius;
-    let patch = step.patch?;
-    // The end of a contact on the edge is found to about an element.
-    if !flat.is_finite() || patch.half_width() + step.spacing < flat {
-        return None;
-    }
-    let of = if problem.stress_state == StressState::Axisymmetric {
-        RoundedEdge::circular
-    } else {
-        RoundedEdge::plane
-    };
-    let elastic = of(radius, flat, step.force(), problem.effective_modulus());
-    let needed = EDGE_ELEMENT * elastic.width();
-    (step.spacing > needed).then(|| NarrowEdge {
+    let edge = EdgeContact::of(problem, step.patch?, step.spacing, step.force())?;
+    let EdgeContact { elastic, flat } = edge;
+    edge.is_narrow(step.spacing).then(|| NarrowEdge {
         elastic,
         half_width: flat + elastic.width(),
-        pressure_error: unresolved_pressure(step, elastic.peak_pressure(), (step.spacing / needed).ln()),
+        pressure_error: unresolved_pressure(step, elastic.peak_pressure(), edge.e_folds(step.spacing)),
     })
 }
 
@@ -274,7 +261,7 @@ fn from_iteration(pass: &MeshSolve) -> Evidence {
 fn judge(
     pass: &MeshSolve,
     evidence: Evidence,
-    contact_stiffness: f64,
+    contact_stiffness: ContactStiffness,
     load: ContactLoad,
     tolerance: f64,
 ) -> StepSolution {
@@ -304,7 +291,8 @@ fn judge(
         pairs,
         patch: pass.patch,
         parts: pass.parts(),
-        contact_stiffness,
+        contact_stiffness: contact_stiffness.slope,
+        held_edge: contact_stiffness.held_edge,
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
         history: outcome.history.clone(),
         contact_check,

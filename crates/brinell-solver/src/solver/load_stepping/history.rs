@@ -531,6 +531,7 @@ impl MeshHistory<'_> {
         observer: &mut dyn Observer,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
+        solve.is_within_earlier_contact = progress.is_below_largest_load();
         let mut step = final_check::finish(
             self.request.problem,
             solve,
@@ -599,6 +600,12 @@ impl Progress {
 
     fn reached_measure(&self, leg: &Leg) -> f64 {
         if leg.is_force { self.force } else { self.approach }
+    }
+
+    /// Whether loads before this one were larger.
+    fn is_below_largest_load(&self) -> bool {
+        let [force, approach] = self.reached;
+        self.force < force && self.approach < approach
     }
 
     /// Takes over what an increment has found.

@@ -1,0 +1,44 @@
+//! The contact that ends on the rounded edges of a flat punch.
+
+use crate::analytical::RoundedEdge;
+use crate::fem::element::StressState;
+use crate::solver::ContactPatch;
+use crate::solver::problem::Problem;
+
+/// Elements of a contact on a rounded edge over its width at most.
+pub(super) const EDGE_ELEMENT: f64 = 0.25;
+
+/// What elastic bodies have there in closed form.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EdgeContact {
+    pub elastic: RoundedEdge,
+    /// Half-width of the flat between the edges \[mm\].
+    pub flat: f64,
+}
+
+impl EdgeContact {
+    /// `None` where the contact does not reach the edges: its ends are found to about an element.
+    pub fn of(problem: &Problem, patch: ContactPatch, spacing: f64, force: f64) -> Option<Self> {
+        let radius = problem.edge_radius();
+        let flat = problem.walls()[1] - radius;
+        if !flat.is_finite() || patch.half_width() + spacing < flat {
+            return None;
+        }
+        let of = if problem.stress_state == StressState::Axisymmetric {
+            RoundedEdge::circular
+        } else {
+            RoundedEdge::plane
+        };
+        Some(Self { elastic: of(radius, flat, force, problem.effective_modulus()), flat })
+    }
+
+    /// Whether elements are too large for it.
+    pub fn is_narrow(&self, spacing: f64) -> bool {
+        self.e_folds(spacing) > 0.0
+    }
+
+    /// Size of the elements over that of those which are small enough, as a logarithm.
+    pub fn e_folds(&self, spacing: f64) -> f64 {
+        (spacing / (EDGE_ELEMENT * self.elastic.width())).ln()
+    }
+}

@@ -1,0 +1,79 @@
+//! `contact_stiffness` against differences of the approach between loads that are jobs of their own.
+
+use brinell_solver::report::StepReport;
+use serde_json::{Value, json};
+
+use crate::problems::{assert_within, report};
+
+/// The last step of a job, and dP/dα between last forces that are by so much smaller and larger.
+fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
+    let at = |factor: f64| {
+        let mut job = job.clone();
+        job["output"] = json!({"subsurface": false});
+        let scaled = |force: &Value| json!({"force": factor * force.as_f64().unwrap()});
+        if let Some(last) = job["load"]["history"].as_array_mut().and_then(|loads| loads.last_mut()) {
+            *last = scaled(&last["force"]);
+        } else {
+            job["load"] = scaled(&job["load"]["force"]);
+        }
+        report(&job).steps.pop().unwrap()
+    };
+    let (below, here, above) = (at(1.0 - by), at(1.0), at(1.0 + by));
+    let slope = (above.contact.force - below.contact.force) / (above.approach - below.approach);
+    (here, slope)
+}
+
+/// A rigid punch of 3 mm with rounded edges on a block.
+fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f64) -> Value {
+    json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 15},
+        "upper": {"shape": {"type": "punch", "width": 3, "edge_radius": edge_radius, "depth": 5},
+                  "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 60},
+                  "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}})
+}
+
+/// A contact that ends on an edge narrower than an element does not grow with the load, be the edge elastic or about to yield. The
+/// bar has what one pair more would change.
+#[test]
+fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
+    let perfect = |limit: f64| json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": 0});
+    for (job, yields) in [
+        (rounded_punch("plane_stress", 0.103, &perfect(202.6), 200.76), true),
+        (rounded_punch("axisymmetric", 0.1, &perfect(15.0), 60.0), true),
+        (rounded_punch("axisymmetric", 0.163, &Value::Null, 53.8), false),
+        (rounded_punch("plane_stress", 0.101, &Value::Null, 16.8), false),
+    ] {
+        let (step, slope) = step_and_slope(&job, 0.01);
+        assert_eq!(
+            step.plasticity.lower.is_some_and(|body| body.max_equivalent_plastic_strain > 0.0),
+            yields
+        );
+        assert_within(step.contact_stiffness, slope, 0.005);
+        let bar = step.estimated_error.unwrap().contact_stiffness;
+        assert!((0.01..0.1).contains(&bar), "{bar}");
+    }
+}
+
+/// Below the largest load of a history the ends of the contact go back, or forth again over what has yielded, and the bodies answer
+/// elastically.
+#[test]
+fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
+    let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 4000});
+    for (analysis, forces) in [
+        ("axisymmetric", &[400.0, 250.0][..]),
+        ("plane_strain", &[1500.0, 700.0, 1000.0]),
+        ("plane_stress", &[600.0, 400.0]),
+    ] {
+        let history: Vec<Value> = forces.iter().map(|force| json!({"force": force})).collect();
+        let job = json!({"analysis": analysis, "load": {"history": history}, "solver": {"theory": "flow"},
+            "mesh": {"elements_per_half_width": 14},
+            "upper": {"shape": {"type": "cylinder", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "block", "width": 60, "depth": 30},
+                      "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}});
+        // The mesh is that of the largest load, on which the contact has to grow by more than an element to tell its slope.
+        let (step, slope) = step_and_slope(&job, 0.1);
+        assert_within(step.contact_stiffness, slope, 0.01);
+        let bar = step.estimated_error.unwrap().contact_stiffness;
+        assert!((0.01..0.06).contains(&bar), "{bar}");
+    }
+}
