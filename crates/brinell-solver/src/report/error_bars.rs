@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! peak pressure   max(|Δ|, 0.2 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge or tip
-//!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves
+//!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves, of a power
+//!                 below 2 0.1 h/a more
 //! half-width      max(|Δ|, 0.5 h/a), 0.75 h/a where the pressure is highest next to an end; on a rounded edge that is not resolved
 //!                 its distance from the closed form
 //! approach        max(|Δ|, 0.25 (h/a)²), of a plastic body of revolution max(|Δ|, 0.06 h/a); 0 where it is prescribed
@@ -12,7 +13,7 @@
 //!                 memory 0.12 + 1.5 h/a, below an earlier load 0.01 + 0.3 h/a; of those whose contact is in several parts, or in a
 //!                 hole, or in plane stress passes corners, 4 h/a; where it ends on a narrow edge at least what one pair more or
 //!                 less changes
-//! force           0; of the onset of yield max(|Δ|, 0.2 h/a); under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
+//! force           0; of the onset of yield max(|Δ|, 0.2 h/a), at an end of the contact 0.6 h/a; under a prescribed approach max(|Δ|, floor of the approach · max(1, α/P dP/dα))
 //! ```
 //!
 //! at the onset of yield what the error of the force is on the curves over force, of the stiffness half of it, and under flow theory the difference to half as many increments on top, with `Δ` the relative difference to a mesh of half the density, `h` the element size and `a` the half-width. For

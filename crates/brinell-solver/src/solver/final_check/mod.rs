@@ -32,6 +32,10 @@ const RESIDUAL_FLOOR: f64 = 1e-9;
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
 
+/// Error over h/a of the closed form of the pressure at the tip of a power, which takes the half-width of the mesh: 0.08 at most in 24 cases
+/// at 10 and 20 elements.
+const POINTED_FLOOR: f64 = 0.1;
+
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
 const COLLAPSE_STRAIN: f64 = 1.0;
 /// Area of the section that strains so much, over the square of the half-width: beside a sharp edge strains grow without bound
@@ -126,7 +130,8 @@ fn unresolved_tip(problem: &Problem, step: &StepSolution) -> Option<RoundedTip> 
     if let Some(exponent) = problem.pointed_exponent() {
         let elastic_pressure = pointed_pressure(step, exponent);
         // The slope falls by e over so many e-folds of the distance.
-        let pressure_error = unresolved_pressure(step, elastic_pressure, (exponent - 1.0).recip());
+        let unresolved = unresolved_pressure(step, elastic_pressure, (exponent - 1.0).recip());
+        let pressure_error = unresolved + POINTED_FLOOR * step.spacing / half_width * elastic_pressure;
         return Some(RoundedTip { arc: None, elastic_pressure, pressure_error });
     }
     if arc >= half_width || arc >= TIP_ELEMENTS * step.spacing || patch.right < arc {
