@@ -8,9 +8,9 @@ use std::thread;
 /// Elimination trees are walked recursively in places; a solve has room for it.
 const STACK_BYTES: usize = 8 << 20;
 
-/// Scheduling priority (nice value) of threads whose jobs give way: others beside them get three parts in four of a core.
+/// Scheduling priority (nice value) of threads whose jobs give way: others beside them get six parts in seven of a core.
 #[cfg(target_os = "linux")]
-const LONG_PRIORITY: i32 = 5;
+const LONG_PRIORITY: i32 = 8;
 
 type Task = Box<dyn FnOnce() + Send>;
 

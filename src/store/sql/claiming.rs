@@ -53,10 +53,34 @@ pub(super) const FORGET: [&str; 3] = [
     "DELETE FROM result_steps WHERE job = $1",
     "DELETE FROM field_parts WHERE job = $1",
 ];
-const LEASE_JOB: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
-         losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,
-         steps = 0, stored_bytes = 0
-     WHERE id = $1 RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)";
+macro_rules! lease_job {
+    ($with:literal) => {
+        concat!(
+            $with,
+            "UPDATE jobs SET state = 'running', owner = $2, leased_until = $3, started_at = $4,
+                 losses = $5, attempts = attempts + 1, iterations = 0, latest = NULL,
+                 steps = 0, stored_bytes = 0
+             WHERE id = $1 RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)"
+        )
+    };
+}
+
+const LEASE_JOB: &str = lease_job!("");
+/// The same for the head of a queue, with what is written of its flow. Each statement is a way to the server and back; SQLite
+/// has neither such ways nor statements that write within others.
+const LEASE_HEAD: &str = lease_job!(
+    "WITH served AS (UPDATE flows SET virtual_time = $7 WHERE id = $6), clock AS (UPDATE scheduler SET virtual_time = $8) "
+);
+
+/// What a flow is charged for a job.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::store) struct Charge {
+    flow: i64,
+    /// Virtual time of the flow before the job, which is that of the queue from then on.
+    begin: f64,
+    /// And after it.
+    end: f64,
+}
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
@@ -94,9 +118,11 @@ pub(in crate::store) trait Claiming: Send {
         &mut self,
         job: Candidate,
         place: Place,
+        charge: Option<Charge>,
         request: &ClaimRequest,
         now: i64,
     ) -> impl Future<Output = Result<Claim, StoreError>> + Send;
+    fn charge(&mut self, charge: Charge) -> impl Future<Output = Result<(), StoreError>> + Send;
 }
 
 /// The text of a job. Without one, the job fails where it is read; the queue behind it goes on.
@@ -123,7 +149,7 @@ pub(super) fn until(now: i64, lease: std::time::Duration) -> i64 {
 }
 
 macro_rules! claiming {
-    ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr, $short_head:expr) => {
+    ($database:ty, $connection:ty, $lock:literal, $turn:literal, $head:expr, $short_head:expr, $charges_with_lease:literal) => {
         impl Claiming for $connection {
             async fn take_turn(&mut self, now: i64) -> Result<bool, StoreError> {
                 let turn = sqlx::query_scalar::<$database, bool>(concat!(
@@ -199,7 +225,7 @@ macro_rules! claiming {
                     .into_iter()
                     .partition(|(_, _, losses, _)| i64::from(*losses) + 2 >= i64::from(request.max_attempts));
                 if let (Some(job), true) = (exclusive.first(), request.exclusive) {
-                    let jobs = vec![self.lease_job(*job, Place::Exclusive, request, now).await?];
+                    let jobs = vec![self.lease_job(*job, Place::Exclusive, None, request, now).await?];
                     return Ok((Claims { jobs, exclusive_pending: false }, false));
                 }
                 let mut claims = Claims { jobs: Vec::new(), exclusive_pending: !exclusive.is_empty() };
@@ -207,7 +233,7 @@ macro_rules! claiming {
                 for job in candidates.into_iter().take(request.slots) {
                     let Some(rest) = free.checked_sub(count(job.1)?) else { return Ok((claims, false)) };
                     free = rest;
-                    claims.jobs.push(self.lease_job(job, Place::Solver, request, now).await?);
+                    claims.jobs.push(self.lease_job(job, Place::Solver, None, request, now).await?);
                 }
                 Ok((claims, true))
             }
@@ -237,10 +263,9 @@ macro_rules! claiming {
                     let Some(rest) = free.checked_sub(count(memory)?) else { break };
                     free = rest;
                     let place = if beside { Place::Beside { gives_way } } else { Place::Solver };
-                    claims.push(self.lease_job((id, memory, losses, work), place, request, now).await?);
-                    let next = time + work as f64 / part_of_share(interactive, shares);
-                    sqlx::query::<$database>(SERVED).bind(flow).bind(next).execute(&mut *self).await?;
-                    sqlx::query::<$database>(CLOCK).bind(time).execute(&mut *self).await?;
+                    let end = time + work as f64 / part_of_share(interactive, shares);
+                    let charge = Some(Charge { flow, begin: time, end });
+                    claims.push(self.lease_job((id, memory, losses, work), place, charge, request, now).await?);
                 }
                 Ok(claims)
             }
@@ -249,17 +274,26 @@ macro_rules! claiming {
                 &mut self,
                 job: Candidate,
                 place: Place,
+                charge: Option<Charge>,
                 request: &ClaimRequest,
                 now: i64,
             ) -> Result<Claim, StoreError> {
                 let (id, memory, losses, work) = job;
-                let leased = sqlx::query_as::<$database, (i32, Option<String>, Option<Vec<u8>>)>(LEASE_JOB)
+                let together = charge.filter(|_| $charges_with_lease);
+                let statement = if together.is_some() { LEASE_HEAD } else { LEASE_JOB };
+                let mut leased = sqlx::query_as::<$database, (i32, Option<String>, Option<Vec<u8>>)>(statement)
                     .bind(id)
                     .bind(request.owner.uuid())
                     .bind(until(now, request.lease))
                     .bind(now)
                     .bind(losses.saturating_add(1));
+                if let Some(charge) = together {
+                    leased = leased.bind(charge.flow).bind(charge.end).bind(charge.begin);
+                }
                 let (attempt, trace, text) = leased.fetch_one(&mut *self).await?;
+                if let (None, Some(charge)) = (together, charge) {
+                    self.charge(charge).await?;
+                }
                 if attempt > 1 {
                     for forget in FORGET {
                         sqlx::query::<$database>(forget).bind(id).execute(&mut *self).await?;
@@ -276,6 +310,13 @@ macro_rules! claiming {
                     request: readable_text(JobId::from(id), text),
                     trace: trace.and_then(|text| text.parse().ok()),
                 })
+            }
+
+            async fn charge(&mut self, charge: Charge) -> Result<(), StoreError> {
+                let served = sqlx::query::<$database>(SERVED).bind(charge.flow).bind(charge.end);
+                served.execute(&mut *self).await?;
+                sqlx::query::<$database>(CLOCK).bind(charge.begin).execute(self).await?;
+                Ok(())
             }
         }
     };
@@ -329,7 +370,7 @@ macro_rules! short_head_of_queue {
 pub(in crate::store) const SQLITE_HEADS: [&str; 2] =
     [head_of_queue!("", "FALSE", "", ""), short_head_of_queue!("")];
 
-claiming!(Sqlite, SqliteConnection, "", "", SQLITE_HEADS[0], SQLITE_HEADS[1]);
+claiming!(Sqlite, SqliteConnection, "", "", SQLITE_HEADS[0], SQLITE_HEADS[1], false);
 // Claims of several workers take turns on the one row of `scheduler`; a job that is just being cancelled is passed over.
 claiming!(
     Postgres,
@@ -337,5 +378,6 @@ claiming!(
     " FOR UPDATE SKIP LOCKED",
     " FOR UPDATE",
     head_of_queue!("", "FALSE", "", " FOR UPDATE OF j SKIP LOCKED"),
-    short_head_of_queue!(" FOR UPDATE OF j SKIP LOCKED")
+    short_head_of_queue!(" FOR UPDATE OF j SKIP LOCKED"),
+    true
 );
