@@ -7,7 +7,14 @@
 //! ```
 //!
 //! The path from the strain of the last accepted increment to the strain asked for is straight. Where it leaves the
-//! elastic domain the rest of it is divided into equal parts, each taken by backward Euler:
+//! elastic domain the rest of it is divided into equal parts. With isotropic hardening alone the stress returns along the
+//! mean of the normals before and after each part (Rice and Tracey), whose error is of second order in the parts:
+//!
+//! ```text
+//! n = 3/2 (s + s_tr)/|s + s_tr|_eq        s' = s_tr - 2G Δp n,   |s'|_eq = q(p+Δp)
+//! ```
+//!
+//! With backstress, and where a path has one part, by backward Euler:
 //!
 //! ```text
 //! |s_tr - ΣX_i e_i|_eq - 3G Δp - Σ C_i/γ_i (1 - e_i) - q(p+Δp) = 0      e_i = exp(-γ_i Δp)
@@ -18,7 +25,8 @@
 //! From rest such a path keeps its direction, and the first increment is deformation theory, whatever the number of parts.
 //!
 //! # Reference
-//! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; C. O. Frederick, P. J. Armstrong, *A
+//! J. C. Simo, T. J. R. Hughes, *Computational Inelasticity* (1998), chapter 3; J. R. Rice, D. M. Tracey, *Computational fracture
+//! mechanics*, in Numerical and Computer Methods in Structural Mechanics (1973), 585–623; C. O. Frederick, P. J. Armstrong, *A
 //! mathematical representation of the multiaxial Bauschinger effect*, CEGB report RD/B/N731 (1966), reprinted in Mater.
 //! High Temp. 24 (2007) 1–26; J. L. Chaboche, *Constitutive equations for cyclic plasticity and cyclic viscoplasticity*,
 //! Int. J. Plasticity 5 (1989) 247–302.
@@ -30,8 +38,8 @@ use super::{
 };
 use crate::job;
 
-/// Parts into which the plastic part of a strain path is divided.
-pub const SUBSTEPS: u32 = 16;
+/// Parts into which the plastic part of a strain path is divided, with backstress and without.
+const SUBSTEPS: [u32; 2] = [16, 6];
 
 /// γ Δp below which six terms of the exponential series are exact.
 const SMALL_RECOVERY: f64 = 1.0 / 128.0;
@@ -132,7 +140,7 @@ impl<const N: usize> FlowPlasticity<N> {
         backstress: [BackstressTerm; N],
         out_of_plane: OutOfPlane,
     ) -> Self {
-        Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS }
+        Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS[usize::from(N == 0)] }
     }
 
     /// The same with another number of parts of a strain path.
@@ -168,11 +176,19 @@ impl<const N: usize> FlowPlasticity<N> {
             *s += elastic_part * d;
         }
         let part = (1.0 - elastic_part) / f64::from(parts);
+        let step = step.map(|d| part * d);
         let (mut flow, mut yield_stress) = (0.0, radius);
+        // A part much larger than the yield surface ends where the path points to, wherever it began.
+        let weight =
+            if parts == 1 { 0.0 } else { 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius)) };
         for k in 1..=parts {
-            let before = now.accumulated;
-            self.flow(step.map(|d| part * d), &mut now, &mut yield_stress, flow, k == parts);
-            flow = now.accumulated - before;
+            if N == 0 && weight > 0.0 {
+                self.flow_along_mean_normal(step, &mut now, &mut yield_stress, weight, k == parts);
+            } else {
+                let before = now.accumulated;
+                self.flow(step, &mut now, &mut yield_stress, flow, k == parts);
+                flow = now.accumulated - before;
+            }
         }
         let end = deviator(strain);
         let [x, y, z, t] = now.stress.map(|s| s / double_shear);
@@ -182,6 +198,46 @@ impl<const N: usize> FlowPlasticity<N> {
             accumulated: now.accumulated,
             backstress: now.backstress,
             plastic_work: now.plastic_work,
+        }
+    }
+
+    /// One step along the mean of the normals before, with this weight, and after, for an elastic change of the stress deviator, on
+    /// the way or the last, from the yield stress before to that after it.
+    ///
+    /// With `c` and `d` the parts of the trial stress along the normal and across it, `(c - 3G Δp)² + d² = q²`. Of the root
+    /// `c - 3G Δp = √(q² - d²)` two terms in d/q count, with q before the step: what that leaves is below the error of the step,
+    /// and the next step begins from it.
+    #[inline]
+    fn flow_along_mean_normal(
+        &self,
+        change: [f64; 4],
+        now: &mut Flowing<N>,
+        yield_stress: &mut f64,
+        weight: f64,
+        is_last: bool,
+    ) {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
+        let mean: [f64; 4] = std::array::from_fn(|k| trial[k] + weight * now.stress[k]);
+        let size = equivalent_stress(mean);
+        let along = equivalent_along(trial, mean, size);
+        let across = (1.5 * product(trial, trial) - along * along).max(0.0) / (2.0 * *yield_stress);
+        let radial = along + across * (1.0 + across / (2.0 * *yield_stress));
+        let strain = radial / triple_shear + now.accumulated;
+        let q = if is_last { self.mapping.stress(strain) } else { self.mapping.nearby_stress(strain) };
+        let excess = radial - q;
+        if excess <= 0.0 {
+            now.stress = trial;
+            return;
+        }
+        let dp = excess / triple_shear;
+        now.plastic_work += 0.5 * (equivalent_along(now.stress, mean, size) + along - excess) * dp;
+        now.accumulated += dp;
+        now.stress = std::array::from_fn(|k| trial[k] - excess / size * mean[k]);
+        *yield_stress = q;
+        if is_last {
+            let ratio = q / equivalent_stress(now.stress);
+            now.stress = now.stress.map(|s| ratio * s);
         }
     }
 
@@ -694,9 +750,9 @@ mod tests {
         assert!(before == 0.0 && after > 0.0);
     }
 
-    /// Perfectly plastic, pulled to yield and then sheared: the stress turns, and its error falls like the parts.
+    /// Perfectly plastic, pulled to yield and then sheared: the stress turns, and its error falls like the square of the parts.
     #[test]
-    fn a_turning_path_is_first_order_in_the_parts() {
+    fn a_turning_path_is_second_order_in_the_parts() {
         let strain = |k: u32, n: u32| {
             let t = f64::from(k) / f64::from(n);
             let [x, y, z, _] = axial(3e-3);
@@ -709,11 +765,11 @@ mod tests {
         };
         let exact = turned(20_000);
         let error = |n: u32| turned(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-        for (coarse, fine) in [(4, 8), (8, 16), (16, 32)] {
+        for (coarse, fine) in [(32, 64), (64, 128)] {
             let ratio = error(coarse) / error(fine);
-            assert!((1.8..2.3).contains(&ratio), "{ratio}");
+            assert!((3.5..4.4).contains(&ratio), "{ratio}");
         }
-        assert!(error(16) < 0.02 * 500.0, "{}", error(16));
+        assert!(error(6) < 2e-3 * 500.0, "{}", error(6));
     }
 
     #[test]

@@ -19,7 +19,7 @@ mod tangent;
 pub use crate::analytical::von_mises;
 pub use crate::job::{HardeningLaw, Inverse};
 pub use deformation::DeformationPlasticity;
-pub use flow::{BackstressTerm, FlowPlasticity, FlowState, SUBSTEPS};
+pub use flow::{BackstressTerm, FlowPlasticity, FlowState};
 pub use inhomogeneous::{DepthStrength, Inhomogeneous};
 pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};

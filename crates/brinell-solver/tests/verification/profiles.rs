@@ -1,10 +1,11 @@
 //! Faces given by points, and grooves: against the shapes they imitate, their mirror images and each other.
 
 use brinell_solver::analytical::HertzLine;
-use brinell_solver::solver::{Options, SolveStatus, StepSolution};
+use brinell_solver::report;
+use brinell_solver::solver::{Options, SolveStatus, StepSolution, Unobserved};
 use serde_json::{Value, json};
 
-use crate::problems::{assert_within, bilinear, cylinder, solve, solve_with};
+use crate::problems::{assert_within, bilinear, cylinder, parse, solve, solve_with};
 
 const RADIUS: f64 = 20.0;
 const MODULUS: f64 = 210_000.0 / 1.82;
@@ -127,6 +128,47 @@ fn unequal_bumps_mirrored_and_swapped() {
         }
         assert_same(&one, &step(&below, &tilted, force), 1e-6);
     }
+}
+
+/// Flow theory up and back to no force: the mirror image at every load, dents and plastic work with it.
+#[test]
+fn a_history_of_unequal_bumps_mirrored() {
+    let (points, below) = (bumps(5e-4), block(bilinear()));
+    let loads = json!({"history": [{"force": 1500.0}, {"force": 0.0}]});
+    let history = |points: &[[f64; 2]]| {
+        let mut job = press(&profile(points, bilinear()), &below, 1500.0);
+        job["load"] = loads.clone();
+        job["solver"]["theory"] = json!("flow");
+        report::run(&parse(&job), &mut Unobserved).unwrap()
+    };
+    let (tilted, mirror) = (history(&points), history(&mirrored(&points)));
+    for (one, other) in tilted.steps.iter().zip(&mirror.steps) {
+        assert_eq!((one.status, other.status), (SolveStatus::Converged, SolveStatus::Converged));
+        assert_within(other.approach, one.approach, 1e-6);
+        let peak = tilted.steps[0].contact.peak_pressure;
+        let pressures = one.contact.nodes.pressure.iter().zip(other.contact.nodes.pressure.iter().rev());
+        assert!(pressures.into_iter().all(|(a, b)| (a - b).abs() < 1e-5 * peak));
+        let [a, b] = [one, other].map(|step| step.flow.as_ref().unwrap());
+        assert_within(b.energy.plastic, a.energy.plastic, 1e-6);
+        let [a, b] = [a, b].map(|flow| flow.surfaces.lower.as_ref().unwrap());
+        assert_within(b.depth, a.depth, 1e-6);
+        for (k, (x, y)) in a.x.iter().zip(&a.height).enumerate() {
+            let opposite = b.x.len() - 1 - k;
+            assert!(
+                (x + b.x[opposite]).abs() < 1e-9 && (y - b.height[opposite]).abs() < 1e-6 * a.depth,
+                "at {x}"
+            );
+        }
+    }
+    let left = tilted.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap();
+    let lowest = |side: f64| {
+        let heights = left.x.iter().zip(&left.height).filter(|(x, _)| **x * side > 0.0);
+        heights.fold(0.0, |lowest: f64, (_, height)| lowest.min(*height))
+    };
+    assert!(
+        lowest(1.0) < 1.02 * lowest(-1.0) && lowest(-1.0) < 0.0,
+        "the higher bump leaves the deeper dent"
+    );
 }
 
 /// Under a small load the higher bump carries alone, and the other stays clear of the block.

@@ -20,7 +20,7 @@ use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::GaussPoint;
 use crate::fem::mesh::{ContactZone, Mesh, MeshError};
-use crate::job::Job;
+use crate::job::{Job, PositiveF64};
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::solver::body_system::system::{BlockVector, Design, System};
@@ -46,6 +46,10 @@ const APPROACH_TOLERANCE: f64 = 1.5e-3;
 const FALLING: f64 = 0.7;
 /// Finest level of division that is tried.
 const MAX_LEVEL: u32 = 5;
+/// An increment on the way to a load is iterated to so many times the tolerance, but to no more than the second figure: what is
+/// left of its residual the next increment takes up, and in the strain path it is far below the error of the increments.
+const WITHIN_LOAD: f64 = 100.0;
+const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 /// How far beyond its last extent plastic flow is looked for.
 const PLASTIC_MARGIN: f64 = 1.15;
 
@@ -466,6 +470,9 @@ impl MeshHistory<'_> {
         let (scales, increment) = (progress.scales, Some(progress.number));
         let mut request = MeshSolveRequest { load: target, scales, increment, ..self.mesh.clone() };
         request.previous = None;
+        if progress.number.number < progress.number.count {
+            request.solver.tolerance = within_load(request.solver.tolerance);
+        }
         let mut start = None;
         if couplings::of(request.solver.coupling).uses_tangent_moduli() {
             if leg.falls() {
@@ -646,6 +653,12 @@ impl PointHistory {
         point.reverse_plastic_strain = self.reverse;
         point.largest_von_mises = self.von_mises;
     }
+}
+
+/// The tolerance of increments that do not end a load.
+fn within_load(tolerance: PositiveF64) -> PositiveF64 {
+    let asked = tolerance.get();
+    PositiveF64::new((WITHIN_LOAD * asked).min(LARGEST_WITHIN_LOAD.max(asked))).unwrap_or(tolerance)
 }
 
 fn increment_record(solve: &MeshSolve) -> IncrementRecord {

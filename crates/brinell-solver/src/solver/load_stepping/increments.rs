@@ -4,7 +4,7 @@ use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 
 /// By how much the contact grows in one increment of the coarsest division, over what it grows to.
-const GROWTH: f64 = 0.15;
+const GROWTH: f64 = 0.12;
 /// Part of the load at which plastic flow is taken to begin where nothing is known of it.
 const UNKNOWN_ONSET: f64 = 0.05;
 
@@ -106,10 +106,10 @@ mod tests {
     fn loading_is_divided_beyond_the_onset_of_yield() {
         let ends = leg(0.0, 500.0, 0.0).ends(Division::Level(1));
         assert_eq!((ends[0], ends[ends.len() - 1]), (100.0, 500.0));
-        assert_eq!(ends.len(), 10);
+        assert_eq!(ends.len(), 12);
         let width = |k: usize| ends[k].powf(1.0 / 1.6);
-        assert!((1..9).all(|k| (width(k) - width(k - 1) - width(1) + width(0)).abs() < 1e-9));
-        assert_eq!(leg(0.0, 500.0, 0.0).ends(Division::Level(2)).len(), 18);
+        assert!((1..11).all(|k| (width(k) - width(k - 1) - width(1) + width(0)).abs() < 1e-9));
+        assert_eq!(leg(0.0, 500.0, 0.0).ends(Division::Level(2)).len(), 23);
     }
 
     #[test]
