@@ -32,5 +32,25 @@ export function keepFocus(root, build) {
   if (had.isConnected && had.checkVisibility()) return had.focus({ preventScroll: true });
   const now = focusables(root);
   const alike = now.filter((one) => keyOf(one) === key);
-  (alike[sameBefore] ?? alike[0] ?? now[Math.min(at, now.length - 1)])?.focus({ preventScroll: true });
+  (
+    alike[sameBefore] ??
+    alike[0] ??
+    inPlaceOf(had, before.slice(0, at), now) ??
+    now[Math.min(at, now.length - 1)]
+  )?.focus({
+    preventScroll: true,
+  });
+}
+
+/**
+ * For a field that is gone: the last button before it that is still there. In another field the next key would change another figure.
+ * @param {HTMLElement} had
+ * @param {HTMLElement[]} before those before it
+ * @param {HTMLElement[]} now
+ */
+function inPlaceOf(had, before, now) {
+  if (!had.closest('[data-place]')) return undefined;
+  const keys = new Map(now.filter((one) => one.matches('button')).map((one) => [keyOf(one), one]));
+  const left = before.findLast((one) => keys.has(keyOf(one)));
+  return left && keys.get(keyOf(left));
 }

@@ -1,6 +1,7 @@
 /** The job being set up: one document that the form, the JSON and the sketch show and change. */
 
 import { convert, forceOf, unitsOf } from '../lib/units.js';
+import { isObject } from '../lib/kept.js';
 import * as pointer from '../lib/pointer.js';
 import {
   BACKSTRESS,
@@ -14,6 +15,7 @@ import {
   lawOf,
   loadOf,
   overDepthOf,
+  shapeIn,
   targetOf,
 } from './fields.js';
 
@@ -120,7 +122,7 @@ export function jobIn(given, units) {
 }
 
 /**
- * The job in another analysis. A load for each millimetre becomes that many newtons, in either system of units, and the other way round.
+ * The job in another analysis. A wedge is a cone in axisymmetry; a load for each millimetre becomes that many newtons, in either system of units, and the other way round.
  * @param {Job} given
  * @param {string} analysis
  * @returns {Job}
@@ -128,7 +130,12 @@ export function jobIn(given, units) {
 export function jobFor(given, analysis) {
   const units = unitsOf(given);
   const { load } = jobIn({ ...jobIn(given, 'mm_N_MPa'), analysis }, units);
-  return { ...given, analysis, ...(load !== undefined && { load }) };
+  const job = /** @type {Job} */ ({ ...given, analysis, ...(load !== undefined && { load }) });
+  for (const body of /** @type {const} */ (['upper', 'lower'])) {
+    const shape = given[body]?.shape;
+    if (isObject(shape)) job[body] = { ...given[body], shape: { ...shape, type: shapeIn(shape.type, analysis) } };
+  }
+  return job;
 }
 
 /** @param {Job} job whose figures are changed @param {Units} from @param {Units} to */

@@ -36,6 +36,22 @@ const TURNED = named({ cylinder: 'Sphere', hole: 'Socket' });
 export const shapeLabel = (type, analysis) =>
   (analysis === 'axisymmetric' && TURNED[type]) || SHAPES[type]?.label || 'Body';
 
+/** Shapes of one kind of analysis only, and what stands for them in the other. @type {Record<string, string | undefined>} */
+const PLANE_ONLY = named({ wedge: 'cone' });
+/** @type {Record<string, string | undefined>} */
+const TURNED_ONLY = named({ cone: 'wedge' });
+
+/** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
+export const shapeIn = (type, analysis) => (analysis === 'axisymmetric' ? PLANE_ONLY : TURNED_ONLY)[type] ?? type;
+
+/** @param {unknown} analysis @param {unknown} [own] one that there is already @returns {Record<string, string>} shapes to choose from */
+export const shapesFor = (analysis, own) =>
+  Object.fromEntries(
+    Object.keys(SHAPES)
+      .filter((type) => type === own || shapeIn(type, analysis) === type)
+      .map((type) => [type, shapeLabel(type, analysis)]),
+  );
+
 /** @type {Record<string, Kind>} */
 export const LAWS = named({
   elastic: { label: 'Elastic', fields: [] },
@@ -227,58 +243,60 @@ export const DEFAULTS = {
   '/output/fields': false,
 };
 
+/** Examples of the tables are about as large as a cylinder of this radius [mm]. */
+const TYPICAL_RADIUS = 20;
+
+/** The first length of a shape, which tells its size. @param {string} type */
+const firstLength = (type) =>
+  SHAPES[type]?.fields.find(({ quantity, example }) => quantity === 'length' && typeof example === 'number');
+
 /**
  * A shape of another kind and about the same size.
  * @param {string} type
- * @param {Record<string, any>} old
- * @param {import('../lib/units.js').Units} units
+ * @param {Record<string, any> | undefined} old
+ * @param {import('../lib/units.js').Units} units of both
  * @returns {Record<string, any>}
  */
 export function shapeLike(type, old, units) {
-  const size = numberOf(old?.radius ?? old?.depth) || convert(20, 'length', 'mm_N_MPa', units);
+  const first = firstLength(old?.type);
+  const times = first && numberOf(old?.[first.key]) / Number(first.example);
+  const size = convert(1, 'length', 'mm_N_MPa', units);
+  const scale = times && times > 0 ? times : size;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
-  switch (type) {
-    case 'block':
-      return { type, width: round(8 * size), depth: round(8 * size) };
-    case 'groove':
-      return { type, radius: round(2 * size), width: round(2 * size), depth: round(2 * size) };
-    case 'hole':
-      return { type, radius: round(1.005 * size), outer_radius: round(10 * size) };
-    case 'profile': {
-      const at = (/** @type {number} */ t) => [round(t * size), round((-t * t * size) / 2)];
-      const points = [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at);
-      return { type, points, interpolation: 'smooth', depth: round(2 * size) };
-    }
-    default: {
-      const { fields } = SHAPES[type];
-      const first = Number(fields[0].example) || size;
-      const typical = (/** @type {Field} */ { example, quantity }) =>
-        typeof example === 'number' && quantity === 'length' ? round((example / first) * size) : example;
-      return {
-        type,
-        ...Object.fromEntries(fields.filter(({ optional }) => !optional).map((field) => [field.key, typical(field)])),
-      };
-    }
-  }
+  const typical = (/** @type {Field} */ { example, quantity }) =>
+    typeof example === 'number' && quantity === 'length' ? round(example * scale) : example;
+  const fields = SHAPES[type].fields.filter(({ optional }) => !optional);
+  const shape = { type, ...Object.fromEntries(fields.map((field) => [field.key, typical(field)])) };
+  if (type === 'hole') return { ...shape, outer_radius: round(10 * TYPICAL_RADIUS * scale) };
+  if (type !== 'profile') return shape;
+  // Points of a parabola, which is smooth between them.
+  const at = (/** @type {number} */ t) => [t, (-t * t) / 2].map((one) => round(one * TYPICAL_RADIUS * scale) || 0);
+  return { ...shape, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), interpolation: 'smooth' };
 }
+
+/** Young’s modulus of steel. @param {import('../lib/units.js').Units} units */
+export const typicalModulus = (units) => convert(STEEL, 'stress', 'mm_N_MPa', units);
+/** [MPa] */
+const STEEL = 210000;
 
 /**
  * Plasticity by another law and of about the same strength.
  * @param {string} law
  * @param {Record<string, any>} material
+ * @param {import('../lib/units.js').Units} units
  * @returns {Record<string, any> | undefined}
  */
-export function plasticityLike(law, material) {
+export function plasticityLike(law, material, units) {
   if (!LAWS[law]?.fields.length) return undefined;
   const old = material?.plasticity ?? {};
-  const modulus = numberOf(material?.young_modulus) || 210000;
+  const modulus = numberOf(material?.young_modulus) || typicalModulus(units);
   const strength = numberOf(old.yield_stress ?? old.reference_stress ?? old.points?.[0]?.[1]) || modulus / 420;
   const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
   // Typical figures are those of a steel of 500 MPa; a slope grows with the modulus, a stress with the strength.
   const scaled = (/** @type {any} */ value, /** @type {string | undefined} */ quantity, /** @type {string} */ key) =>
     quantity !== 'stress'
       ? value
-      : round(key.endsWith('modulus') ? (value / 210000) * modulus : (value / 500) * strength);
+      : round(key.endsWith('modulus') ? (value / STEEL) * modulus : (value / 500) * strength);
   const typical = (/** @type {Field} */ { key, quantity, columns, example }) =>
     Array.isArray(example)
       ? example.map((point) => point.map((value, axis) => scaled(value, columns?.[axis], key)))

@@ -3,7 +3,6 @@
 import { arrange, byId, h, toast } from '../lib/dom.js';
 import { keepFocus } from '../lib/focus.js';
 import * as pointer from '../lib/pointer.js';
-import { numberOf } from '../lib/number.js';
 import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { jobFor } from './draft.js';
 import { entry } from './entry.js';
@@ -18,7 +17,6 @@ import {
   LOADS,
   SETTINGS,
   SHAPES,
-  PERMANENT,
   SUPPORTS,
   TARGETS,
   THEORIES,
@@ -27,13 +25,10 @@ import {
   lawOf,
   loadOf,
   overDepthOf,
-  plasticityLike,
-  shapeLabel,
-  shapeLike,
+  shapesFor,
   targetOf,
-  typicalInitialStress,
-  typicalOverDepth,
 } from './fields.js';
+import { Kinds, hasTerms } from './kinds.js';
 import { onMaterials } from './library.js';
 import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
@@ -41,32 +36,19 @@ import { curvePreview, initialStressPreview, profilePreview } from './preview.js
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
+/** @typedef {{entry: import('./entry.js').Entry, field: Field}} Made */
+/** @typedef {'upper' | 'lower'} Body */
 
 const SOURCE = 'form';
-/** Loads [mm, N] where there was none. */
-const TYPICAL = { force: 600, approach: 0.02 };
 
 export class Form {
-  /** @type {Map<string, {entry: import('./entry.js').Entry, field: Field}>} by pointer */
+  /** @type {Map<string, Made>} by pointer */
   #fields = new Map();
-  /** Those before the form was put together anew: what is needed again stays as it is. */
-  #former = this.#fields;
+  /** Those that there were before the form was built last. @type {Map<string, Made>} */
+  #before = new Map();
   #shape = '';
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
-
-  /** Where the fields stand. */
-  #parts = {
-    general: h('div', { class: 'pair' }),
-    upper: h('div', { class: 'grid' }),
-    lower: h('div', { class: 'grid' }),
-    load: h('div', { class: 'grid' }),
-    settings: h('div', { class: 'grid' }),
-  };
-  #previews = { upper: previewsOf('upper'), lower: previewsOf('lower') };
-
-  /** Whether flow theory was chosen with a load that it alone knows. */
-  #lent = false;
 
   /**
    * @param {import('./draft.js').Draft} draft
@@ -74,18 +56,23 @@ export class Form {
    */
   constructor(draft, slid) {
     this.draft = draft;
-    draft.addEventListener('change', (event) => {
-      const { detail } = /** @type {CustomEvent} */ (event);
-      if (![SOURCE, 'slider', 'page'].includes(detail) || draft.job.solver?.theory !== 'flow') this.#lent = false;
-    });
+    this.kinds = new Kinds(draft, SOURCE);
     this.slid = slid;
     this.root = byId('form');
+    this.previews = { upper: previews('upper'), lower: previews('lower') };
+    this.parts = this.#layOut();
     draft.addEventListener('change', () => keepFocus(this.root, () => this.#show()));
     // Who leaves a field, or takes hold of a slider again, begins another change.
     for (const leaves of ['focusout', 'pointerdown']) this.root.addEventListener(leaves, () => draft.settle());
-    const choice = (/** @type {'upper' | 'lower'} */ body) =>
-      new MaterialChoice(body, draft, SOURCE, () =>
-        this.root.querySelector(`[data-place^="/${body}/material"] [aria-invalid=true]`),
+    const choice = (/** @type {Body} */ body) =>
+      new MaterialChoice(
+        body,
+        draft,
+        (material) => {
+          this.kinds.forget(`/${body}/material`);
+          draft.set(`/${body}/material`, material, SOURCE);
+        },
+        () => this.root.querySelector(`[data-place^="/${body}/material"] [aria-invalid=true]`),
       );
     this.materials = { upper: choice('upper'), lower: choice('lower') };
     onMaterials(() => {
@@ -178,128 +165,130 @@ export class Form {
     this.#showErrors();
   }
 
-  /** @param {'upper' | 'lower'} body */
+  /** @param {Body} body */
   #showPreview(body) {
     const { job } = this.draft;
-    const { shape, stress, curve } = this.#previews[body];
+    const { shape, curve, stress } = this.previews[body];
     shape.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
     stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
     curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
-  /** Puts the form together for the kinds that the draft has. */
   #build() {
-    this.#former = this.#fields;
-    this.#fields = new Map();
-    if (!this.root.firstChild)
-      this.root.append(
-        this.#parts.general,
-        this.#fieldset('upper', 'Upper body'),
-        this.#fieldset('lower', 'Lower body'),
-        h('fieldset', {}, h('legend', {}, 'Load'), this.#parts.load),
-        h('details', {}, h('summary', {}, 'Mesh, solver, output, tags'), this.#parts.settings),
-      );
-    arrange(this.#parts.general, [
+    [this.#before, this.#fields] = [this.#fields, new Map()];
+    arrange(this.parts.general, [
       this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
       this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
         this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
         this.#readAgain();
       }),
     ]);
-    for (const body of /** @type {const} */ (['upper', 'lower'])) arrange(this.#parts[body], this.#body(body));
-    arrange(this.#parts.load, this.#load());
+    arrange(this.parts.upper, this.#body('upper'));
+    arrange(this.parts.lower, this.#body('lower'));
+    arrange(this.parts.load, this.#load());
     arrange(
-      this.#parts.settings,
+      this.parts.settings,
       SETTINGS.map((field) => this.#field('', field)),
     );
+    this.#before.clear();
   }
 
-  /** @param {'upper' | 'lower'} body @param {string} title */
-  #fieldset(body, title) {
-    const other = body === 'upper' ? 'lower' : 'upper';
-    const copy = () => this.draft.set(`/${body}`, structuredClone(this.draft.job[other]), SOURCE);
-    return h(
-      'fieldset',
-      {},
-      h('legend', {}, title, h('button', { type: 'button', class: 'plain', onclick: copy }, `same as ${other}`)),
-      this.#parts[body],
+  /** What holds the fields, and stays when they change. */
+  #layOut() {
+    const grid = () => h('div', { class: 'grid' });
+    const parts = {
+      general: h('div', { class: 'pair' }),
+      upper: grid(),
+      lower: grid(),
+      load: grid(),
+      settings: grid(),
+    };
+    const body = (/** @type {Body} */ own, /** @type {Body} */ other, /** @type {string} */ title) => {
+      const copy = () => {
+        this.kinds.forget(`/${own}/`);
+        this.draft.set(`/${own}`, structuredClone(this.draft.job[other]), SOURCE);
+      };
+      const button = h('button', { type: 'button', class: 'plain', onclick: copy }, `same as ${other}`);
+      return h('fieldset', {}, h('legend', {}, title, button), parts[own]);
+    };
+    this.root.replaceChildren(
+      parts.general,
+      body('upper', 'lower', 'Upper body'),
+      body('lower', 'upper', 'Lower body'),
+      h('fieldset', {}, h('legend', {}, 'Load'), parts.load),
+      h('details', {}, h('summary', {}, 'Mesh, solver, output, tags'), parts.settings),
     );
+    return parts;
   }
 
-  /** @param {'upper' | 'lower'} body @returns {(Node | false)[]} */
+  /** Fields of a body. Their listeners read the draft when they are called: the form is not built anew by every change. @param {Body} body */
   #body(body) {
     const { job } = this.draft;
+    const { shape, material } = job[body] ?? {};
     const at = `/${body}`;
-    const law = lawOf(job[body]?.material);
-    const shape = job[body]?.shape?.type;
-    const shapes = Object.fromEntries(Object.keys(SHAPES).map((key) => [key, shapeLabel(key, job.analysis)]));
+    const law = lawOf(material);
+    const laws = Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label]));
+    const { shape: ofShape, curve, stress } = this.previews[body];
     return [
-      this.#choice(`${at}/shape/type`, 'Shape', shapes, (type) =>
-        this.draft.set(`${at}/shape`, this.#shapeLike(body, String(type)), SOURCE),
+      this.#choice(`${at}/shape/type`, 'Shape', shapesFor(job.analysis, shape?.type), (type) =>
+        this.kinds.useShape(body, String(type)),
       ),
-      ...(SHAPES[shape]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
-      this.#previews[body].shape,
+      ...(SHAPES[shape?.type]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
+      ofShape,
       this.#choice(`${at}/support`, 'Support', SUPPORTS),
       ...this.materials[body].elements,
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
-      this.#choice(
-        `${at}/material/law`,
-        'Hardening',
-        Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label])),
-        (law) => this.#useLaw(body, String(law)),
-      ),
+      this.#choice(`${at}/material/law`, 'Hardening', laws, (law) => this.kinds.useLaw(body, String(law))),
       ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
       ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
-      hasBackstress(job, body) && this.#field(`${at}/material/plasticity`, BACKSTRESS),
-      this.#previews[body].curve,
+      ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
+      curve,
       ...(law === 'rigid' ? [] : this.#initialStress(body)),
-      this.#previews[body].stress,
+      stress,
     ];
   }
 
-  /** @param {'upper' | 'lower'} body @param {string} type */
-  #shapeLike(body, type) {
-    const { job } = this.draft;
-    return shapeLike(type, job[body]?.shape, unitsOf(job));
-  }
-
-  /** @param {'upper' | 'lower'} body */
+  /** @param {Body} body */
   #overDepth(body) {
-    const { job } = this.draft;
     const plasticity = `/${body}/material/plasticity`;
     const kinds = Object.entries(OVER_DEPTH).map(([key, { label }]) => [key, label]);
+    const { fields = [] } = OVER_DEPTH[overDepthOf(this.draft.job[body]?.material)] ?? {};
     return [
       this.#choice(
         `${plasticity}/depth_kind`,
         'Strength over depth',
         { uniform: 'Uniform', ...Object.fromEntries(kinds) },
-        (kind) =>
-          this.draft.set(`${plasticity}/over_depth`, typicalOverDepth(String(kind), unitsOf(this.draft.job)), SOURCE),
+        (kind) => this.kinds.useOverDepth(body, String(kind)),
       ),
-      ...(OVER_DEPTH[overDepthOf(job[body]?.material)]?.fields ?? []).map((field) => this.#field(plasticity, field)),
+      ...fields.map((field) => this.#field(plasticity, field)),
     ];
   }
 
-  /** @param {'upper' | 'lower'} body */
+  /** @param {Body} body */
   #initialStress(body) {
     const at = `/${body}/material`;
-    const make = () => typicalInitialStress(this.draft.job, this.draft.job[body]?.material);
     return [
       this.#choice(`${at}/stress_kind`, 'Initial stress', { none: 'None', given: 'Over depth' }, (kind) =>
-        this.draft.set(`${at}/initial_stress`, kind === 'given' ? make() : undefined, SOURCE),
+        this.kinds.useInitialStress(body, kind === 'given'),
       ),
-      hasInitialStress(this.draft.job[body]?.material) && this.#field(at, INITIAL_STRESS),
+      ...(hasInitialStress(this.draft.job[body]?.material) ? [this.#field(at, INITIAL_STRESS)] : []),
     ];
   }
 
   #load() {
-    const kind = loadOf(this.draft.job.load);
+    const { load } = this.draft.job;
+    const kind = loadOf(load);
     const { field } = LOADS[kind];
     const kinds = Object.fromEntries(Object.entries(LOADS).map(([key, { label }]) => [key, label]));
+    const figures = Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label]));
+    const target = () => [
+      this.#choice('/load/target_kind', 'Figure', figures, (figure) => this.kinds.useTarget(String(figure))),
+      this.#field('/load', TARGETS[targetOf(load)]),
+    ];
     return [
-      this.#choice('/load/kind', 'Given', kinds, (kind) => this.#useLoad(String(kind))),
-      field && this.#field('/load', field),
-      ...(kind === 'target' ? this.#target() : []),
+      this.#choice('/load/kind', 'Given', kinds, (kind) => this.kinds.useLoad(String(kind))),
+      ...(field ? [this.#field('/load', field)] : []),
+      ...(kind === 'target' ? target() : []),
       this.#choice('/solver/theory', 'Theory', THEORIES),
     ];
   }
@@ -329,33 +318,6 @@ export class Form {
     }
   }
 
-  #target() {
-    const figures = Object.fromEntries(Object.entries(TARGETS).map(([key, { label }]) => [key, label]));
-    return [
-      this.#choice('/load/target_kind', 'Figure', figures, (figure) => this.#useTarget(String(figure))),
-      this.#field('/load', TARGETS[targetOf(this.draft.job.load)]),
-    ];
-  }
-
-  /** @param {string} figure */
-  #useTarget(figure) {
-    const job = structuredClone(this.draft.job);
-    const { example, quantity } = TARGETS[figure];
-    const value = quantity && quantity !== 'load' ? convert(example, quantity, 'mm_N_MPa', unitsOf(job)) : example;
-    this.#setLoad(job, { target: { [figure]: value } }, PERMANENT.has(figure));
-  }
-
-  /** Gives the job another load, and flow theory as long as that alone knows the load. @param {import('../types.js').Job} job @param {object} load @param {boolean} flow */
-  #setLoad(job, load, flow) {
-    const theory = job.solver?.theory;
-    const needed = flow || job.solver?.increments != null || hasTerms(job.upper) || hasTerms(job.lower);
-    const back = this.#lent && !needed;
-    const solver = { ...job.solver, theory: flow ? 'flow' : 'deformation' };
-    this.draft.replace({ ...job, load, ...((flow || back) && { solver }) }, SOURCE);
-    this.#lent = flow && (theory !== 'flow' || this.#lent);
-    if (back) toast('Deformation theory again: this load does not need flow theory');
-  }
-
   /** @param {string} parent @param {Field} field */
   #field(parent, field) {
     return this.#place(`${parent}/${field.key}`, field, (value) =>
@@ -374,12 +336,13 @@ export class Form {
 
   /** @param {string} place @param {Field} field @param {(value: unknown) => void} change */
   #place(place, field, change) {
-    const former = this.#former.get(place);
-    if (former && JSON.stringify(former.field) === JSON.stringify(field)) {
-      this.#fields.set(place, former);
-      return former.entry.element;
-    }
     const body = place.split('/')[1];
+    const before = this.#before.get(place);
+    // A field that is the same stays: with the focus, and with what is being typed to choose from a list.
+    if (before && pointer.same(before.field, field)) {
+      this.#fields.set(place, before);
+      return before.entry.element;
+    }
     const made = entry(field, change, {
       units: () => unitsOf(this.draft.job),
       quantity: ({ quantity }) => (quantity === 'load' ? forceOf(this.draft.job) : quantity),
@@ -397,64 +360,13 @@ export class Form {
     this.#fields.set(place, { entry: made, field });
     return made.element;
   }
-
-  /** @param {'upper' | 'lower'} body @param {string} law */
-  #useLaw(body, law) {
-    const { job } = this.draft;
-    const old = job[body]?.material;
-    const steel = convert(210_000, 'stress', 'mm_N_MPa', unitsOf(job));
-    const elastic = { young_modulus: old?.young_modulus ?? steel, poisson_ratio: old?.poisson_ratio ?? 0.3 };
-    const { over_depth, backstress } = old?.plasticity ?? {};
-    const plasticity = plasticityLike(law, { ...elastic, ...old });
-    if (plasticity && over_depth) plasticity.over_depth = over_depth;
-    if (plasticity && backstress) plasticity.backstress = backstress;
-    this.draft.set(
-      `/${body}/material`,
-      law === 'rigid'
-        ? { rigid: true }
-        : {
-            ...elastic,
-            ...(plasticity && { plasticity }),
-            ...(old?.initial_stress && { initial_stress: old.initial_stress }),
-          },
-      SOURCE,
-    );
-  }
-
-  /** @param {string} kind */
-  #useLoad(kind) {
-    if (kind === 'target') return this.#useTarget('peak_pressure');
-    const { job } = this.draft;
-    const { load: old } = job;
-    const units = unitsOf(job);
-    // What is no list yet is text as it was typed.
-    const inTurn = (/** @type {string} */ key) => (Array.isArray(old?.[key]) ? old[key] : []);
-    const last = (/** @type {string} */ key) => numberOf(inTurn(key).at(-1));
-    const highest = Math.max(...inTurn('history').map((load) => numberOf(load?.force) || 0));
-    const one = [numberOf(old?.force), last('forces'), highest].find((force) => force > 0);
-    const deep = [numberOf(old?.approach), last('approaches')].find((approach) => approach > 0);
-    const force = one ?? convert(TYPICAL.force, forceOf(job), 'mm_N_MPa', units);
-    const approach = deep ?? convert(TYPICAL.approach, 'length', 'mm_N_MPa', units);
-    const sweep = (/** @type {number} */ end) =>
-      Array.from({ length: 10 }, (_, k) => Number(((end * (k + 1)) / 10).toPrecision(6)));
-    const loads = /** @type {Record<string, unknown>} */ ({
-      force,
-      forces: sweep(force),
-      approach,
-      approaches: sweep(approach),
-      history: [{ force }, { force: 0 }],
-      onset: true,
-    });
-    this.#setLoad(job, { [kind]: loads[kind] }, kind === 'history');
-  }
 }
 
-/** @param {string} body */
-const previewsOf = (body) => ({
-  shape: h('div', { 'data-preview': `${body}-shape` }),
-  curve: h('div', { 'data-preview': `${body}-curve` }),
-  stress: h('div', { 'data-preview': `${body}-stress` }),
-});
+/** Places of the pictures of a body. @param {Body} body */
+function previews(body) {
+  const place = (/** @type {string} */ name) => h('div', { 'data-preview': `${body}-${name}` });
+  return { shape: place('shape'), curve: place('curve'), stress: place('stress') };
+}
 
 /** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
 function valueIn(job, place) {
@@ -467,10 +379,7 @@ function valueIn(job, place) {
   return pointer.get(job, place);
 }
 
-/** Whether a body has backstress, which flow theory alone knows. @param {any} body */
-const hasTerms = (body) => Boolean(body?.material?.plasticity?.backstress);
-
-/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */
+/** Whether there is a place for the terms of the backstress, which flow theory alone knows. @param {import('../types.js').Job} job @param {Body} body */
 const hasBackstress = (job, body) =>
   Boolean(LAWS[lawOf(job[body]?.material)]?.fields.length) && (job.solver?.theory === 'flow' || hasTerms(job[body]));
 

@@ -15,13 +15,13 @@ export class MaterialChoice {
   /**
    * @param {'upper' | 'lower'} body
    * @param {import('./draft.js').Draft} draft
-   * @param {string} source of changes
+   * @param {(material: Record<string, any>) => void} use called with the one that the body is to have
    * @param {() => HTMLElement | null} fault first field of the material that is wrong
    */
-  constructor(body, draft, source, fault) {
+  constructor(body, draft, use, fault) {
     this.body = body;
     this.draft = draft;
-    this.source = source;
+    this.use = use;
     this.fault = fault;
     const button = (/** @type {string} */ text, /** @type {() => void} */ onclick) =>
       h('button', { type: 'button', class: 'plain', onclick }, text);
@@ -69,7 +69,7 @@ export class MaterialChoice {
 
   /** @param {{material: Record<string, any>}} preset */
   #use(preset) {
-    this.draft.set(`/${this.body}/material`, materialOf(preset, unitsOf(this.draft.job)), this.source);
+    this.use(materialOf(preset, unitsOf(this.draft.job)));
   }
 
   #keep() {

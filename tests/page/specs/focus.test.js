@@ -150,3 +150,19 @@ service.test('never behind the bar with Solve', async (page) => {
     }
   }
 });
+
+service.test('on a button before a field that is gone', async (page) => {
+  const theory = page.locator('[data-place="/solver/theory"] select');
+  await theory.selectOption('flow');
+  await theory.focus();
+  await page.locator('#example').focus();
+  await theory.selectOption('deformation');
+  await page.keyboard.press('Control+z');
+  await page.locator('[data-place="/lower/material/plasticity/backstress"] textarea').focus();
+  const before = await page.evaluate(() => sessionStorage.getItem('draft'));
+  await page.keyboard.press('Control+y');
+  const after = await page.evaluate(() => sessionStorage.getItem('draft'));
+  assert.notEqual(after, before, 'the field is gone');
+  await page.keyboard.type('7');
+  assert.equal(await page.evaluate(() => sessionStorage.getItem('draft')), after, 'what is typed goes into no other');
+});
