@@ -1,0 +1,270 @@
+use std::sync::Arc;
+
+use super::*;
+use crate::job::hardening::tests::{TRIPLE_SHEAR, YOUNG, materials};
+use crate::job::{Bilinear, Hardening, NonNegativeF64, PositiveF64, Voce};
+use crate::material::DeformationPlasticity;
+
+const ELASTIC: ElasticModuli = ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
+
+fn model<const N: usize>(law: Arc<dyn HardeningLaw>, terms: [(f64, f64); N]) -> FlowPlasticity<N> {
+    let terms = terms.map(|(modulus, rate)| BackstressTerm { modulus, rate });
+    FlowPlasticity::new(ELASTIC, ReturnMapping::new(law, ELASTIC.shear), terms, OutOfPlane::Strained)
+}
+
+fn positive(value: f64) -> PositiveF64 {
+    PositiveF64::new(value).unwrap()
+}
+
+/// `q = σ_y + H p`.
+fn straight(yield_stress: f64, plastic_modulus: f64) -> Arc<dyn HardeningLaw> {
+    let slope = plastic_modulus / (1.0 + plastic_modulus / YOUNG);
+    let tangent_modulus = NonNegativeF64::new(slope).unwrap();
+    Hardening::from(Bilinear { yield_stress: positive(yield_stress), tangent_modulus }).curve(YOUNG)
+}
+
+fn constant(yield_stress: f64) -> Arc<dyn HardeningLaw> {
+    straight(yield_stress, 0.0)
+}
+
+/// `q = 420 - 120 exp(-15 p)`.
+fn voce() -> Arc<dyn HardeningLaw> {
+    let (yield_stress, saturation_stress) = (positive(300.0), positive(420.0));
+    Hardening::from(Voce { yield_stress, saturation_stress, rate: positive(15.0) }).curve(YOUNG)
+}
+
+/// Deviatoric strain of a bar whose strain beyond the volume change is `e`.
+fn axial(e: f64) -> [f64; 4] {
+    [e, -0.5 * e, -0.5 * e, 0.0]
+}
+
+/// Pulls a bar to a stress; returns its plastic strain.
+fn pull<const N: usize>(model: &FlowPlasticity<N>, state: &mut FlowState<N>, stress: f64) -> f64 {
+    let at = |e: f64| {
+        let (response, end) = model.update(axial(e), state);
+        (1.5 * response.stress[0] - stress, end)
+    };
+    let (mut low, mut high) = (state.strain[0] - 0.05, state.strain[0] + 0.05);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if at(middle).0 < 0.0 { low = middle } else { high = middle }
+    }
+    *state = at(0.5 * (low + high)).1;
+    state.plastic_strain[0]
+}
+
+#[test]
+fn one_increment_from_rest_is_deformation_theory() {
+    for material in materials() {
+        for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
+            let mapping = ReturnMapping::new(material.hardening_law().unwrap(), ELASTIC.shear);
+            let elastic = ElasticModuli::from(material.elastic());
+            let flow = FlowPlasticity::new(elastic, mapping, [], out_of_plane);
+            let deformation = DeformationPlasticity::new(&material, out_of_plane);
+            for strain in [[6e-3, -4e-3, 1e-3, 5e-3], [1e-3, 1.2e-3, 0.0, -8e-3], [2e-4, -3e-4, 0.0, 0.0]] {
+                let (found, _) = flow.update(strain, &FlowState::default());
+                let (expected, ()) = deformation.update(strain, &());
+                for (a, b) in found.stress.iter().zip(expected.stress) {
+                    assert!((a - b).abs() < 1e-9 * 500.0, "{material:?} {out_of_plane:?} {a} {b}");
+                }
+                let (a, b) = (found.equivalent_plastic_strain, expected.equivalent_plastic_strain);
+                assert!((a - b).abs() < 1e-12, "{material:?} {out_of_plane:?} {a} {b}");
+                assert_eq!(found.yielded, expected.yielded);
+            }
+        }
+    }
+}
+
+/// σ = q(p) + Σ C/γ (1 - exp(-γ p)).
+#[test]
+fn a_bar_with_voce_and_chaboche_hardening_is_pulled_along_its_closed_form() {
+    let voce = voce();
+    let terms = [(40_000.0, 400.0), (6000.0, 30.0), (800.0, 0.0)];
+    let model = model(Arc::clone(&voce), terms);
+    let mut state = FlowState::default();
+    for k in 1..=40 {
+        let e = 2.5e-4 * f64::from(k);
+        let (response, end) = model.update(axial(e), &state);
+        state = end;
+        let p = state.accumulated;
+        let growth = |(c, g): (f64, f64)| if g == 0.0 { c * p } else { c / g * (1.0 - (-g * p).exp()) };
+        let expected = voce.stress(p) + terms.map(growth).iter().sum::<f64>();
+        if p > 0.0 {
+            assert!((1.5 * response.stress[0] - expected).abs() < 1e-8 * expected, "p = {p}");
+        }
+    }
+    assert!(state.accumulated > 5e-3);
+}
+
+/// Δσ/2 = q + Σ C/γ tanh(γ Δε_p/2).
+#[test]
+fn the_stable_cycle_has_its_closed_amplitude() {
+    let (q, terms) = (250.0, [(50_000.0, 500.0), (8000.0, 60.0)]);
+    let model = model(constant(q), terms);
+    let mut state = FlowState::default();
+    let mut ends = [(0.0, 0.0); 2];
+    for cycle in 0..400 {
+        let e = if cycle % 2 == 0 { 4e-3 } else { -4e-3 };
+        let (response, end) = model.update(axial(e), &state);
+        state = end;
+        ends[cycle % 2] = (1.5 * response.stress[0], state.plastic_strain[0]);
+    }
+    let (stress, plastic) = (0.5 * (ends[0].0 - ends[1].0), ends[0].1 - ends[1].1);
+    let saturation = |(c, g): (f64, f64)| c / g * (0.5 * g * plastic).tanh();
+    let expected = q + terms.map(saturation).iter().sum::<f64>();
+    assert!(plastic > 2e-3 && (stress - expected).abs() < 1e-8 * expected, "{stress} {expected}");
+}
+
+/// `1/γ ln{[(C/γ)² - (σ_min + k)²]/[(C/γ)² - (σ_max - k)²]}` of plastic strain a cycle.
+#[test]
+fn a_bar_ratchets_by_its_closed_form() {
+    let (k, c, rate) = (200.0, 40_000.0, 200.0);
+    let model = model(constant(k), [(c, rate)]);
+    let (low, high): (f64, f64) = (-260.0, 330.0);
+    let limit: f64 = c / rate;
+    let expected = ((limit.powi(2) - (low + k).powi(2)) / (limit.powi(2) - (high - k).powi(2))).ln() / rate;
+    let mut state = FlowState::default();
+    let mut last = 0.0;
+    for cycle in 0..4 {
+        pull(&model, &mut state, low);
+        let strain = pull(&model, &mut state, high);
+        if cycle > 1 {
+            assert!((strain - last - expected).abs() < 1e-8 * expected, "{} {expected}", strain - last);
+        }
+        last = strain;
+    }
+}
+
+/// Pulled they answer alike; relieved and pressed, Prager's law yields 2 σ_y below the stress it had, isotropic hardening
+/// at the same stress with the other sign.
+#[test]
+fn prager_and_isotropic_hardening_differ_only_by_reverse_yield() {
+    let isotropic = model(straight(300.0, 20_000.0), []);
+    let prager = model(constant(300.0), [(20_000.0, 0.0)]);
+    let (mut one, mut other) = (FlowState::default(), FlowState::default());
+    for k in 1..=20 {
+        let strain = axial(3e-4 * f64::from(k));
+        let (a, b) = (isotropic.update(strain, &one), prager.update(strain, &other));
+        (one, other) = (a.1, b.1);
+        assert!((a.0.stress[0] - b.0.stress[0]).abs() < 1e-9 * 300.0);
+    }
+    let stress = 1.5 * isotropic.update(one.strain, &one).0.stress[0];
+    assert!(stress > 380.0);
+    let yields = |from: f64, to: f64| {
+        let after = |change: f64| axial(one.strain[0] - change / TRIPLE_SHEAR);
+        let reverse = |change: f64| {
+            let gained = isotropic.update(after(change), &one).1.accumulated - one.accumulated;
+            (gained, prager.update(after(change), &other).1.accumulated - other.accumulated)
+        };
+        [reverse(from), reverse(to)]
+    };
+    let [(before, _), (after, _)] = yields(2.0 * stress - 0.1, 2.0 * stress + 0.1);
+    assert!(before == 0.0 && after > 0.0);
+    let [(_, before), (_, after)] = yields(600.0 - 0.1, 600.0 + 0.1);
+    assert!(before == 0.0 && after > 0.0);
+}
+
+/// Perfectly plastic, pulled to yield and then sheared: the stress turns, and its error falls like the square of the parts.
+#[test]
+fn a_turning_path_is_second_order_in_the_parts() {
+    let strain = |k: u32, n: u32| {
+        let t = f64::from(k) / f64::from(n);
+        let [x, y, z, _] = axial(3e-3);
+        [x, y, z, 8e-3 * t]
+    };
+    let turned = |substeps: u32| {
+        let model = model(constant(500.0), []).with_substeps(substeps);
+        let first = model.update(strain(0, 1), &FlowState::default()).1;
+        model.update(strain(1, 1), &first).0.stress
+    };
+    let exact = turned(20_000);
+    let error = |n: u32| turned(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    for (coarse, fine) in [(32, 64), (64, 128)] {
+        let ratio = error(coarse) / error(fine);
+        assert!((3.5..4.4).contains(&ratio), "{ratio}");
+    }
+    assert!(error(6) < 2e-3 * 500.0, "{}", error(6));
+}
+
+/// Random paths of all sizes after a first one: near the answer of many parts, also where a part is far larger than the yield
+/// surface; the stress is on the surface, and plastic work is not gained.
+#[test]
+fn random_turns_end_near_those_of_many_parts() {
+    let mut seed = 20_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
+    };
+    let laws = [constant(500.0), straight(300.0, 2000.0), voce()];
+    for (size, bound) in [(1e-3, 2e-3), (5e-3, 4e-3), (3e-2, 4e-3), (0.3, 2e-3)] {
+        let mut worst: f64 = 0.0;
+        for law in &laws {
+            for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
+                for _ in 0..100 {
+                    let mapping = ReturnMapping::new(Arc::clone(law), ELASTIC.shear);
+                    let model = FlowPlasticity::new(ELASTIC, mapping, [], out_of_plane);
+                    let start: [f64; 4] = std::array::from_fn(|k| if k == 2 { 0.0 } else { 5e-3 * random() });
+                    let end = [0, 1, 2, 3].map(|k| if k == 2 { 0.0 } else { start[k] + size * random() });
+                    let state = model.update(start, &FlowState::default()).1;
+                    let (found, after) = model.update(end, &state);
+                    let (exact, _) = model.with_substeps(2000).update(end, &state);
+                    let [a, b] = [found, exact].map(|response| deviator_of(response.stress));
+                    let away = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+                    worst = worst.max(away.fold(0.0, f64::max) / law.stress(after.accumulated));
+                    let q = equivalent_stress(deviator_of(found.stress));
+                    assert!(q <= law.stress(after.accumulated) * (1.0 + 1e-9), "{q} {out_of_plane:?}");
+                    assert!(
+                        after.accumulated >= state.accumulated && after.plastic_work >= state.plastic_work
+                    );
+                }
+            }
+        }
+        assert!(worst < bound, "{size}: {worst}");
+    }
+}
+
+fn deviator_of(stress: [f64; 4]) -> [f64; 4] {
+    let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+    [stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3]]
+}
+
+#[test]
+fn unloading_is_elastic_and_reloading_returns_to_the_same_state() {
+    let model = model(voce(), [(20_000.0, 100.0)]);
+    let peak = [6e-3, -4e-3, 1e-3, 5e-3];
+    let (loaded, state) = model.update(peak, &FlowState::default());
+    let (_, unloaded) = model.update(peak.map(|e| 0.95 * e), &state);
+    assert_eq!(unloaded.accumulated.to_bits(), state.accumulated.to_bits());
+    let (again, state_again) = model.update(peak, &unloaded);
+    for (a, b) in loaded.stress.iter().zip(again.stress) {
+        assert!((a - b).abs() < 1e-9 * 300.0);
+    }
+    assert!((state_again.accumulated - state.accumulated).abs() < 1e-12);
+}
+
+/// `∫σ:dε` of a closed strain cycle is the plastic work less what the backstress gained.
+#[test]
+fn energy_is_kept() {
+    let model = model(straight(300.0, 2000.0), [(20_000.0, 0.0)]);
+    let mut state = FlowState::default();
+    let path = |k: u32| {
+        let t = f64::from(k) / 2000.0 * std::f64::consts::TAU;
+        [4e-3 * t.sin(), -1e-3 * t.sin(), 0.0, 5e-3 * (1.0 - t.cos())]
+    };
+    let (mut work, mut stress, mut strain, mut plastic_work) = (0.0, [0.0; 4], [0.0; 4], 0.0);
+    let mut residual = [0.0; 4];
+    for k in 1..=2000 {
+        let (response, end) = model.update(path(k), &state);
+        state = end;
+        for c in 0..4 {
+            work += 0.5 * (response.stress[c] + stress[c]) * (path(k)[c] - strain[c]);
+        }
+        (stress, strain, plastic_work, residual) =
+            (response.stress, path(k), response.plastic_work, response.stress);
+    }
+    let deviatoric = deviator(residual);
+    let pressure = (residual[0] + residual[1] + residual[2]) / 3.0;
+    let elastic =
+        product(deviatoric, deviatoric) / (4.0 * ELASTIC.shear) + pressure.powi(2) / (2.0 * ELASTIC.bulk);
+    assert!((work - plastic_work - elastic).abs() < 1e-4 * work, "{work} {plastic_work} {elastic}");
+}
