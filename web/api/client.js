@@ -113,7 +113,9 @@ async function refusalOf(response) {
   // A proxy before a service that is not there.
   if (status === 502 || status === 504) reportLost();
   const body = await response.json().catch(() => ({}));
-  const problem = new Problem(status, String(body?.detail ?? wordsOf(status)), body ?? {});
+  // What is too long for the service is no “body” to who sets up two of them.
+  const detail = status === 413 ? undefined : body?.detail;
+  const problem = new Problem(status, String(detail ?? wordsOf(status)), body ?? {});
   const seconds = Number(response.headers.get('Retry-After'));
   if (seconds > 0) problem.retryAfter = Math.min(seconds, 60);
   return problem;

@@ -1,6 +1,6 @@
 /** What the lines above the figures of a table say of their units. Nothing that may be a unit is passed over in silence. */
 
-import { columnsInWords } from './number.js';
+import { columnsInWords, quoted } from './number.js';
 import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
@@ -13,6 +13,61 @@ const QUALIFIER =
 /** Signs that names do not have. */
 const SIGN = /[%‰µμ²³^·"″\u{fffd}]/u;
 
+/** Other scales of hardness than that of Vickers, whose figures look alike. */
+const OTHER_SCALE =
+  /(?<![a-z])(HR\s?[A-Z]?\d*[A-Z]*|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
+const VICKERS = /(?<![a-z])(HV|VHN|DPH|vickers)/i;
+
+/** @param {Row[]} headers @param {Quantity[]} quantities @returns {{problem: string} | undefined} where hardness is of another scale */
+function otherScale(headers, quantities) {
+  const axis = quantities.indexOf('hardness');
+  if (axis < 0) return undefined;
+  for (const { number, cells } of headers)
+    for (const cell of cells.length === quantities.length ? [cells[axis]] : cells) {
+      const name = VICKERS.test(cell) ? undefined : OTHER_SCALE.exec(cell)?.[0];
+      if (name)
+        return {
+          problem: `line ${number}: “${name}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265`,
+        };
+    }
+  return undefined;
+}
+
+const END = '(?![a-zα-ω])';
+const STRESS = '^(?:residual )?(?:σ|s|sig|sigma|stress)[\\s_]*';
+/** How columns are called, by their symbols. @type {Record<string, RegExp | undefined>} */
+const CALLED = {
+  z: new RegExp(`^(z|depth|tiefe)${END}`, 'i'),
+  σ_x: new RegExp(`${STRESS}(x|xx|11)${END}`, 'i'),
+  σ_z: new RegExp(`${STRESS}(z|zz|33)${END}`, 'i'),
+  HV: /^(HV|VHN|DPH|DPN|vickers|hardness|härte)/i,
+  factor: /^factor/i,
+  ε_p: new RegExp(`^((true|plastic|total|eng\\w*) )*(ε|eps|epsilon|strain)`, 'i'),
+  q: new RegExp(`^((true|eng\\w*|von mises) )*(σ|sig|sigma|stress)(?![a-z])`, 'i'),
+};
+
+/**
+ * The order of columns that the headers call by their names.
+ * @param {Row[]} headers
+ * @param {string[]} symbols of the columns as they are wanted
+ * @returns {{order: number[] | undefined} | {problem: string}} for each wanted column the one of the text, where they stand otherwise
+ */
+export function orderCalled(headers, symbols) {
+  for (const { number, cells } of headers) {
+    if (cells.length !== symbols.length) continue;
+    const wanted = cells.map((cell) => symbols.findIndex((symbol) => CALLED[symbol]?.test(cell)));
+    const moved = wanted.findIndex((axis, k) => axis >= 0 && axis !== k);
+    if (moved < 0) continue;
+    if (!wanted.includes(-1) && new Set(wanted).size === symbols.length)
+      return { order: symbols.map((_, axis) => wanted.indexOf(axis)) };
+    const order = symbols.map((symbol) => symbol.replace('_', '')).join(', ');
+    return {
+      problem: `line ${number}: ${quoted(cells[moved])} is not what column ${moved + 1} has here: the columns are ${order}`,
+    };
+  }
+  return { order: undefined };
+}
+
 /**
  * @param {Row[]} headers
  * @param {Quantity[]} quantities of the columns
@@ -20,13 +75,15 @@ const SIGN = /[%‰µμ²³^·"″\u{fffd}]/u;
  * @returns {{named: (string | undefined)[]} | {problem: string}} the unit that is named for each column
  */
 export function unitsNamed(headers, quantities, units) {
+  const other = otherScale(headers, quantities);
+  if (other) return other;
   const named = /** @type {(string | undefined)[]} */ (quantities.map(() => undefined));
   const known = (/** @type {string} */ name, /** @type {number} */ axis) =>
     inJobUnits(1, name, quantities[axis], units);
   for (const { number, cells } of headers) {
     const turned = cells.length === 2 && quantities.every((one) => one === 'length') && cells.map(isPlace);
     if (turned && turned[1] && !turned[0])
-      return { problem: `line ${number}: “${cells[1]}” is the second column, and places x belong in the first` };
+      return { problem: `line ${number}: ${quoted(cells[1])} is the second column, and places x belong in the first` };
     if (cells.length !== quantities.length) {
       const other = cells.flatMap(mayBeUnits).find(({ name }) => isOther(name, quantities, units));
       if (other)
@@ -35,8 +92,10 @@ export function unitsNamed(headers, quantities, units) {
         };
       continue;
     }
-    // A line of units has nothing else.
-    const bare = cells.some((cell, axis) => cell !== '1' && known(cell, axis) !== undefined);
+    // A line of units has nothing else; HV is the name of a column too.
+    const bare = cells.some(
+      (cell, axis) => cell !== '1' && quantities[axis] !== 'hardness' && known(cell, axis) !== undefined,
+    );
     for (const [axis, cell] of cells.entries()) {
       const found = mayBeUnits(cell);
       const good = found.find(({ name }) => known(name, axis) !== undefined);
@@ -44,7 +103,7 @@ export function unitsNamed(headers, quantities, units) {
       const own = unit(quantities[axis], units);
       if (bad)
         return {
-          problem: `line ${number}, column ${axis + 1}: “${bad}” is no unit known here for this column. ${
+          problem: `line ${number}, column ${axis + 1}: ${quoted(bad)} is no unit known here for this column. ${
             own
               ? `Write a unit such as ${own}, or leave it out if the figures are in ${own}`
               : 'Leave it out if the figures are plain numbers'

@@ -30,31 +30,32 @@ export function commas(text) {
  * @returns {Reading}
  */
 export function readNumber(text, meaning) {
+  if (text.length > LONGEST) return { problem: `${quoted(text)} is not a number` };
   const plain = tidy(text);
   if (meaning === 'decimal' && AMBIGUOUS_POINT.test(plain)) {
     const [whole, part] = plain.split('.');
     return {
-      problem: `“${text.trim()}” can be read as ${whole},${part} or as ${whole}${part}, where commas are decimal: write one of these`,
+      problem: `${quoted(text)} can be read as ${whole},${part} or as ${whole}${part}, where commas are decimal: write one of these`,
     };
   }
   if (NUMBER.test(plain)) return valueOf(plain, text);
   const means = meaning ?? commas(plain);
   if (means === null) {
     const [whole, part] = plain.split(',');
-    return { problem: `“${text.trim()}” can be read as ${whole}.${part} or as ${whole}${part}: write one of these` };
+    return { problem: `${quoted(text)} can be read as ${whole}.${part} or as ${whole}${part}: write one of these` };
   }
   const converted =
     means === 'decimal' ? plain.replaceAll('.', '').replace(',', '.') : means ? plain.replaceAll(',', '') : '';
   if (NUMBER.test(converted)) return valueOf(converted, text);
-  return { problem: `“${text.trim()}” is not a number` };
+  return { problem: `${quoted(text)} is not a number` };
 }
 
 /** @param {string} plain @param {string} text as it was typed @returns {Reading} */
 function valueOf(plain, text) {
   const value = Number(plain);
-  if (!Number.isFinite(value)) return { problem: `“${text.trim()}” is too large for a number` };
+  if (!Number.isFinite(value)) return { problem: `${quoted(text)} is too large for a number` };
   const vanishes = value === 0 && /[1-9]/.test(plain.replace(/e.*/i, ''));
-  return vanishes ? { problem: `“${text.trim()}” is too close to 0 for a number` } : { value };
+  return vanishes ? { problem: `${quoted(text)} is too close to 0 for a number` } : { value };
 }
 
 /** What stands before the unit, and the unit, where there is one. @param {string} text @returns {{digits: string, name: string}} */
@@ -74,12 +75,15 @@ export function parted(text) {
  * @returns {Reading}
  */
 export function readQuantity(text, quantity, units, { unit = '', meaning } = {}) {
+  if (text.length > LONGEST) return readNumber(text);
   const { digits, name } = parted(text);
+  // Neither is the x of 0x10 a unit.
+  if (/^x\d/i.test(name)) return readNumber(text);
   if (!(name || unit) || !quantity) return readNumber(text, meaning);
   const reading = readNumber(digits, meaning);
   if ('problem' in reading) return reading;
   const value = inJobUnits(reading.value, name || unit, quantity, units);
-  return value === undefined ? { problem: `“${name || unit}” is no unit known here for this figure` } : { value };
+  return value === undefined ? { problem: `${quoted(name || unit)} is no unit known here for this figure` } : { value };
 }
 
 /**
@@ -124,6 +128,15 @@ const withExponents = (text) =>
 function tidy(text) {
   const plain = withExponents(text).trim().replace(/[−–]/g, '-');
   return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
+}
+
+/** Most letters of a text that are repeated in a message, and of one that may be a number. */
+const [SAID, LONGEST] = [40, 200];
+
+/** What was typed, for a message that is read. @param {string} text */
+export function quoted(text) {
+  const plain = text.trim();
+  return `“${plain.length > SAID ? `${plain.slice(0, SAID)}…` : plain}”`;
 }
 
 /** @param {number} columns */

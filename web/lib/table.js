@@ -1,6 +1,6 @@
 /** Tables of points as spreadsheets and instruments write them. */
 
-import { unitsNamed } from './headers.js';
+import { orderCalled, unitsNamed } from './headers.js';
 import { columnsInWords, commas, groupsJoined, parted, readQuantity } from './number.js';
 import { inJobUnits } from './units.js';
 
@@ -9,8 +9,8 @@ import { inJobUnits } from './units.js';
 /** @typedef {import('./headers.js').Row & {comment: boolean}} Row */
 /** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
 
-/** Most lines of figures that the service takes. */
-const MOST = 10_000;
+/** Most lines of figures that the service takes, and letters of a line of two or three of them. */
+const [MOST, LONGEST] = [10_000, 1000];
 
 /**
  * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
@@ -18,18 +18,27 @@ const MOST = 10_000;
  * @param {string} text
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
+ * @param {string[]} [symbols] of the columns, which headers may name in another order
  * @returns {Table} `problem` names the first line at fault
  */
-export function readTable(text, quantities, units) {
-  const lines = groupsJoined(text).split(/\r\n?|\n/);
+export function readTable(text, quantities, units, symbols = []) {
+  const typed = text.split(/\r\n?|\n/);
+  const long = typed.findIndex((line) => line.length > LONGEST);
+  if (long >= 0)
+    return { problem: `line ${long + 1} has ${typed[long].length} letters: a point has a line of its own` };
+  const lines = typed.map(groupsJoined);
   const separator = separatorOf(lines);
-  const rows = withoutBlankColumns(
+  const given = withoutBlankColumns(
     lines.map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) })).filter(({ cells }) => cells.length),
   );
   const isFigures = (/** @type {Row} */ { comment, cells }) =>
     !comment && cells.some((cell) => /^[+\-−–]?[.,]?\d/.test(cell));
-  const first = rows.findIndex(isFigures);
-  const headers = rows.slice(0, Math.max(0, first));
+  const first = Math.max(0, given.findIndex(isFigures));
+  const called = orderCalled(given.slice(0, first), symbols);
+  if ('problem' in called) return called;
+  const { order } = called;
+  const rows = order ? given.map((row) => reordered(row, order)) : given;
+  const headers = rows.slice(0, first);
   const body = rows.slice(headers.length).filter(({ comment }) => !comment);
   if (body.length > MOST) return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
   const meanings = new Set(body.flatMap(({ cells }) => cells.map((cell) => commas(parted(cell).digits))));
@@ -63,12 +72,17 @@ export function readTable(text, quantities, units) {
   if (problems.length) return { problem: problems[0] + more(problems.length - 1) };
   const skipped = headers.filter(({ comment }) => !comment).length;
   const notes = skipped ? [`${skipped} header line${skipped === 1 ? '' : 's'} skipped`] : [];
+  if (order) notes.push('columns taken by their names');
   if (meaning === 'decimal') notes.push('decimal commas read');
   for (const [axis, name] of named.entries())
     if (name && inJobUnits(1, name, quantities[axis], units) !== 1)
       notes.push(`column ${axis + 1} converted from ${name}`);
   return { points, notes };
 }
+
+/** @param {Row} row @param {number[]} order @returns {Row} with its cells in another order, if it has as many */
+const reordered = (row, order) =>
+  row.cells.length === order.length ? { ...row, cells: order.map((k) => row.cells[k]) } : row;
 
 /** @param {number} count of further lines at fault */
 const more = (count) => (count === 0 ? '' : ` (and ${count} more line${count === 1 ? '' : 's'})`);

@@ -1,6 +1,6 @@
 /** Quantities, their units in both systems, and how figures are written. */
 
-/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
+/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'hardness' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
 /** @typedef {'mm_N_MPa' | 'SI'} Units of a job */
 /** @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the length that line loads are counted by */
 
@@ -65,6 +65,9 @@ const NAMES = /** @type {Partial<Record<Quantity, Record<string, number>>>} */ (
 /** @param {string} name as people write it: with spaces, another µ, or a square as a 2 */
 const unitName = (name) => name.replace(/\s/g, '').replace('μ', 'µ').replace(/[–—]/, '-').replace(/\^?2$/, '²');
 
+/** Vickers hardness by its names, the load of the test [kgf] behind it. */
+const VICKERS = /^(HV|VHN|DPH|DPN)\s?[\d.,/]*$/i;
+
 /** @param {string} name @returns {boolean} whether a unit of any quantity has this name */
 export const isUnit = (name) => Object.values(NAMES).some((names) => Object.hasOwn(names, unitName(name)));
 
@@ -113,6 +116,7 @@ export function factor(quantity, from, to) {
  * @returns {number | undefined} in these; `undefined` if the unit is none of this quantity
  */
 export function inJobUnits(value, name, quantity, units) {
+  if (quantity === 'hardness') return VICKERS.test(name.trim()) ? value : undefined;
   const names = NAMES[quantity];
   const key = unitName(name);
   if (!names || !Object.hasOwn(names, key)) return undefined;
@@ -155,6 +159,8 @@ export function unit(quantity, units) {
       return `${force}·${length}`;
     case 'line_energy':
       return length === per ? force : `${force}·${length}/${per}`;
+    case 'hardness':
+      return 'HV';
     default:
       return '';
   }

@@ -8,6 +8,7 @@ import { onReconnect } from '../api/connection.js';
 import { byId, debounce, h } from '../lib/dom.js';
 import { hasInitialStress } from './fields.js';
 import { closedForm } from './hertz.js';
+import { sentence } from './send.js';
 import { inWords } from './words.js';
 import { figure, forceOf, grouped, megabytes, unit, unitsOf } from '../lib/units.js';
 
@@ -66,7 +67,9 @@ export class Check {
     } catch (error) {
       if (signal.aborted) return;
       if (!(error instanceof Problem)) throw error;
-      this.#wait(error);
+      // What is too long is so the next time too.
+      if (error.status === 413) this.refuse(error, job);
+      else this.#wait(error);
     }
   }
 
@@ -86,7 +89,7 @@ export class Check {
     delete document.body.dataset.check;
     this.valid = false;
     const others = this.form.showError(problem.errors, job);
-    const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, inWords(problem.message))] : [];
+    const whole = problem.errors.length === 0 ? [h('p', { class: 'error' }, sentence(inWords(problem.message)))] : [];
     const rest = others.map(({ pointer, detail }) =>
       h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
     );

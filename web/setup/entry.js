@@ -40,6 +40,9 @@ import { written } from './written.js';
  * @property {(message: string) => void} showError an empty message takes it back
  */
 
+/** Most letters that a field of one figure takes: far more than one has, so that none is cut off unseen. */
+const LONGEST = 1000;
+
 let count = 0;
 
 /**
@@ -180,7 +183,8 @@ function flagControl(id) {
 
 /** @param {Field} field @param {string} id @param {Surroundings} surroundings @returns {Control} */
 function numberControl(field, id, { units, quantity }) {
-  const input = h('input', { id, type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' });
+  const typing = { inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false' };
+  const input = h('input', { id, type: 'text', maxlength: LONGEST, ...typing });
   const reading = (/** @type {string} */ typed) => readQuantity(typed, quantity(field), units());
   // What is no number stays in the draft as it is typed, and is refused there.
   const read = (/** @type {string} */ typed) => {

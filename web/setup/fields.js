@@ -28,6 +28,8 @@ import * as tables from './tables.js';
 
 /** @type {Record<string, Kind>} */
 export const SHAPES = mapValues(tables.SHAPES, withHints);
+// What is said of the width of a block is not so of a plate that is held all round.
+for (const field of SHAPES.hole.fields) if (field.key === 'width') field.help = 'plate_width';
 
 /** Shapes that have another name when they are turned about the axis. @type {Record<string, string | undefined>} */
 const TURNED = named({ cylinder: 'Sphere', hole: 'Socket' });
@@ -60,7 +62,19 @@ export const LAWS = named({
 });
 
 /** Ways to give a strength that varies with depth; their keys begin at the hardening law. @type {Record<string, Kind>} */
-export const OVER_DEPTH = named(tables.OVER_DEPTH);
+export const OVER_DEPTH = mapValues(tables.OVER_DEPTH, inVickers);
+
+/** Figures whose symbol is HV are of that scale and of no other. @param {Kind} kind @returns {Kind} */
+function inVickers({ fields, ...kind }) {
+  const isHardness = (/** @type {string} */ symbol) => /^HV/.test(symbol);
+  const scaled = (/** @type {Field} */ { symbol = '', columns, quantity, ...field }) => ({
+    ...field,
+    symbol,
+    columns: columns?.map((one, k) => (isHardness(symbol.split(', ')[k]) ? 'hardness' : one)),
+    quantity: isHardness(symbol) ? /** @type {Quantity} */ ('hardness') : quantity,
+  });
+  return { ...kind, fields: fields.map(scaled) };
+}
 
 /**
  * The equation of a law stands below its second field; points can be pasted.

@@ -385,7 +385,10 @@ const hasBackstress = (job, body) =>
 
 /** @param {string} place @param {FieldError} error @returns {string} with the part of the field that it is about */
 function inner(place, { pointer, detail: reported }) {
-  const detail = inWords(reported);
+  // A history has loads of nothing too.
+  const detail = inWords(
+    place === '/load/history' ? reported.replace('must be greater than 0', 'must be 0 or greater') : reported,
+  );
   const part = pointer
     .slice(place.length + 1)
     .split('/')

@@ -1,6 +1,7 @@
 /** Explanations in place: what a figure means, for those who do not set up contacts every day. */
 
 import { h } from '../lib/dom.js';
+import { described } from './words.js';
 
 /** By the key of a field or figure. @type {Record<string, string>} */
 export const TEXTS = {
@@ -34,8 +35,9 @@ export const TEXTS = {
   'mesh/elements_per_half_width':
     'Elements over half the width of the contact. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
   'solver/coupling':
-    'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are the paper’s.',
-  'solver/contact': 'Two methods for the same contact problem; the simplex is the paper’s and slower.',
+    'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are those of Jiang and Shang.',
+  'solver/contact':
+    'Two methods for the same contact problem; the simplex is that of Conry and Seireg (1971) and slower.',
   'solver/increments':
     'Steps in which flow theory puts each load on. Left empty, the program chooses them from its own estimate of their error.',
   'solver/tolerance': 'Relative change of displacements and out-of-balance force at which the iteration ends.',
@@ -53,7 +55,7 @@ let count = 0;
  * @param {string} [description] where there is no other text
  */
 export function help(key, name, label, description) {
-  const text = TEXTS[key] ?? description;
+  const text = TEXTS[key] ?? (description && described(description));
   if (!text) return null;
   const id = `help-${++count}`;
   return h(

@@ -4,7 +4,7 @@ import { h } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { plain } from '../lib/units.js';
-import { partsOf, readParts } from './list.js';
+import { LONGEST, partsOf, readParts, tooLong } from './list.js';
 import { written } from './written.js';
 
 /** @typedef {{force: number} | {approach: number}} HistoryLoad */
@@ -48,6 +48,8 @@ export function historyWords(history, most = FEW) {
  * @returns {{loads: HistoryLoad[]} | {problem: string}}
  */
 export function readHistory(text, force, units) {
+  const long = tooLong(text);
+  if (long) return long;
   const parts = partsOf(text).map((part) => {
     const far = APPROACH.exec(part)?.[1];
     return far
@@ -74,7 +76,7 @@ function cycleOf(loads) {
  * @returns {import('./entry.js').Control}
  */
 export function historyControl(field, id, change, { units, quantity }) {
-  const input = h('input', { id, type: 'text', autocomplete: 'off', spellcheck: 'false' });
+  const input = h('input', { id, type: 'text', maxlength: LONGEST + 1, autocomplete: 'off', spellcheck: 'false' });
   const reading = (/** @type {string} */ text) => readHistory(text, quantity(field) ?? 'force', units());
   const read = () => {
     const result = reading(input.value);

@@ -1,7 +1,7 @@
 /** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
 
 import { h } from '../lib/dom.js';
-import { commas, groupsJoined, parted, readQuantity } from '../lib/number.js';
+import { commas, groupsJoined, parted, quoted, readQuantity } from '../lib/number.js';
 import { inJobUnits } from '../lib/units.js';
 import { written } from './written.js';
 
@@ -12,12 +12,21 @@ import { written } from './written.js';
 
 /** Most numbers that the service takes. */
 const MOST = 1000;
+/** Most letters of a text that may be as many. */
+export const LONGEST = 50_000;
+
+/** @param {string} text @returns {{problem: string} | undefined} where it is more than numbers in a field are */
+export const tooLong = (text) =>
+  text.length > LONGEST
+    ? { problem: `${quoted(text)} and so on is too long: at most ${MOST} numbers are taken` }
+    : undefined;
 
 /** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
 export function partsOf(text) {
   const parts = /** @type {string[]} */ ([]);
   for (const part of groupsJoined(text)
     .replace(/α\s+/g, 'α')
+    .replace(/[-=]>/g, '→')
     .split(/\s*[;→]\s*|\s*,\s+|\s+,\s*|\s+/)
     .filter(Boolean)) {
     const isUnit = !/^([αa]=?)?[+\-−–.,]*\d/i.test(part);
@@ -35,6 +44,7 @@ export function partsOf(text) {
  * @returns {Readings}
  */
 export function readParts(parts, units, name = 'number') {
+  if (parts.length > MOST) return { problem: `${parts.length} ${name}s: at most ${MOST} are taken` };
   const shared = new Map();
   for (const quantity of new Set(parts.map((part) => part.quantity))) {
     const names = parts.filter((part) => part.quantity === quantity).map(({ text }) => parted(text).name);
@@ -73,10 +83,10 @@ export function readParts(parts, units, name = 'number') {
 function severalIn(text, alone, before) {
   const { digits } = parted(text);
   const commas = digits.match(/\d,(?=\d)/g)?.length ?? 0;
-  if (commas > 1) return `“${digits}” can be one number or several: put spaces between numbers`;
+  if (commas > 1) return `${quoted(digits)} can be one number or several: put spaces between numbers`;
   if (commas === 1 && alone && !/^\D*0,/.test(digits) && !digits.includes('.')) {
     const [left, right] = digits.split(',');
-    return `“${digits}” can be one number or two: write ${left}.${right}, or ${left} ${right}`;
+    return `${quoted(digits)} can be one number or two: write ${left}.${right}, or ${left} ${right}`;
   }
   return /^[+\-−–]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
     ? `“${before} ${digits}” can be one number or two: write ${before}${digits} without a space`
@@ -95,6 +105,8 @@ export function readList(text, quantity, units) {
       parts.map((part) => ({ text: part, quantity })),
       units,
     );
+  const long = tooLong(text);
+  if (long) return long;
   if (!/…|\.\./.test(text)) return read(partsOf(text));
   const [, from, to, count] = /^\s*(.+?)\s*(?:…|\.{2,3})\s*(.+?)\s*\/\s*(\d+)\s*$/.exec(text) ?? [];
   if (!count) return { problem: 'a range is written as 100…1200/12: from, to, how many' };
@@ -109,7 +121,14 @@ export function readList(text, quantity, units) {
 
 /** @param {import('./fields.js').Field} field @param {string} id @param {import('./entry.js').Surroundings} surroundings @returns {import('./entry.js').Control} */
 export function listControl(field, id, { units, quantity }) {
-  const input = h('input', { id, type: 'text', inputmode: 'text', autocomplete: 'off', spellcheck: 'false' });
+  const input = h('input', {
+    id,
+    type: 'text',
+    maxlength: LONGEST + 1,
+    inputmode: 'text',
+    autocomplete: 'off',
+    spellcheck: 'false',
+  });
   const reading = (/** @type {string} */ text) => readList(text, quantity(field), units());
   return {
     input,

@@ -1,15 +1,18 @@
 /** Keys of the job in messages of the service, as the form calls them. */
 
-import { allFields } from './fields.js';
+import { SHAPES, allFields } from './fields.js';
 
 const PLAIN = ['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'];
 const LABELS = new Map([
   ...PLAIN.map((key) => /** @type {[string, string]} */ ([key, key])),
   ['law', 'hardening'],
   ['type', 'shape'],
+  ...Object.keys(SHAPES).map((key) => /** @type {[string, string]} */ ([key, key])),
   ...allFields().map(
     ({ key, label }) => /** @type {[string, string]} */ ([key.slice(key.lastIndexOf('/') + 1), label.toLowerCase()]),
   ),
+  ['profile', 'profile'],
+  ['interpolation', '“Between points”'],
 ]);
 
 /** @param {string} words */
@@ -24,11 +27,30 @@ function called(quoted, key) {
 /** What the service says to programs, and people are not told so. @type {[RegExp, string][]} */
 const PLAINER = [
   [/ \(units \w+\)/g, ''],
+  [/ \(`\{"rigid": true\}`\)/g, ' (Rigid under Hardening)'],
+  [/\bits `interpolation` to\b/g, '`interpolation` to'],
+  [/"([^"]*)"/g, '“$1”'],
+  [/(\d)\.0{3,}(?!\d)/g, '$1'],
   [/must have between (\d+) and (\d+) items, got 0/g, 'is empty: $1 to $2 are needed'],
   [/must have between (\d+) and (\d+) items/g, 'must have $1 to $2 lines or numbers'],
   [/must be an array of (\d) numbers/g, 'must be $1 numbers'],
   [/must be (.*), got an? (string|array|object|boolean)$/g, 'must be $1'],
 ];
+
+/** What a table of the solver says of a figure, for who reads it beside the form. @param {string} description */
+export const described = (description) =>
+  (BRIEF[description] ?? description)
+    .replace(/`\[(\w+), (\w+)\]`/g, (_, one, other) => `of ${one.replace('_', ' ')} and ${other}`)
+    .replace(/`(\w+)`/g, (_, key) => LABELS.get(key) ?? `“${key.replace('_', ' ')}”`);
+
+/** What says no more than the label. @type {Record<string, string | undefined>} */
+const BRIEF = {
+  'Radius.': 'Half the diameter of the cylinder, of the sphere in axisymmetry.',
+  'Exponent n.': 'How straight the curve is: 0 does not harden, 1 is a straight line; steels have 0.1 to 0.5.',
+  'Offset a.': 'Plastic strain at the reference stress, over σ0/E.',
+  'Coefficient k.': 'Stress by which the curve has risen at a plastic strain of 1.',
+  'Rate b.': 'How soon the curve is near its saturation: 63 % of the way at a plastic strain of 1/b.',
+};
 
 /** @param {string} message in which keys stand between back-quotes */
 export const inWords = (message) =>

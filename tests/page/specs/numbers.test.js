@@ -7,6 +7,8 @@ import { readTable } from '../../../web/lib/table.js';
 import { readHistory } from '../../../web/setup/history.js';
 import { readList } from '../../../web/setup/list.js';
 import { suite } from '../browser.js';
+import { allFields } from '../../../web/setup/fields.js';
+import { described as ofTable, inWords } from '../../../web/setup/words.js';
 import { draft } from '../jobs.js';
 
 const service = suite();
@@ -46,7 +48,7 @@ test('a list is read as it is meant, or refused', () => {
     ['1.000,5 2.000', /^number 2: “2.000” can be read as 2,000 or as 2000, where commas are decimal/],
     ['100,200 300', /^number 1: “100,200” can be read as 100\.200 or as 100200/],
     ['100 200 N/mm 300', /^write the unit behind each number, or behind the last one for all$/],
-    ['100 0x10', /^number 2: “x10” is no unit/],
+    ['100 0x10', /^number 2: “0x10” is not a number/],
     ['1e400', /^“1e400” is too large for a number$/],
     ['5 1e-400', /^number 2: “1e-400” is too close to 0/],
     ['600…100/0', /^a range has 2 to 1000 numbers, not 0$/],
@@ -99,7 +101,7 @@ test('cells of a table have their units, or those of the header', () => {
     ['1\u202f234,5\t2', [[1234.5, 2]]],
     ['0\t5 µm\n1\t6', /^line 2: “6” has no unit, and others of its column have one$/],
     ['0.1 N\t5', /^line 1: “N” is no unit known here/],
-    ['0x10 5', /^line 1: “x10” is no unit known here/],
+    ['0x10 5', /^line 1: “0x10” is not a number/],
     ['0 1e400', /^line 1: “1e400” is too large/],
     ['0\t500\n0.1 600\t700', /^line 2: “0.1 600” is not a number$/],
     ['0.5\u00a0500\t2', /^line 1: “0.5\u00a0500” is not a number$/],
@@ -189,6 +191,69 @@ test('a unit in the header of a table is converted, or refused where it is not k
   }
 });
 
+test('a hardness is of the scale of Vickers, and one of another scale is refused', () => {
+  const read = (/** @type {string} */ text) => readTable(text, ['length', 'hardness'], 'mm_N_MPa', ['z', 'HV']);
+  for (const header of [
+    'Depth [mm]\tHV1',
+    'Depth\t[HV10]',
+    'Depth (mm)\tHardness [HV0.5]',
+    'z\tHV',
+    'Depth [mm]\tHV 0.3',
+    'Depth\tHardness, HV10/15',
+  ]) {
+    const result = read(`${header}\n0\t700\n1\t500`);
+    assert.deepEqual('points' in result ? result.points : result, [[0, 700], [1, 500]], header); // prettier-ignore
+  }
+  const swapped = read('HV1\tDepth [µm]\n700\t0\n500\t100');
+  assert.deepEqual('points' in swapped ? swapped.points : swapped, [[0, 700], [0.1, 500]]); // prettier-ignore
+  for (const [header, scale] of [
+    ['Depth [mm]\tHRC', 'HRC'],
+    ['Depth (µm)\tHRC', 'HRC'],
+    ['z\tHardness HRC', 'HRC'],
+    ['z\tHardness_HB', 'HB'],
+    ['z\tHBW 2.5/187.5', 'HBW'],
+    ['z\tHK0.5', 'HK'],
+    ['z\tRockwell C', 'Rockwell'],
+    ['z\t[HRC]', 'HRC'],
+    ['Hardness in HRC\nz\tvalue', 'HRC'],
+  ]) {
+    const result = read(`${header}\n0\t60\n1\t50`);
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), new RegExp(`“${scale}.*HV`), header);
+  }
+  assert.ok('problem' in read('0\t60 HRC\n1\t50 HRC'));
+});
+
+test('columns that are named are taken by their names', () => {
+  const stress = (/** @type {string} */ header) =>
+    readTable(`${header}\n0.1\t2\t3`, ['length', 'stress', 'stress'], 'mm_N_MPa', ['z', 'σ_x', 'σ_z']);
+  for (const [header, point] of /** @type {[string, number[]][]} */ ([
+    ['depth\tsigma_z\tsigma_x', [0.1, 3, 2]],
+    ['z [mm]\tσz [MPa]\tσx [MPa]', [0.1, 3, 2]],
+    ['z [mm]\tS33\tS11', [0.1, 3, 2]],
+    ['z mm\tσθ MPa\tσz MPa', [0.1, 2, 3]],
+    ['z\tσ_x\tσ_z', [0.1, 2, 3]],
+    ['z\tσxx [GPa]\tσzz', [0.1, 2000, 3]],
+    ['z\tσzz [GPa]\tσxx', [0.1, 3, 2000]],
+    ['Depth\tσ_x\tσ_y', [0.1, 2, 3]],
+    ['Depth\tleft\tright', [0.1, 2, 3]],
+  ])) {
+    const result = stress(header);
+    assert.deepEqual('points' in result ? result.points : result, [point], header);
+  }
+  for (const header of ['σz\tz\tstress', 'z\tσ_z\tσ_y', 'z\tσ_x\tσ_xx']) assert.ok('problem' in stress(header), header);
+  const turned = readTable('Stress [MPa];Strain [%]\n500;1', ['strain', 'stress'], 'mm_N_MPa', ['ε_p', 'q']);
+  assert.deepEqual('points' in turned ? turned.points : turned, [[0.01, 500]]);
+});
+
+service.test('a hardness typed in another scale is refused, in its own it is read', async (page) => {
+  await page.locator('[data-place="/lower/material/plasticity/depth_kind"] select').selectOption('case');
+  const place = page.locator('[data-place="/lower/material/plasticity/over_depth/hardness/surface"]');
+  await place.locator('input[type=text]').fill('60 HRC');
+  await place.getByText('“HRC” is no unit known here for this figure').waitFor();
+  await place.locator('input[type=text]').fill('700 HV10');
+  assert.equal((await draft(page)).lower.material.plasticity.over_depth.hardness.surface, 700);
+});
+
 service.test(
   'a list at fault is refused at its field, stays as it is typed, and may be left for another load',
   async (page) => {
@@ -215,7 +280,7 @@ service.test(
 service.test('what is no figure is not drawn as one, and is no place for a slider', async (page) => {
   const place = page.locator('[data-place="/upper/shape/radius"]');
   await place.locator('input').fill('0x10');
-  await place.getByText('“x10” is no unit known here for this figure').waitFor();
+  await place.getByText('“0x10” is not a number').waitFor();
   assert.doesNotMatch((await page.locator('#sketch').textContent()) ?? '', /R 16/);
   await place.getByRole('button', { name: 'Slider' }).click();
   assert.equal(await place.getByRole('slider').count(), 0);
@@ -291,4 +356,65 @@ service.test('typing and sliding are undone one after the other', async (page) =
   assert.equal(seen[1], 5);
   assert.equal(seen[2], 20);
   assert.notEqual(seen[0], 7);
+});
+
+service.test('what is far too long is cut, said briefly, and not asked again', async (page) => {
+  const radius = page.locator('[data-place="/upper/shape/radius"]');
+  // As it is pasted: what the keyboard gives is cut to what a field takes.
+  await radius.locator('input[type=text]').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText('lorem ipsum 1,2;3 '.repeat(50_000));
+  await radius.getByText('is not a number').waitFor();
+  assert.ok((await radius.locator('.error').innerText()).length < 100);
+  assert.ok(JSON.stringify(await draft(page)).length < 10_000);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByLabel('Given').selectOption('forces');
+  const forces = page.locator('[data-place="/load/forces"]');
+  await forces.locator('input').fill('1 '.repeat(2000));
+  await forces.getByText('2000 numbers: at most 1000 are taken').waitFor();
+  await forces.locator('input').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText('1 '.repeat(150_000));
+  await forces.getByText('too long: at most 1000 numbers are taken').waitFor();
+  await page.getByLabel('Hardening').first().selectOption('table');
+  const points = page.locator('[data-place="/upper/material/plasticity/points"]');
+  await points.locator('textarea').fill('1 2 '.repeat(250_000));
+  await points.getByText('line 1 has 1000000 letters: a point has a line of its own').waitFor();
+  await points.locator('textarea').fill('0 500');
+  await page.getByRole('button', { name: 'JSON', exact: true }).click();
+  const text = page.locator('#json-text');
+  const { tags, ...job } = await draft(page);
+  await text.fill(JSON.stringify({ ...job, tags: { ...tags, long: 'x'.repeat(1.2e6) } }));
+  await page.getByText('This is too large for the service: try fewer points or loads.').waitFor();
+  assert.equal(await page.getByText('It is asked again').count(), 0);
+});
+
+service.test('the words at a history and at a figure', async (page) => {
+  await page.locator('[data-place="/upper/shape/radius"] input[type=text]').fill('0x10');
+  await page.getByText('“0x10” is not a number').waitFor();
+  await page.getByLabel('Given').selectOption('history');
+  const history = page.locator('[data-place="/load/history"]');
+  await history.locator('input').fill('600 -> 0 => 700');
+  assert.deepEqual((await draft(page)).load.history, [{ force: 600 }, { force: 0 }, { force: 700 }]);
+  await page.locator('[data-place="/upper/shape/radius"] input[type=text]').fill('20');
+  await history.locator('input').fill('600 0 -1');
+  await history.getByText('load 3: must be 0 or greater, got -1').waitFor();
+});
+
+test('what the service tells programs is told to people in their words', () => {
+  assert.equal(
+    inWords(
+      'a punch is rigid (`{"rigid": true}`), because its contact reaches to the edge of its face; give a face that deforms as a `profile`',
+    ),
+    'a punch is rigid (Rigid under Hardening), because its contact reaches to the edge of its face; give a face that deforms as a profile',
+  );
+  assert.equal(
+    inWords('at x = 0.000000 mm of a profile: set its `interpolation` to "linear" if this is a corner'),
+    'at x = 0 mm of a profile: set “Between points” to “linear” if this is a corner',
+  );
+  const described = allFields().map(({ description = '' }) => ofTable(description));
+  assert.deepEqual(
+    described.filter((one) => one.includes('`') || (one && one.split(' ').length < 2)),
+    [],
+  );
 });
