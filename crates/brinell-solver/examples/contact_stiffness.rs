@@ -1,5 +1,5 @@
 //! Compares contact stiffnesses with differences of the approach under loads of ±1, ±3 and ±10 %, each load a job of its own, over
-//! random jobs of the whole format.
+//! random jobs of the whole format; the last difference counts.
 //!
 //! `cargo run --release -p brinell-solver --example contact_stiffness -- 80` counts 80 jobs; a second argument is the seed, a third of
 //! any kind prints every job that is beyond one per cent. Files of jobs in place of a number are compared one by one.
@@ -91,10 +91,8 @@ fn main() {
     let mut take = |job: &Value, is_verbose: bool, name: &str| -> bool {
         let Some(Compared { kind, stiffness, bar, slopes, codes }) = compare(job) else { return false };
         let errors = slopes.map(|slope| stiffness / slope - 1.0);
-        // The difference over the least loads scatters with the meshes, the one over the largest is curved.
-        let mut sorted = errors;
-        sorted.sort_by(f64::total_cmp);
-        let error = sorted[1].abs();
+        // Differences over less scatter with the approach, which depends on the mesh by a few thousandths.
+        let error = errors[2].abs();
         if is_verbose {
             let [one, three, ten] = errors.map(|error| 100.0 * error);
             let (told, bar) = (if error > bar { "MISSED" } else { "" }, 100.0 * bar);

@@ -277,6 +277,26 @@ fn deformation_theory() {
     assert_says(&paper(), "deformation_theory");
 }
 
+/// A load divided into many increments takes many times the work of others, by count; few increments and default jobs do not.
+#[test]
+fn a_load_that_takes_much_work_says_why() {
+    let history = |increments: u32| {
+        let mut job = cylinders(&bilinear(), 600.0);
+        job["load"] = json!({"history": [{"force": 600.0}]});
+        job["mesh"] = json!({"elements_per_half_width": 4});
+        job["solver"] = json!({"theory": "flow", "increments": increments});
+        step(&job)
+    };
+    let slow = |step: &StepReport| {
+        let note = step.validity.iter().find(|note| note.code == "slow_coupling");
+        note.map(|note| note.message.clone())
+    };
+    let told = slow(&history(80)).unwrap();
+    assert!(told.contains("80 increments") && told.contains("evaluations"), "{told}");
+    assert_eq!(slow(&history(10)), None);
+    assert_eq!(slow(&step(&paper())), None);
+}
+
 #[test]
 fn coarse_mesh() {
     let mut job = cylinders(&Value::Null, 100.0);

@@ -53,6 +53,14 @@ const WIDE_CONTACT: f64 = 0.1;
 const STEEP: f64 = 0.15;
 /// Evaluations of the plastic law beyond which a coupling is called slow.
 const MANY_UPDATES: usize = 150;
+/// Work of the accelerated coupling for a load beyond which that is said, in evaluations of the plastic law, as which a factorization
+/// counts so many times. Of 40 random jobs, most of 10 to 20 evaluations for a load, it is said of all that take more than 20 times the
+/// median time of jobs of their size.
+const MUCH_WORK: usize = 200;
+const FACTORIZATION: usize = 10;
+/// Increments of a load, and evaluations for each of them, that are many.
+const MANY_INCREMENTS: usize = 25;
+const SLOW_ITERATION: usize = 12;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
 /// Plastic strain beyond which that is said more strongly.
@@ -261,16 +269,44 @@ fn steepest(job: &Job, step: &StepSolution) -> f64 {
     step.pairs.windows(2).map(between).fold(0.0, f64::max)
 }
 
-/// What is said of a coupling that took many times the work of the default one.
+/// What is said of a load that took many times the work of others, by counts that are the same on every machine.
 fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
     let updates: usize = step.history.iter().map(|record| record.initial_stress_updates).sum();
-    (coupling != Coupling::Accelerated && updates > MANY_UPDATES).then(|| {
-        format!(
-            "The coupling took {updates} evaluations of the plastic law in {} iterations; the accelerated one \
-             (`solver.coupling`) rarely takes more than 40.",
-            step.history.len()
-        )
-    })
+    let iterations = step.history.len();
+    if coupling != Coupling::Accelerated {
+        return (updates > MANY_UPDATES).then(|| {
+            format!(
+                "The coupling took {updates} evaluations of the plastic law in {iterations} iterations; the accelerated one \
+                 (`solver.coupling`) rarely takes more than 40."
+            )
+        });
+    }
+    let factorizations: usize = step.history.iter().map(|record| record.factorizations).sum();
+    if updates + FACTORIZATION * factorizations <= MUCH_WORK {
+        return None;
+    }
+    let increments = step.increments.len().max(1);
+    let mut causes = Vec::new();
+    if increments > MANY_INCREMENTS {
+        causes.push(format!(
+            "the load is divided into {increments} increments, until half as many change little (`solver.increments` sets their number)"
+        ));
+    }
+    if factorizations > increments {
+        causes.push(format!(
+            "the iteration came to a standstill and went on by Newton's method, with {factorizations} factorizations of the stiffness"
+        ));
+    }
+    if updates > SLOW_ITERATION * increments || causes.is_empty() {
+        causes.push(
+            "what yields hardly hardens, or is near the limit load, so that contact and plastic flow settle slowly".to_owned(),
+        );
+    }
+    Some(format!(
+        "This load took {updates} evaluations of the plastic law in {iterations} iterations, of which others rarely take more than 40 \
+         for each increment of a history: {}.",
+        causes.join("; ")
+    ))
 }
 
 /// What is said of a step that did not converge.
