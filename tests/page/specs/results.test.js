@@ -92,7 +92,7 @@ service.test(
     for (const force of [300, 400, 500]) ids.push(await solved(page, { load: { force } }));
     await follow(page, `job=${ids[0]}&with=${ids[1]},${ids[2]}`);
     const legend = page.locator('#panel-pressure .legend');
-    for (const force of [300, 400, 500]) await legend.getByText(`P ${force}`, { exact: true }).waitFor();
+    for (const force of [300, 400, 500]) await legend.getByText(`P ${force} N/mm`, { exact: true }).waitFor();
     const dashes = await legend
       .locator('.swatch path')
       .evaluateAll((all) => all.map((one) => one.getAttribute('stroke-dasharray')));
