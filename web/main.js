@@ -34,6 +34,8 @@ const COLOURS = ['--curve-1', '--curve-2', '--curve-3', '--curve-4', '--curve-5'
 const DASHES = [undefined, [8, 3], [2, 3], [8, 3, 2, 3], [14, 4], [5, 2, 2, 2, 2, 2]];
 /** What this tab keeps of the draft: the job, and the address at which it was changed last. */
 const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
+/** Whether nothing is to move by itself. */
+const isStill = matchMedia('(prefers-reduced-motion: reduce)');
 const WELCOME = 'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
 
 startMemory();
@@ -72,7 +74,7 @@ const watch = new Watch({
     const fields = job.output?.fields && !inside ? new FieldSource(id, report) : undefined;
     first = { id, report, job, fields, colour: COLOURS[0], label: '' };
     show();
-    if (innerWidth < 900) byId('result').scrollIntoView({ behavior: 'smooth' });
+    if (innerWidth < 900) byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });
   },
   ended: (document) => {
     list.refresh();
@@ -345,12 +347,20 @@ async function compareOnly(wanted, still) {
 /** Does what the address says. @param {boolean} [edited] whether the draft has been changed at this address */
 async function applyAddress(edited = false) {
   view.closeReport();
-  const address = (followed = location.hash);
-  const { job, compared: others, draft: packed, damaged } = link.read();
+  followed = location.hash;
+  const { job, compared: named, draft: packed, damaged } = link.read();
   if (job) {
+    const all = [...new Set(named)].filter((id) => id !== job);
+    const others = all.slice(0, COLOURS.length - 1);
+    if (others.length < all.length) {
+      toast(`${COLOURS.length} jobs are as many as can be told apart: the link names these now`);
+      addressed('replaceState', link.jobFragment(job, others));
+    }
+    const address = followed;
     await open(job, edited);
     return compareOnly(others, () => location.hash === address);
   }
+  const address = followed;
   wanted = '';
   if (damaged) return leave('This link is damaged: it does not name a job.');
   if (packed === undefined || edited) {

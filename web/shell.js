@@ -89,6 +89,9 @@ export function startKeys() {
   });
   dialog.addEventListener('close', () => {
     declined = dialog.returnValue !== 'save';
+    // Where nothing on the page had the focus before, the dialogue's field has it until the page is drawn.
+    const at = document.activeElement;
+    if (!at || at === document.body || dialog.contains(at)) byId('api-key').focus();
     if (declined) return;
     if (useKey(key())) location.reload();
     else announce();

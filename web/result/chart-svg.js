@@ -54,7 +54,9 @@ function drawing(plot, title, width, height, colours) {
   box.left = labels(yTicks) + 30;
   const rightTicks = plot.right ? ticksOf(rightRange, 5) : [];
   if (plot.right) box.right = width - labels(rightTicks) - 30;
-  const x = axis([x0, x1], [box.left, box.right], ticksOf([x0, x1], Math.round((box.right - box.left) / 80)));
+  // Room for the figures at the ends, and some between them.
+  const apart = Math.max(80, labels([x0, x1].map((end) => Number(end.toPrecision(3)))) + 24);
+  const x = axis([x0, x1], [box.left, box.right], ticksOf([x0, x1], Math.floor((box.right - box.left) / apart)));
   const y = axis(yRange, [box.bottom, box.top], yTicks, plot.log);
   const yr = axis(rightRange, [box.bottom, box.top], rightTicks);
   const clip = `clip-${++count}`;

@@ -2,7 +2,7 @@
 
 import { h } from '../lib/dom.js';
 import { factor, figure, unit, unitsOf } from '../lib/units.js';
-import { yieldStress } from '../setup/fields.js';
+import { yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
@@ -131,7 +131,14 @@ export class DepthPanel {
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
       marks:
         strength && !graded
-          ? [{ across: 'y', at: strength, text: `yield ${figure(strength, 4)} ${stress}`, colour: '--yield' }]
+          ? [
+              {
+                across: 'y',
+                at: strength,
+                text: `${yieldName(first.job[this.#body]?.material)} ${figure(strength, 4)} ${stress}`,
+                colour: '--yield',
+              },
+            ]
           : [],
       words: profile
         ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(

@@ -17,6 +17,7 @@ export class DifferencesPanel {
     this.panel = new Panel('differences', 'Differences', [scrolled(this.table, 'differences')], {
       controls: takeAlong(
         () => this.#content,
+        'differences',
         () => this.panel.fileName('csv'),
       ),
     });

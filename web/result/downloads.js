@@ -66,7 +66,12 @@ export function downloads(id, report, fields, shown) {
       ),
     );
   });
-  return h('details', { class: 'menu' }, h('summary', {}, 'Download'), h('ul', {}, items));
+  return h(
+    'details',
+    { class: 'menu' },
+    h('summary', {}, 'Download'),
+    h('ul', {}, h('li', { class: 'quiet' }, 'in the units of the job'), items),
+  );
 }
 
 /** @param {string} id @param {string} path @param {string} file @param {number} step counted from 1; 0 for all */

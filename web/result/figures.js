@@ -100,12 +100,13 @@ export function figuresTable(shown) {
 /**
  * Buttons that take a table along.
  * @param {() => import('../lib/tabular.js').Table} table
+ * @param {string} of what it is a table
  * @param {() => string} name of the file
  * @param {() => import('../lib/tabular.js').Table} [whole] with what only a file has
  */
-export function takeAlong(table, name, whole = table) {
+export function takeAlong(table, of, name, whole = table) {
   const button = (/** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ work) =>
-    h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
+    h('button', { type: 'button', class: 'plain', title, 'aria-label': `${text}: ${of}`, onclick: work }, text);
   return [
     button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
@@ -161,6 +162,7 @@ export class FiguresPanel {
     this.panel = new Panel('figures', 'Figures', [scrolled(this.table, 'figures')], {
       controls: takeAlong(
         () => figuresTable(this.#shown),
+        'figures',
         () => this.panel.fileName('csv'),
       ),
     });

@@ -101,7 +101,7 @@ function remarks(job, report, step) {
     h('b', {}, 'Made with'),
     ` ${grouped(mesh.elements)} elements${mesh.symmetric ? ' on one half' : ''}, ${grouped(mesh.equations)} equations, ${
       step.history.length
-    } iteration${step.history.length === 1 ? '' : 's'}; ${duration(timings.total)}.`,
+    } iteration${step.history.length === 1 ? '' : 's'}${report.steps.length > 1 ? ' in this step' : ''}; ${duration(timings.total)}${report.steps.length > 1 ? ' for all steps' : ''}.`,
   );
   const many = step.validity.length + (early ? 1 : 0);
   return h(

@@ -52,6 +52,7 @@ export class HistoryPanel {
     this.panel = new Panel('iterations', 'Iterations', [scrolled(this.table, 'iterations')], {
       controls: takeAlong(
         () => tableOf(...this.#shown),
+        'iterations',
         () => this.panel.fileName('csv'),
         () => tableOf(this.#shown[0], this.#shown[1], true),
       ),

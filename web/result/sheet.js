@@ -276,7 +276,9 @@ function inputs(job) {
 function answers({ job, report }, at) {
   const step = report.steps[at];
   const [all, left] = [answersOf(job, report, step), leftBehind(report, step)];
-  const list = step.contact.force > 0 ? [...all, ...left] : [...left, ...all];
+  // Bodies that are apart have no pressure, width or stiffness.
+  const there = all.filter(({ name, value }) => value !== 0 || name === 'Force');
+  const list = step.contact.force > 0 ? [...all, ...left] : [...left, ...there];
   const hasBars = list.some(({ error }) => error);
   const hasElastic = list.some(({ elastic }) => elastic);
   const rows = list.map(({ name, value, unit: of, error, elastic, note, long }) =>

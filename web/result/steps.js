@@ -47,6 +47,7 @@ export class Steps {
     this.slider.max = String(many - 1);
     this.slider.value = String(at);
     this.label.textContent = `${at + 1} of ${many}: ${load}`;
+    this.slider.setAttribute('aria-valuetext', this.label.textContent);
   }
 
   stop() {

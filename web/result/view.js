@@ -2,7 +2,7 @@
 
 import { byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
-import { setOf, unitsOf } from '../lib/units.js';
+import { setOf, unit, unitsOf } from '../lib/units.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -183,7 +183,7 @@ export class View {
     const step = report.steps[this.#at];
     const many = report.steps.length;
     const load = loadWords(report, this.#at);
-    const stem = id.slice(-8) || 'live';
+    const stem = (id.slice(-8) || 'live') + otherUnits(raw?.units ?? report.units, report.units);
     for (const { panel } of [this.pressure, this.dent, this.depth, this.field, this.convergence, this.history]) {
       panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
       panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
@@ -206,3 +206,14 @@ export class View {
     this.#anew = false;
   }
 }
+
+/**
+ * The units of figures that are shown in others than those of their job, as a part of the names of files: those that the service
+ * writes are in the job's.
+ * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} own
+ * @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} shown
+ */
+const otherUnits = (own, shown) =>
+  /** @type {const} */ (['length', 'stress', 'force'])
+    .flatMap((quantity) => (unit(quantity, own) === unit(quantity, shown) ? [] : [`-${unit(quantity, shown)}`]))
+    .join('');

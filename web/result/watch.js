@@ -307,7 +307,7 @@ function words(
         .map((text) => inWords(String(text)))
         .join('; ');
     case 'succeeded':
-      return `${iterations}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
+      return `${iterations}${report && report.steps.length > 1 ? ` in ${report.steps.length} steps` : ''}, solved in ${duration(report?.timings_ms.total ?? since(started, ended))}${waited(created, started)}`;
     default:
       return report ? shownOf(report, job) : `after ${iterations}, no result`;
   }

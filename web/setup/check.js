@@ -75,8 +75,12 @@ export class Check {
 
   /** Nothing is known of this draft: it is asked again, when the service is back or after a while. @param {Problem} problem */
   #wait({ status, message, retryAfter }) {
-    if (status === 401)
+    if (status === 401) {
+      // Figures of another draft go with what hides them.
+      delete document.body.dataset.check;
+      byId('cost').textContent = '';
       return byId('check').replaceChildren(h('p', { class: 'error' }, 'The service asks for an API key.'));
+    }
     if (status === 0) return;
     this.#again = setTimeout(() => this.now(), 1000 * retryAfter);
     byId('check').replaceChildren(
@@ -167,7 +171,10 @@ function figures(job, hertz) {
       at && row('peak pressure', at.peak_pressure, unit('stress', units)),
       onset === null && (hasInitialStress(job.upper?.material) || hasInitialStress(job.lower?.material))
         ? h('div', {}, h('dt', {}, 'first yield'), h('dd', {}, 'not known beside stress before the load'))
-        : row('first yield at', onset, unit(forceOf(job), units)),
+        : onset === null &&
+            [job.upper, job.lower].some((body) => body?.material?.plasticity?.reference_stress !== undefined)
+          ? h('div', {}, h('dt', {}, 'first yield'), h('dd', {}, 'from the first load on'))
+          : row('first yield at', onset, unit(forceOf(job), units)),
       row('effective radius', hertz.effective_radius, unit('length', units)),
     ),
     verdict,

@@ -393,6 +393,10 @@ export const loadOf = (load) => Object.keys(LOADS).find((key) => isObject(load) 
 export const targetOf = (load) =>
   Object.keys(TARGETS).find((key) => isObject(load?.target) && key in load.target) ?? 'peak_pressure';
 
+/** @param {Record<string, any> | undefined} material @returns {string} what that stress is: by some laws metal flows from the first load on */
+export const yieldName = (material) =>
+  material?.plasticity?.reference_stress === undefined ? 'yield' : 'reference stress';
+
 /** @param {Record<string, any> | undefined} material @returns {number | undefined} stress at which flow begins, to be marked */
 export function yieldStress(material) {
   const law = material?.plasticity;

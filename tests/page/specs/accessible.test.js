@@ -124,3 +124,27 @@ service.test(
   },
   { forcedColors: 'active' },
 );
+
+service.test('steps and buttons are called by what they are', async (page) => {
+  await shown(page, { load: { forces: [100, 300] } });
+  assert.equal(await page.getByLabel('Step', { exact: true }).getAttribute('aria-valuetext'), '2 of 2: 300.0 N/mm');
+  const alike = await page.locator('#result .panel button').evaluateAll((buttons) => {
+    const names = buttons
+      .filter((button) => button.checkVisibility())
+      .map((button) => button.getAttribute('aria-label') ?? button.textContent);
+    return names.filter((name, k) => names.indexOf(name) < k);
+  });
+  assert.deepEqual(alike, []);
+});
+
+service.test('iterations are those of all steps, or of one, and it is said which', async (page) => {
+  await shown(page, { load: { forces: [100, 300] } });
+  await page
+    .locator('#watch')
+    .getByText(/\d+ iterations in 2 steps/)
+    .waitFor();
+  await page
+    .locator('#headline')
+    .getByText(/iterations? in this step; .* for all steps/)
+    .waitFor({ state: 'attached' });
+});

@@ -90,3 +90,16 @@ service.test(
   },
   WANTED,
 );
+
+service.test(
+  'who gives no key is told so on the page, and has the focus on it',
+  async (page) => {
+    const dialog = page.getByRole('dialog');
+    await dialog.waitFor();
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+    await page.waitForFunction(() => document.activeElement !== document.body);
+    await page.locator('#check').getByText('The service asks for an API key.').waitFor();
+  },
+  WANTED,
+);

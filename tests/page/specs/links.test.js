@@ -192,3 +192,11 @@ service.test('a job that was removed while it is shown is said to be, and its re
   assert.match(await page.title(), /^Removed/);
   await page.locator('#headline').getByText('300.00').waitFor();
 });
+
+service.test('a link to more jobs than can be told apart names those that are shown', async (page) => {
+  const ids = [];
+  for (let k = 0; k < 8; k++) ids.push(await solved(page, { load: { force: 300 + k } }));
+  await follow(page, `job=${ids[0]}&with=${ids.join()}`);
+  await page.waitForFunction(() => document.querySelectorAll('#panel-differences thead th').length === 7);
+  assert.equal(await page.evaluate(() => location.hash), `#job=${ids[0]}&with=${ids.slice(1, 6).join()}`);
+});

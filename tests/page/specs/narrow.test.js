@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { PHONE, suite } from '../browser.js';
-import { drawn, shown } from '../jobs.js';
+import { drawn, follow, shown, solved } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -68,4 +68,32 @@ service.test(
     assert.deepEqual(await beyond(page), []);
   },
   NARROW,
+);
+
+service.test(
+  'legends of compared sweeps are no wider than the narrowest phone',
+  async (page) => {
+    const ids = [];
+    for (const force of [300, 400]) ids.push(await solved(page, { load: { forces: [100, 200, force] } }));
+    await follow(page, `job=${ids[0]}&with=${ids[1]}`);
+    await page.locator('#panel-differences tbody tr').first().waitFor();
+    await page.locator('#panel-depth .legend').getByText('plastic strain').first().waitFor();
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 320);
+  },
+  { ...PHONE, viewport: { width: 320, height: 700 } },
+);
+
+service.test(
+  'who wants nothing to move is brought to the result at once',
+  async (page) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.evaluate(() => {
+      const seen = /** @type {unknown[]} */ ([]);
+      Object.assign(globalThis, { seen });
+      Element.prototype.scrollIntoView = (/** @type {unknown} */ how) => void seen.push(how);
+    });
+    await shown(page, {});
+    assert.deepEqual(await page.evaluate('seen'), [{ behavior: 'auto' }]);
+  },
+  PHONE,
 );

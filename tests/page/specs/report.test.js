@@ -181,3 +181,41 @@ service.test('a report calls the half-width of a round contact its radius, and h
   for (const row of await place.locator('.inputs tbody tr').all())
     assert.doesNotMatch(await row.innerText(), /—\s+—/, 'a figure that neither body has');
 });
+
+service.test('every example is a report of one page', async (page) => {
+  const names = await page.evaluate(async () => {
+    const { examples } = await (await fetch('v1/examples')).json();
+    return examples.map((/** @type {{name: string}} */ { name }) => name);
+  });
+  for (const name of names) {
+    const id = await page.evaluate(async (name) => {
+      const { examples } = await (await fetch('v1/examples')).json();
+      const { job } = examples.find((/** @type {{name: string}} */ one) => one.name === name);
+      const coarse = { ...job, mesh: { elements_per_half_width: 6 }, output: { ...job.output, fields: true } };
+      const headers = { 'Content-Type': 'application/json' };
+      const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(coarse) });
+      const { id } = await answer.json();
+      await fetch(`v1/jobs/${id}?wait=100`);
+      performance.clearMarks();
+      return id;
+    }, name);
+    await follow(page, `job=${id}`);
+    await page.locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])').waitFor();
+    await drawn(page);
+    await sheet(page);
+    const pdf = await page.pdf({ format: 'A4' });
+    assert.equal(pdf.toString('latin1').match(/\/Type\s*\/Page[^s]/g)?.length, 1, name);
+    await page.keyboard.press('Escape');
+  }
+});
+
+service.test('a reference stress is not called a yield stress', async (page) => {
+  const plasticity = { law: 'ramberg_osgood', reference_stress: 500, offset: 0.3, exponent: 5 };
+  const material = { young_modulus: 210000, poisson_ratio: 0.3, plasticity };
+  const body = { shape: { type: 'cylinder', radius: 20 }, material };
+  await shown(page, { upper: body, lower: body, load: { force: 300 } });
+  await page.locator('#check').getByText('from the first load on').waitFor();
+  const words = (await sheet(page)).locator('.sheet-drawings text');
+  await words.getByText('reference stress 500').waitFor();
+  assert.equal(await words.getByText(/^yield/).count(), 0);
+});

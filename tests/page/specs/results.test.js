@@ -379,3 +379,20 @@ service.test('the loop of a history is read out point by point, and a radius beg
     .getByText(/^[\d.]+ N$/)
     .waitFor();
 });
+
+service.test('files of figures in other units have names of their own', async (page) => {
+  await shown(page, { load: { forces: [300, 400] } });
+  const named = async () => {
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save contact pressure as SVG' }).click(),
+    ]);
+    return file.suggestedFilename().slice(8);
+  };
+  assert.equal(await named(), '-step-2-pressure.svg');
+  await page.getByText('Units shown').click();
+  await page.getByLabel('Unit of length').selectOption('in');
+  assert.equal(await named(), '-in-step-2-pressure.svg');
+  await page.getByText('Download').click();
+  await page.getByText('in the units of the job').waitFor();
+});
