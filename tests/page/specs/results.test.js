@@ -260,13 +260,13 @@ service.test('iterations go out with names and units, in files that name the job
     return file;
   };
   const file = await taken('iterations', 'CSV');
-  assert.equal(file.suggestedFilename(), `${id.slice(-8)}-step-3-iterations.csv`);
+  assert.equal(file.suggestedFilename(), `${id.slice(-8)}-µm-step-3-iterations.csv`);
   const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
   assert.match(head, /^no\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/);
   assert.equal(first.split(',').length, head.split(',').length);
   await page.getByLabel('Step', { exact: true }).fill('0');
-  assert.equal((await taken('depth', 'SVG')).suggestedFilename(), `${id.slice(-8)}-step-1-depth.svg`);
-  assert.equal((await taken('figures', 'CSV')).suggestedFilename(), `${id.slice(-8)}-figures.csv`);
+  assert.equal((await taken('depth', 'SVG')).suggestedFilename(), `${id.slice(-8)}-µm-step-1-depth.svg`);
+  assert.equal((await taken('figures', 'CSV')).suggestedFilename(), `${id.slice(-8)}-µm-figures.csv`);
 });
 
 service.test('initial stresses in the chart have the unit of its axis', async (page) => {
