@@ -2,10 +2,15 @@
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::time::Duration;
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::time::sleep;
 
 use super::KeyId;
+
+/// Pause after a turn that others of the same key wait for, in times of how long it took.
+const REST: u32 = 2;
 
 /// The turns of all keys.
 #[derive(Debug)]
@@ -25,6 +30,19 @@ impl Turns {
         self.of(key?).acquire_owned().await.ok()
     }
 
+    /// Ends a turn that took so long. Where others of the key wait for theirs, the next one begins after twice as long again: a key that
+    /// floods leaves two thirds of the time to other keys.
+    pub fn end(turn: Option<OwnedSemaphorePermit>, took: Duration) {
+        let Some(turn) = turn else { return };
+        // Whoever waits holds the turns too.
+        if Arc::strong_count(turn.semaphore()) > 1 {
+            tokio::spawn(async move {
+                sleep(REST * took).await;
+                drop(turn);
+            });
+        }
+    }
+
     fn of(&self, key: KeyId) -> Arc<Semaphore> {
         let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
         keys.retain(|_, turns| turns.strong_count() > 0);
@@ -40,6 +58,7 @@ impl Turns {
 #[cfg(test)]
 mod tests {
     use futures_util::FutureExt;
+    use tokio::time::Instant;
 
     use super::*;
 
@@ -57,5 +76,21 @@ mod tests {
         drop(third.await);
         turns.take(Some(other)).await;
         assert_eq!(turns.keys.lock().unwrap().len(), 1);
+    }
+
+    #[tokio::test]
+    async fn a_key_that_is_waited_for_rests_after_a_turn() {
+        let turns = Turns::new(1);
+        let (one, other) = (KeyId::generate(), KeyId::generate());
+        let took = Duration::from_millis(20);
+        Turns::end(turns.take(Some(one)).await, took);
+        let turn = turns.take(Some(one)).now_or_never().expect("nobody waited");
+        let mut next = Box::pin(turns.take(Some(one)));
+        assert!((&mut next).now_or_never().is_none());
+        let begin = Instant::now();
+        Turns::end(turn, took);
+        assert!(turns.take(Some(other)).now_or_never().is_some());
+        drop(next.await);
+        assert!(begin.elapsed() >= REST * took);
     }
 }

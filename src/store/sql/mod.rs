@@ -15,7 +15,7 @@ mod reading;
 
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use async_trait::async_trait;
 use bytes::Bytes;
@@ -117,10 +117,11 @@ impl<B: Backend> JobStore for SqlStore<B> {
         self.backend.check_space().await?;
         let durability = if job.interactive { Written } else { Synced };
         let turn = self.submissions.take(job.submitter).await;
+        let begin = Instant::now();
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
         // Many that are handed in one after the other share a sync.
-        drop(turn);
+        Turns::end(turn, begin.elapsed());
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
