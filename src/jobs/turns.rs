@@ -12,6 +12,9 @@ use super::KeyId;
 /// Pause after a turn that others of the same key wait for, in times of how long it took.
 const REST: u32 = 2;
 
+/// Longest pause. A turn that takes longer was held up by something else, a disk perhaps.
+const LONGEST_REST: Duration = Duration::from_millis(50);
+
 /// The turns of all keys.
 #[derive(Debug)]
 pub struct Turns {
@@ -30,14 +33,14 @@ impl Turns {
         self.of(key?).acquire_owned().await.ok()
     }
 
-    /// Ends a turn that took so long. Where others of the key wait for theirs, the next one begins after twice as long again: a key that
-    /// floods leaves two thirds of the time to other keys.
+    /// Ends a turn that took so long. Where others of the key wait for theirs, the next one begins after twice as long again, 50 ms at
+    /// most: a key that floods leaves two thirds of the time to other keys.
     pub fn end(turn: Option<OwnedSemaphorePermit>, took: Duration) {
         let Some(turn) = turn else { return };
         // Whoever waits holds the turns too.
         if Arc::strong_count(turn.semaphore()) > 1 {
             tokio::spawn(async move {
-                sleep(REST * took).await;
+                sleep((REST * took).min(LONGEST_REST)).await;
                 drop(turn);
             });
         }

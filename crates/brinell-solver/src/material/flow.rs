@@ -49,6 +49,8 @@ const LAST_STEP: f64 = 1e-7;
 /// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole one.
 const ROUGH: f64 = 1e-6;
 const FINE: f64 = 1e-14;
+/// Slope of σ_zz over ε_zz that is always there, over the bulk modulus.
+const LEAST_SLOPE: f64 = 0.25;
 
 /// One term of the backstress.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -414,9 +416,9 @@ impl<const N: usize> FlowPlasticity<N> {
         self.without_thickness_stress(strain, state, start, self.substeps, FINE * size).0
     }
 
-    /// σ_zz rises with ε_zz, by `K + 4/3 G` at most and, by backward Euler, by K at least; along the mean normal it may be a little
-    /// less. The secant of the last two ends in the zero, from a strain and a slope, between points where σ_zz has either sign; within the
-    /// accuracy of ε_zz. Returns its slope, too.
+    /// σ_zz rises with ε_zz, by `K + 4/3 G` at most and, by backward Euler, by K at least; along the mean normal it may be less
+    /// ([`LEAST_SLOPE`]). That brackets the zero from any one point. The secant of the last two ends in it, from a strain and a slope, within
+    /// the accuracy of ε_zz. Returns its slope, too.
     fn without_thickness_stress(
         &self,
         strain: [f64; 4],
@@ -438,14 +440,15 @@ impl<const N: usize> FlowPlasticity<N> {
             if stress.abs() <= accuracy * shear {
                 break;
             }
+            let farthest = zz - stress / (LEAST_SLOPE * bulk);
             if stress > 0.0 {
-                high = zz;
+                (low, high) = (low.max(farthest), zz);
             } else {
-                low = zz;
+                (low, high) = (zz, high.min(farthest));
             }
             let secant = zz - stress / slope;
             now = at(if secant > low && secant < high { secant } else { 0.5 * (low + high) });
-            slope = ((now.1 - stress) / (now.0 - zz)).clamp(0.5 * bulk, bulk + 4.0 / 3.0 * shear);
+            slope = ((now.1 - stress) / (now.0 - zz)).clamp(LEAST_SLOPE * bulk, bulk + 4.0 / 3.0 * shear);
         }
         (now.2, slope)
     }

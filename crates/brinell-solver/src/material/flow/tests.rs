@@ -186,6 +186,26 @@ fn a_turning_path_is_second_order_in_the_parts() {
     assert!(error(6) < 2e-3 * 500.0, "{}", error(6));
 }
 
+/// The same path in increments of one part each: their error falls like their number.
+#[test]
+fn increments_in_one_part_are_of_first_order() {
+    let after = |increments: u32| {
+        let model = model(constant(500.0), []).with_substeps(1);
+        let [x, y, z, _] = axial(3e-3);
+        let mut end = model.update([x, y, z, 0.0], &FlowState::default());
+        for k in 1..=increments {
+            end = model.update([x, y, z, 8e-3 * f64::from(k) / f64::from(increments)], &end.1);
+        }
+        end.0.stress
+    };
+    let exact = after(20_000);
+    let error = |n: u32| after(n).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    for (coarse, fine) in [(4, 8), (8, 16), (16, 32)] {
+        let ratio = error(coarse) / error(fine);
+        assert!((1.8..2.3).contains(&ratio), "{ratio}");
+    }
+}
+
 /// Random paths of all sizes after a first one: near the answer of many parts, also where a part is far larger than the yield
 /// surface; the stress is on the surface, and plastic work is not gained.
 #[test]
