@@ -371,3 +371,37 @@ fn cancelled_and_timed_out() {
         assert!(codes(&report.steps[0]).contains(&code));
     }
 }
+
+/// Keeps what is shown.
+#[derive(Default)]
+struct Recorder(Vec<IterationRecord>);
+
+impl Observer for Recorder {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.0.push(record.clone());
+        ControlFlow::Continue(())
+    }
+}
+
+/// Who watches an iteration and who reads it in the result see the same figures.
+#[test]
+fn iterations_are_shown_in_the_units_of_the_job() {
+    let mut si = paper();
+    si["units"] = json!("SI");
+    for body in ["upper", "lower"] {
+        si[body]["shape"]["radius"] = json!(0.02);
+        si[body]["material"] = json!({
+            "young_modulus": 210e9, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 500e6, "tangent_modulus": 10.5e9},
+        });
+    }
+    si["load"]["force"] = json!(FORCE * 1e3);
+    for (job, peak) in [(paper(), 1.0e3), (si, 1.0e9)] {
+        let mut shown = Recorder::default();
+        let report = report::run(&Job::from_value(&job).unwrap(), &mut shown).unwrap();
+        let history = &report.steps[0].history;
+        assert_eq!(&shown.0[shown.0.len() - history.len()..], history.as_slice());
+        let last = history.last().unwrap();
+        assert!((0.8..1.5).contains(&(last.peak_pressure / peak)), "{last:?}");
+    }
+}

@@ -24,9 +24,13 @@ service.test(
   'a running job that the service has lost is said to be removed',
   async (page, { server }) => {
     await page.getByText('1500.0 MPa').waitFor();
-    const id = await sent(page, LONG);
+    // Longer than the slowest machine takes to see it begin.
+    const forces = Array.from({ length: 600 }, (_, k) => k + 600);
+    const id = await sent(page, { ...LONG, load: { forces }, output: { fields: false } });
     await follow(page, `job=${id}`);
     await page.locator('[data-status=running]').waitFor();
+    await server.kill();
+    await page.getByText('Connection lost, retrying').waitFor();
     // As a service answers that has come back without its data.
     await page.route(`**/v1/jobs/${id}*`, (route) =>
       route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
@@ -34,8 +38,6 @@ service.test(
     await page.route(`**/v1/jobs/${id}/**`, (route) =>
       route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
     );
-    await server.kill();
-    await page.getByText('Connection lost, retrying').waitFor();
     await server.again();
     await page.locator('[data-status=removed]').getByText('Solve makes it anew.').waitFor();
     assert.match(await page.title(), /^Removed/);

@@ -49,7 +49,7 @@ const LAST_STEP: f64 = 1e-7;
 /// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole one.
 const ROUGH: f64 = 1e-6;
 const FINE: f64 = 1e-14;
-/// Slope of σ_zz over ε_zz that is always there, over the bulk modulus.
+/// Least slope by which σ_zz is extrapolated over ε_zz, over the bulk modulus.
 const LEAST_SLOPE: f64 = 0.25;
 
 /// One term of the backstress.
@@ -181,10 +181,11 @@ impl<const N: usize> FlowPlasticity<N> {
         let step = step.map(|d| part * d);
         let (mut flow, mut yield_stress) = (0.0, radius);
         // A part much larger than the yield surface ends where the path points to, wherever it began.
-        let weight =
-            if parts == 1 { 0.0 } else { 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius)) };
+        let weight = 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius));
+        // A curve without an elastic domain has no normal to begin with.
+        let has_mean_normal = N == 0 && parts > 1 && weight > 0.0;
         for k in 1..=parts {
-            if N == 0 && weight > 0.0 {
+            if has_mean_normal {
                 self.flow_along_mean_normal(step, &mut now, &mut yield_stress, weight, k == parts);
             } else {
                 let before = now.accumulated;
@@ -416,9 +417,11 @@ impl<const N: usize> FlowPlasticity<N> {
         self.without_thickness_stress(strain, state, start, self.substeps, FINE * size).0
     }
 
-    /// σ_zz rises with ε_zz, by `K + 4/3 G` at most and, by backward Euler, by K at least; along the mean normal it may be less
-    /// ([`LEAST_SLOPE`]). That brackets the zero from any one point. The secant of the last two ends in it, from a strain and a slope, within
-    /// the accuracy of ε_zz. Returns its slope, too.
+    /// The zero of σ_zz over ε_zz by the secant of the last two points, from a strain and a slope, within the accuracy of ε_zz,
+    /// in a bracket of the signs seen so far. Returns the last slope, too.
+    ///
+    /// σ_zz rises by `K + 4/3 G` at most and by backward Euler by K at least; along the mean normal it may rise less for a while.
+    /// There is a zero in any case: far away `K tr ε` outweighs the deviator, which the yield stress bounds.
     fn without_thickness_stress(
         &self,
         strain: [f64; 4],
@@ -428,6 +431,7 @@ impl<const N: usize> FlowPlasticity<N> {
         accuracy: f64,
     ) -> (FlowState<N>, f64) {
         let ElasticModuli { bulk, shear } = self.elastic;
+        let stiffest = bulk + 4.0 / 3.0 * shear;
         let at = |zz: f64| {
             let end = self.along([strain[0], strain[1], zz, strain[3]], state, parts);
             let stress = self.stress(&end)[2];
@@ -437,18 +441,23 @@ impl<const N: usize> FlowPlasticity<N> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for _ in 0..60 {
             let (zz, stress, _) = now;
-            if stress.abs() <= accuracy * shear {
+            if stress.abs() <= accuracy * stiffest {
                 break;
             }
-            let farthest = zz - stress / (LEAST_SLOPE * bulk);
             if stress > 0.0 {
-                (low, high) = (low.max(farthest), zz);
+                high = zz;
             } else {
-                (low, high) = (zz, high.min(farthest));
+                low = zz;
             }
+            // Towards the other sign, so that it leaves a bracket of two ends only.
             let secant = zz - stress / slope;
-            now = at(if secant > low && secant < high { secant } else { 0.5 * (low + high) });
-            slope = ((now.1 - stress) / (now.0 - zz)).clamp(LEAST_SLOPE * bulk, bulk + 4.0 / 3.0 * shear);
+            let next = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
+            if !next.is_finite() || next.to_bits() == zz.to_bits() {
+                // The step is lost in rounding.
+                break;
+            }
+            now = at(next);
+            slope = ((now.1 - stress) / (now.0 - zz)).clamp(LEAST_SLOPE * bulk, stiffest);
         }
         (now.2, slope)
     }

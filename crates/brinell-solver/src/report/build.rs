@@ -250,7 +250,8 @@ fn block_base(side: &str, depth: f64, write: UnitConverter) -> String {
     format!("the base of the {side} body, {} from the contact", write.length_text(depth))
 }
 
-fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
+/// An iteration in the units of the job.
+pub(super) fn in_units(record: &IterationRecord, write: UnitConverter) -> IterationRecord {
     IterationRecord {
         approach: write.figure(Quantity::Approach, record.approach),
         peak_pressure: write.stress(record.peak_pressure),

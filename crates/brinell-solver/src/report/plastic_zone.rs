@@ -84,8 +84,9 @@ pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
         outline: largest(polygons),
         reached_surface: solution
             .mesh
-            .free_surface_nodes()
-            .any(|node| values.get(&node).is_some_and(|f| *f >= 0.0)),
+            .free_surface_nodes
+            .iter()
+            .any(|node| values.get(node).is_some_and(|f| *f >= 0.0)),
     }
 }
 

@@ -1,14 +1,19 @@
 //! The one entry that the service and the command line use.
 
+use std::ops::ControlFlow;
+use std::time::Duration;
+
 use serde::Serialize;
 use thiserror::Error;
 
-use super::build::ReportBuilder;
+use super::build::{ReportBuilder, in_units};
 use super::units::UnitConverter;
 use super::{Report, StepReport, target};
 use crate::fem::mesh::MeshError;
 use crate::job::{FieldError, Job, Load, Material, Named as _, Shape};
-use crate::solver::{self, Estimate, Interrupt, Observer, Options, SolveError, StepSolution, Unreachable};
+use crate::solver::{
+    self, Estimate, Interrupt, IterationRecord, Observer, Options, SolveError, StepSolution, Unreachable,
+};
 
 /// Why a job gave no report.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -170,7 +175,27 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     }
 }
 
-/// Solves a job and reports on it.
+/// Shows another observer each iteration in the units of the job.
+struct InUnits<'a> {
+    observer: &'a mut dyn Observer,
+    write: UnitConverter,
+}
+
+impl Observer for InUnits<'_> {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.observer.on_iteration(&in_units(record, self.write))
+    }
+
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.observer.on_checkpoint()
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.observer.elapsed()
+    }
+}
+
+/// Solves a job and reports on it. Iterations are shown to the observer in the units of the job.
 ///
 /// # Errors
 /// [`RunError`]. An iteration that does not converge is a report with that status, not an error.
@@ -199,6 +224,7 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(StepReport),
 ) -> Result<Report, RunError> {
+    let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
     let mut builder = ReportBuilder::new(job);
     let mut report_step = |step: StepSolution, observer: &mut dyn Observer| {
         on_step(builder.step(step, observer));

@@ -77,22 +77,12 @@ pub(super) fn profile(
     report
 }
 
-/// Nodes of the grid line that starts at the candidate node nearest to `x` and runs down through block and
-/// rings.
+/// Nodes of the grid line below the candidate node nearest to `x`.
 fn normal_line(body: &BodySolution, x: f64) -> Vec<u32> {
     let mesh = &body.mesh;
     let offset = |node: &u32| (mesh.frame.place(mesh.nodes[*node as usize])[0] - x).abs();
     let Some(&top) = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b))) else {
         return Vec::new();
     };
-    let column = mesh.lattice[top as usize].i;
-    let rows = mesh.lattice.iter().filter(|p| p.patch == 0).map(|p| p.j).max().unwrap_or(0);
-    let columns = mesh.lattice.iter().filter(|p| p.patch == 0).map(|p| p.i).max().unwrap_or(0);
-    // Rings are numbered from the right end of the zone, down the block's side and back along its base.
-    let ray = rows + columns - column;
-    (0u32..)
-        .zip(&mesh.lattice)
-        .filter(|(_, p)| if p.patch == 0 { p.i == column } else { p.i == ray })
-        .map(|(node, _)| node)
-        .collect()
+    mesh.grid_line_below(top)
 }

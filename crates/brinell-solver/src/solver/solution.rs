@@ -314,12 +314,12 @@ impl BodySolution {
     pub fn surface(&self) -> Vec<[f64; 2]> {
         let zone = &self.mesh.zone;
         let limit = SURFACE * zone.half_width();
-        let nodes = self.mesh.free_surface_nodes();
-        let node = |node: u32| {
+        let node = |&node: &u32| {
             let (position, u) = (self.mesh.nodes[node as usize], self.displacement[node as usize]);
             let ([x, _], [n_x, n_y]) = (self.mesh.frame.place(position), self.mesh.frame.normal(position));
             [x, n_x * u[0] + n_y * u[1]]
         };
+        let nodes = self.mesh.free_surface_nodes.iter();
         let mut surface: Vec<_> =
             nodes.map(node).filter(|[x, _]| (x - zone.centre()).abs() <= limit).collect();
         surface.sort_by(|a, b| a[0].total_cmp(&b[0]));

@@ -127,6 +127,7 @@ impl<'a> Builder<'a> {
             elements: Vec::new(),
             contact_nodes: Vec::new(),
             contact_normals: Vec::new(),
+            free_surface_nodes: Vec::new(),
             support_nodes: Vec::new(),
             axis_nodes: Vec::new(),
             lattice: Vec::new(),
@@ -145,6 +146,7 @@ impl<'a> Builder<'a> {
             let x = self.zone.abscissa(i);
             let top = self.outline.height(x);
             self.mesh.contact_nodes.push(self.block_node(i, 0));
+            self.mesh.free_surface_nodes.push(self.block_node(i, 0));
             for (j, &t) in self.depths.iter().enumerate() {
                 self.mesh.nodes.push([x, (1.0 - t) * top + t * self.base]);
                 self.mesh.lattice.push(LatticePoint { patch: 0, i: i as i32, j: j as i32 });
@@ -303,6 +305,8 @@ impl<'a> Builder<'a> {
                 }
                 if on_axis {
                     self.mesh.axis_nodes.push(node);
+                } else if s == 0 || s == last {
+                    self.mesh.free_surface_nodes.push(node);
                 }
                 current.push(node);
             }

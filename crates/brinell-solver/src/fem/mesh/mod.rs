@@ -83,7 +83,7 @@ pub(crate) const ROUNDING: f64 = 1e-9;
 /// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
 const FADES: [i32; 4] = [1, 2, 4, 8];
 
-/// A mesh of 4-node quadrilaterals with the node sets that mechanics needs.
+/// A mesh of 4-node quadrilaterals with the boundary sets that mechanics needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Node coordinates `[x, y]` \[mm\].
@@ -94,6 +94,8 @@ pub struct Mesh {
     pub contact_nodes: Vec<u32>,
     /// Outward unit vectors along the normals of the contact at these nodes; none where all of them are `[0, 1]`.
     pub contact_normals: Vec<[f64; 2]>,
+    /// Nodes of the free surface, the contact zone included, in ascending order.
+    pub free_surface_nodes: Vec<u32>,
     /// Nodes of the far boundary.
     pub support_nodes: Vec<u32>,
     /// Nodes on the symmetry axis `x = 0`; empty for a full model.
@@ -147,7 +149,8 @@ impl Mesh {
 
     /// Bytes held.
     pub fn bytes(&self) -> usize {
-        let node_lists = [&self.contact_nodes, &self.support_nodes, &self.axis_nodes];
+        let node_lists =
+            [&self.contact_nodes, &self.free_surface_nodes, &self.support_nodes, &self.axis_nodes];
         size_of_val(self.nodes.as_slice())
             + size_of_val(self.elements.as_slice())
             + size_of_val(self.lattice.as_slice())
@@ -155,18 +158,19 @@ impl Mesh {
             + node_lists.map(|list| size_of_val(list.as_slice())).iter().sum::<usize>()
     }
 
-    /// Nodes of the free surface, the contact zone included, in no particular order.
-    pub fn free_surface_nodes(&self) -> impl Iterator<Item = u32> {
-        // Patch 0 is the block below the zone, or the polar grid, with the surface at j = 0; the rings of patch 1 end on the
-        // surface; below them patch 2, the shaft, has none of it.
-        let last_ray = self.lattice.iter().filter(|p| p.patch == 1).map(|p| p.i).max();
-        let is_end = move |ray: i32| ray == 0 || (!self.zone.is_symmetric() && Some(ray) == last_ray);
-        let is_free = move |p: &LatticePoint| match p.patch {
-            0 => p.j == 0,
-            1 => is_end(p.i),
-            _ => false,
-        };
-        (0u32..).zip(&self.lattice).filter(move |(_, p)| is_free(p)).map(|(node, _)| node)
+    /// Nodes of the grid line that runs from a contact node down to the support, through block and rings, in ascending order.
+    pub fn grid_line_below(&self, contact_node: u32) -> Vec<u32> {
+        let column = self.lattice[contact_node as usize].i;
+        let block = || self.lattice.iter().filter(|p| p.patch == 0);
+        let rows = block().map(|p| p.j).max().unwrap_or(0);
+        let columns = block().map(|p| p.i).max().unwrap_or(0);
+        // Rings are numbered from the right end of the zone, down the block's side and back along its base.
+        let ray = rows + columns - column;
+        (0u32..)
+            .zip(&self.lattice)
+            .filter(|(_, p)| if p.patch == 0 { p.i == column } else { p.i == ray })
+            .map(|(node, _)| node)
+            .collect()
     }
 
     /// Coordinates of the four corners of an element \[mm\].

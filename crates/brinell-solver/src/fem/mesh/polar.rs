@@ -42,6 +42,7 @@ pub(super) fn generate(
         elements: Vec::with_capacity((rays - 1) * (rows - 1)),
         contact_nodes: (0..=zone.columns()).map(|i| node(i, 0)).collect(),
         contact_normals: Vec::with_capacity(zone.columns() + 1),
+        free_surface_nodes: (0..rays).map(|i| node(i, 0)).collect(),
         support_nodes: (0..rays).map(|i| node(i, rows - 1)).collect(),
         axis_nodes: [0, rays - 1].into_iter().flat_map(|i| (0..rows).map(move |j| node(i, j))).collect(),
         lattice: Vec::with_capacity(rays * rows),

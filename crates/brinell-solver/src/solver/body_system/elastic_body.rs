@@ -253,8 +253,9 @@ impl ElasticBody {
     pub fn free_surface(&self, x: &[f64]) -> Vec<[f64; 2]> {
         let mut surface: Vec<[f64; 2]> = self
             .mesh
-            .free_surface_nodes()
-            .map(|node| {
+            .free_surface_nodes
+            .iter()
+            .map(|&node| {
                 let [_, normal] = self.equations.of_node(node);
                 [self.mesh.nodes[node as usize][0], -x[normal as usize]]
             })
