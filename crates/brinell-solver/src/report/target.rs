@@ -8,6 +8,9 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 
+/// Largest force that was solved over that of the largest figure, beyond which the figure is said to have stopped rising.
+const RISING: f64 = 1.1;
+
 /// The force under which a figure of the contact has the value that a job asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = TargetResult))]
@@ -110,6 +113,11 @@ pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
                 format!("the largest {name} that is reached is {nearest}, under a force of {force}")
             } else {
                 format!("no force that is solved, up to {force}, gives any {name}")
+            };
+            let bound = if found.largest_force > RISING * found.force {
+                format!("{bound}; up to {} it rises no more", write.force_text(found.largest_force))
+            } else {
+                bound
             };
             match &found.reason {
                 UnreachableReason::Limit(why) => format!("{bound}; under a larger one {why}"),

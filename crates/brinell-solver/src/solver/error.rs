@@ -110,6 +110,8 @@ pub struct Unreachable {
     pub nearest: f64,
     /// The force under which it was \[N/mm or N\].
     pub force: f64,
+    /// The largest force that was solved \[N/mm or N\].
+    pub largest_force: f64,
     /// Why no other force does.
     pub reason: UnreachableReason,
 }

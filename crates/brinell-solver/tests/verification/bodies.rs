@@ -33,6 +33,7 @@ pub fn grid(columns: i32, rows: i32, place: impl Fn(i32, i32) -> [f64; 2]) -> Me
         nodes: points().map(|(i, j)| place(i, j)).collect(),
         elements,
         contact_nodes: Vec::new(),
+        free_surface_nodes: (0..=columns).map(|i| node(i, 0)).collect(),
         support_nodes: Vec::new(),
         axis_nodes: Vec::new(),
         lattice: points().map(|(i, j)| LatticePoint { patch: 0, i, j }).collect(),

@@ -158,6 +158,12 @@ fn what_no_force_gives_is_refused_with_what_there_is() {
     }
     let limit = refusal(&limit);
     assert!(limit.contains("under a larger one"), "{limit}");
+    // In plane stress a perfectly plastic body bears about 2/√3 σ_y, and any force by a wider contact.
+    let mut level = cylinders("plane_stress", "flow", &json!({"peak_pressure": 1000}));
+    level["lower"]["material"]["plasticity"]["tangent_modulus"] = json!(0);
+    level["mesh"] = json!({"elements_per_half_width": 6});
+    let level = refusal(&level);
+    assert!(level.contains("rises no more"), "{level}");
     let wide =
         Job::from_value(&cylinders("plane_strain", "deformation", &json!({"half_width": 15}))).unwrap();
     let wide = report::preflight(&wide).unwrap_err();

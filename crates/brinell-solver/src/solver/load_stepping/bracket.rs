@@ -79,6 +79,11 @@ impl Bracket {
         largest.or(self.below).map(|[force, ratio]| (force.exp(), ratio.exp()))
     }
 
+    /// The largest force that was solved.
+    pub fn largest_force(&self) -> Option<f64> {
+        self.trials.iter().map(|[force, _]| force.exp()).reduce(f64::max)
+    }
+
     /// A force was solved; `ratio` is the figure over its wanted value.
     pub fn record(&mut self, force: f64, ratio: f64) {
         let at = [force.ln(), if ratio > 0.0 { ratio.ln() } else { f64::NEG_INFINITY }];

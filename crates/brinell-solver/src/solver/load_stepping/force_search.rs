@@ -202,8 +202,9 @@ impl ForceSearch<'_> {
                 Next::AtLimit => break,
             }
         }
-        let (force, ratio) = bracket.largest().unwrap_or((force, 0.0));
-        Err(self.unreachable(force, ratio, reason))
+        let (nearest, ratio) = bracket.largest().unwrap_or((force, 0.0));
+        let largest_force = bracket.largest_force().unwrap_or(nearest);
+        Err(self.unreachable_up_to(largest_force, nearest, ratio, reason))
     }
 
     /// From a force that is nearly right to the answer.
@@ -413,11 +414,22 @@ impl ForceSearch<'_> {
 
     /// The error of a value that no force gives; `ratio` is what the nearest force that was solved gives of it.
     fn unreachable(&self, force: f64, ratio: f64, reason: UnreachableReason) -> SolveError {
+        self.unreachable_up_to(force, force, ratio, reason)
+    }
+
+    /// The same where larger forces were solved than the nearest one.
+    fn unreachable_up_to(
+        &self,
+        largest_force: f64,
+        force: f64,
+        ratio: f64,
+        reason: UnreachableReason,
+    ) -> SolveError {
         let (target, nearest) = match self.sought {
             Sought::Onset => (None, ratio),
             Sought::Target(target) => (Some(target), ratio * target.value.get()),
         };
-        SolveError::Unreachable(Unreachable { target, nearest, force, reason })
+        SolveError::Unreachable(Unreachable { target, nearest, force, largest_force, reason })
     }
 }
 
