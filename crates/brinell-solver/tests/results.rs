@@ -405,3 +405,17 @@ fn iterations_are_shown_in_the_units_of_the_job() {
         assert!((0.8..1.5).contains(&(last.peak_pressure / peak)), "{last:?}");
     }
 }
+
+/// A sum over nothing is -0 in binary arithmetic, which readers take for a figure.
+#[test]
+fn no_zero_has_a_sign() {
+    let mut job = paper();
+    job["solver"] = json!({"theory": "flow"});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    job["load"] = json!({"history": [{"force": FORCE}, {"force": 0}]});
+    job["output"] = json!({"fields": true});
+    let report = serde_json::to_string(&run(&job)).unwrap();
+    let signed = [":-0.0,", ":-0.0}", ",-0.0,", "[-0.0,", ",-0.0]"].map(|zero| report.find(zero));
+    let place = signed.into_iter().flatten().min().map(|at| &report[at.saturating_sub(120)..at + 6]);
+    assert_eq!(place, None);
+}

@@ -41,6 +41,9 @@ use crate::job;
 /// Parts into which the plastic part of a strain path is divided, with backstress and without.
 const SUBSTEPS: [u32; 2] = [16, 6];
 
+/// Plastic over elastic strain of a path that needs no parts, on curves without an elastic domain.
+const SMALL_FLOW: f64 = 1e-4;
+
 /// γ Δp below which six terms of the exponential series are exact.
 const SMALL_RECOVERY: f64 = 1.0 / 128.0;
 /// Newton step, relative to Δp, behind which nothing but rounding is left.
@@ -177,9 +180,19 @@ impl<const N: usize> FlowPlasticity<N> {
         for (s, d) in now.stress.iter_mut().zip(step) {
             *s += elastic_part * d;
         }
+        let (mut flow, mut yield_stress) = (0.0, radius);
+        let mut parts = parts;
+        if parts > 1 && self.mapping.yield_stress() == 0.0 {
+            // A curve without an elastic domain flows everywhere, mostly by so little that it does not turn the stress.
+            let rest: [f64; 4] = std::array::from_fn(|k| from[k] + step[k]);
+            let most = self.isotropic_flow(equivalent_stress(rest), state.accumulated);
+            if most <= SMALL_FLOW * equivalent_stress(rest) / (3.0 * self.elastic.shear) {
+                parts = 1;
+            }
+            flow = most / f64::from(parts);
+        }
         let part = (1.0 - elastic_part) / f64::from(parts);
         let step = step.map(|d| part * d);
-        let (mut flow, mut yield_stress) = (0.0, radius);
         // A part much larger than the yield surface ends where the path points to, wherever it began.
         let weight = 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius));
         // A curve without an elastic domain has no normal to begin with.
@@ -370,6 +383,13 @@ impl<const N: usize> FlowPlasticity<N> {
             };
         }
         dp
+    }
+
+    /// Δp of a trial of this size, in the direction of the relative stress, if the backstress stays; with backstress that is too much.
+    fn isotropic_flow(&self, size: f64, accumulated: f64) -> f64 {
+        let triple_shear = 3.0 * self.elastic.shear;
+        let strain = size / triple_shear + accumulated;
+        (strain - self.mapping.stress(strain) / triple_shear - accumulated).max(0.0)
     }
 
     /// Δp of a trial in the direction of the relative stress, for the tangent.

@@ -16,9 +16,9 @@ impl UnitConverter {
         Self { units, force: analysis.force() }
     }
 
-    /// A figure in N–mm–MPa in the job's units.
+    /// A figure in N–mm–MPa in the job's units; zero has no sign.
     pub fn figure(self, quantity: Quantity, core: f64) -> f64 {
-        quantity.to_wire(self.units, core)
+        quantity.to_wire(self.units, core) + 0.0
     }
 
     pub fn length(self, core: f64) -> f64 {
