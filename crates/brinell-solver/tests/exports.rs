@@ -304,3 +304,29 @@ fn a_history_is_written_as_tables_and_figures() {
     assert_eq!(Export::SurfaceSvg.write(&job, &report, None), Err(ExportError::NoFlow));
     assert_eq!(Export::LoadApproachSvg.write(&job, &report, None), Err(ExportError::NoCurve));
 }
+
+/// Unloading in one increment is not drawn as if it had been solved on its way.
+#[test]
+fn a_loop_says_where_nothing_is_solved() {
+    let body = json!({
+        "shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": 210e3, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10.5e3}},
+    });
+    let job = |load: Value| {
+        json!({
+            "analysis": "plane_strain", "upper": body, "lower": body, "load": load,
+            "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow"},
+        })
+    };
+    for (load, count) in [
+        (json!({"history": [{"force": 600}, {"force": 0}]}), 1),
+        (json!({"history": [{"force": 600}, {"force": 0}, {"force": 600}, {"force": 0}]}), 1),
+        (json!({"forces": [400, 600]}), 0),
+    ] {
+        let (job, report) = solve(&job(load));
+        let svg = Export::LoadApproachSvg.write(&job, &report, None).unwrap();
+        assert_eq!(svg.matches("nothing solved between").count(), count);
+        assert_eq!(svg.matches("this contact").count(), 1);
+    }
+}

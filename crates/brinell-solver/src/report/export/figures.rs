@@ -135,6 +135,9 @@ fn shown_depth(step: &StepReport, profile: &SubsurfaceReport) -> f64 {
     wanted.filter(|wanted| *wanted > 0.0).map_or(deepest, |wanted| deepest.min(wanted))
 }
 
+/// Part of the range of forces from which on nothing is solved between two points of a loop that is worth the name.
+const FAR: f64 = 0.25;
+
 /// Force over approach of all increments or loads in their order: a loop where the load comes back.
 ///
 /// # Errors
@@ -150,11 +153,38 @@ pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportErr
         y_label: format!("force [{force}]"),
         x_range,
         y_range,
-        curves: vec![Curve { name: "this contact".to_owned(), points, colour: BLUE, stroke: Stroke::Solid }],
+        curves: loop_curves(&points),
         legend_below: true,
         band: None,
     }
     .svg()
+}
+
+/// A curve and, where it turns back, its long pieces by themselves, dashed: unloading is often one increment, and the straight line
+/// between its ends is no answer.
+fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
+    let (least, most) = range(points.iter().map(|point| point.1));
+    let turns = points.windows(2).any(|pair| pair[1].1 < pair[0].1);
+    let is_far = |from: &(f64, f64), to: &(f64, f64)| turns && (to.1 - from.1).abs() > FAR * (most - least);
+    let curve = |name: &str, points: Vec<(f64, f64)>, stroke| Curve {
+        name: name.to_owned(),
+        points,
+        colour: BLUE,
+        stroke,
+    };
+    let solid = points.chunk_by(|from, to| !is_far(from, to)).filter(|run| run.len() > 1);
+    let dashed = points.windows(2).filter(|pair| is_far(&pair[0], &pair[1]));
+    let mut curves: Vec<Curve> = solid.map(|run| curve("", run.to_vec(), Stroke::Solid)).collect();
+    let count = curves.len();
+    curves.extend(dashed.map(|pair| curve("", pair.to_vec(), Stroke::Dashed)));
+    // One entry of each kind in the legend.
+    let (solid, dashed) = curves.split_at_mut(count);
+    for (kind, name) in [(solid, "this contact"), (dashed, "nothing solved between")] {
+        if let Some(first) = kind.first_mut() {
+            first.name = name.to_owned();
+        }
+    }
+    curves
 }
 
 /// The surface of each body over x, outward from the undeformed one; steps are counted from 0. Without force it is the dent
