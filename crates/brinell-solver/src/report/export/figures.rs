@@ -181,7 +181,7 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     let (solid, dashed) = curves.split_at_mut(count);
     for (kind, name) in [(solid, "this contact"), (dashed, "nothing solved between")] {
         if let Some(first) = kind.first_mut() {
-            first.name = name.to_owned();
+            name.clone_into(&mut first.name);
         }
     }
     curves
