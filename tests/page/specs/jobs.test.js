@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, sent, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, sent, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -55,6 +55,16 @@ service.test('jobs are listed, searched and laid over each other', async (page) 
   await legend.getByText('this contact').waitFor();
   await page.getByLabel('State', { exact: true }).selectOption('failed');
   await page.getByText('No job matches.').waitFor();
+});
+
+service.test('the peak of a job in SI is in pascals', async (page) => {
+  const id = await solved(page, { ...SI, load: { force: 300e3 } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.getByLabel('Search jobs').fill(id);
+  await page
+    .locator('#jobs-list li')
+    .getByText(/^P 300000 N\/m, peak 9\.\d+·10⁸ Pa$/)
+    .waitFor();
 });
 
 service.test('jobs of the list are cancelled at once and deleted after a question, by keyboard too', async (page) => {
