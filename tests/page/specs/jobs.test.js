@@ -140,6 +140,31 @@ service.test('every panel is a picture', async (page) => {
   }
 });
 
+service.test('a loop is a picture too, on the ground of the page', async (page) => {
+  const history = [{ force: 600 }, { force: 0 }];
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const sweep = page.locator('#panel-sweep');
+  await sweep.locator('.plot svg').waitFor();
+  const [file] = await Promise.all([page.waitForEvent('download'), sweep.getByText('PNG').click()]);
+  const bytes = [...(await readFile(await file.path()))];
+  const ink = await page.evaluate(async (bytes) => {
+    const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context?.drawImage(bitmap, 0, 0);
+    const { data } = context?.getImageData(0, 0, width, height) ?? { data: [] };
+    const at = (/** @type {number} */ k) => `${data[4 * k]},${data[4 * k + 1]},${data[4 * k + 2]}`;
+    const colours = new Map();
+    for (let k = 0; k < width * height; k++) colours.set(at(k), (colours.get(at(k)) ?? 0) + 1);
+    return { width, height, corner: at(0), colours: Object.fromEntries(colours) };
+  }, bytes);
+  const curve = await sweep.locator('.plot svg circle').first().getAttribute('fill');
+  const rgb = [1, 3, 5].map((at) => parseInt(curve?.slice(at, at + 2) ?? '', 16)).join();
+  assert.ok(ink.width > 300 && ink.height > 240, `${ink.width} × ${ink.height}`);
+  assert.ok(ink.colours[ink.corner] > 0.7 * ink.width * ink.height, 'a ground');
+  assert.ok(ink.colours[rgb] > 200, `a curve in ${rgb}`);
+});
+
 service.test(
   'a service that wants a key is given it',
   async (page, { server }) => {
