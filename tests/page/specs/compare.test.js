@@ -136,6 +136,12 @@ service.test('sweeps are compared at the same load, and their curves say at whic
   assert.match(drawing, />Contact pressure<.*>A, step 2 of 3, 300\.0 N\/mm<.*>B, step 1 of 3, 300\.0 N\/mm</s);
   await page.getByRole('button', { name: 'Report' }).click();
   await page.locator('#sheet').getByText('A, step 2 of 3, 300.0 N/mm; B, step 1 of 3, 300.0 N/mm').waitFor();
+  // Names of jobs have room in the table, and it stays on the sheet.
+  const [table, name] = ['#sheet .wide:has(thead .text)', '#sheet .wide td.text:first-child'].map((one) =>
+    page.locator(one).first(),
+  );
+  assert.ok(await table.evaluate((one) => one.scrollWidth <= one.clientWidth));
+  assert.ok(await name.evaluate((one) => one.getBoundingClientRect().width > 85));
 });
 
 service.test('what differs is written so that it is seen, and shapes are called by their names', async (page) => {

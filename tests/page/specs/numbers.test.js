@@ -412,6 +412,10 @@ test('what the service tells programs is told to people in their words', () => {
     'a punch is rigid (Rigid under Hardening), because its contact reaches to the edge of its face; give a face that deforms as a profile',
   );
   assert.equal(
+    inWords('ends within about 3.62e-2 mm: must be between 1e-6 and 1e8 mm'),
+    'ends within about 0.0362 mm: must be between 10⁻⁶ and 10⁸ mm',
+  );
+  assert.equal(
     inWords('at x = 0.000000 mm of a profile: set its `interpolation` to "linear" if this is a corner'),
     'at x = 0 mm of a profile: set “Between points” to “linear” if this is a corner',
   );
