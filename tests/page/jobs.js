@@ -2,6 +2,24 @@
 
 /** @typedef {import('playwright-core').Page} Page */
 
+/** What makes the reference problem one in SI, without its load. @type {Record<string, any>} */
+export const SI = {
+  units: 'SI',
+  ...Object.fromEntries(
+    ['upper', 'lower'].map((body) => [
+      body,
+      {
+        shape: { type: 'cylinder', radius: 0.02 },
+        material: {
+          young_modulus: 210e9,
+          poisson_ratio: 0.3,
+          plasticity: { law: 'bilinear', yield_stress: 500e6, tangent_modulus: 10.5e9 },
+        },
+      },
+    ]),
+  ),
+};
+
 /**
  * Sends the reference problem, with changes, on a coarse mesh.
  * @param {Page} page at a service

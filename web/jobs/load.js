@@ -1,6 +1,6 @@
 /** What a job asks of its bodies, in words and with its unit. */
 
-import { forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { historyWords } from '../setup/history.js';
 
@@ -17,7 +17,7 @@ export function loadWords(job) {
       ? historyWords(value)
       : Array.isArray(value)
         ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
-        : plain(Number(value));
+        : exact(Number(value));
   return `${far ? 'α' : 'P'} ${figures} ${name}`;
 }
 
@@ -26,5 +26,5 @@ function targetWords({ load, ...job }) {
   const figure = targetOf(load);
   const { label, quantity } = TARGETS[figure];
   const name = quantity && quantity !== 'load' ? unit(quantity, unitsOf(job)) : '';
-  return `${label.toLowerCase()} ${plain(Number(load.target[figure]))} ${name}`.trim();
+  return `${label.toLowerCase()} ${exact(Number(load.target[figure]))} ${name}`.trim();
 }

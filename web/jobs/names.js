@@ -2,7 +2,7 @@
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, allFields } from '../setup/fields.js';
-import { forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { historyWords } from '../setup/history.js';
 import { loadWords } from './load.js';
 
@@ -87,7 +87,7 @@ export function writeValue(value) {
   if (Array.isArray(value) && isHistory(value)) return historyWords(value);
   if (Array.isArray(value))
     return value.every(isNumber)
-      ? [...new Set([value[0], value[value.length - 1]])].map(plain).join(' … ')
+      ? [...new Set([value[0], value[value.length - 1]])].map((one) => plain(one)).join(' … ')
       : `${value.length} points`;
   return String(value).replaceAll('_', ' ');
 }
@@ -95,14 +95,15 @@ export function writeValue(value) {
 /** Numbers, loads or rows that are written out in a report. */
 const MOST = 60;
 
-/** The same, with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
+/** The same in all its digits, with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
 export function writeWhole(value) {
+  if (typeof value === 'number') return exact(value);
   if (!Array.isArray(value) || value[0]?.modulus !== undefined) return writeValue(value);
   if (value.length > MOST)
     return value.every(isNumber) ? `${writeValue(value)}, ${value.length} in all` : writeValue(value);
-  if (value.every(isNumber)) return value.map(plain).join(' ');
-  if (isHistory(value)) return historyWords(value, MOST);
-  return value.map((row) => Object.values(row).map(plain).join(' ')).join('; ');
+  if (value.every(isNumber)) return value.map(exact).join(' ');
+  if (isHistory(value)) return historyWords(value, MOST, exact);
+  return value.map((row) => Object.values(row).map(exact).join(' ')).join('; ');
 }
 
 /** @param {unknown} value */

@@ -196,16 +196,24 @@ export function figure(value, digits = 5) {
 /**
  * A round figure as short as it can be written.
  * @param {number} value
+ * @param {number} [digits]
  */
-export function plain(value) {
+export function plain(value, digits = 6) {
   if (!Number.isFinite(value)) return '—';
-  const short = Number(value.toPrecision(6));
+  const short = Number(value.toPrecision(digits));
   const size = Math.abs(short);
   if (size === 0 || (size >= 1e-4 && size < 1e6)) return String(short).replace('-', '−');
   const [mantissa, exponent] = short.toExponential().split('e');
   const power = `10${superscript(Number(exponent))}`;
   return (mantissa === '1' ? power : `${mantissa}·${power}`).replace('-', '−');
 }
+
+/**
+ * A figure that was put in, as it was: of a clearance between two radii the last digits are all there is. Beyond twelve stands the
+ * noise of conversions.
+ * @param {number} value
+ */
+export const exact = (value) => plain(value, 12);
 
 /** @param {number} exponent */
 const superscript = (exponent) =>

@@ -4,7 +4,7 @@ import { figure, forceOf, percent, stiffnessOf, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { TARGETS } from '../setup/fields.js';
 import { barOf, strainOf } from './figures.js';
-import { isDented } from './loads.js';
+import { isDented, workPutIn } from './loads.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
@@ -127,8 +127,10 @@ export function answersOf(job, report, step) {
 }
 
 /** What a load has left on both surfaces, and of its work. @param {Report} report @param {Step} step @returns {Answer[]} */
-export function leftBehind({ units }, { flow, contact }) {
+export function leftBehind(report, step) {
+  const { flow, contact } = step;
   if (!flow) return [];
+  const { units } = report;
   const length = unit('length', units);
   const loaded = contact.force > 0;
   const surfaces = /** @type {const} */ (['upper', 'lower']).flatMap((body) => {
@@ -149,9 +151,10 @@ export function leftBehind({ units }, { flow, contact }) {
       },
     ];
   });
-  const { work, dissipated } = flow.energy;
-  return work > 0
-    ? [...surfaces, { name: 'Work dissipated', value: (100 * dissipated) / work, unit: '%', note: 'of the work done' }]
+  const put = workPutIn(report, report.steps.indexOf(step));
+  const value = (100 * flow.energy.dissipated) / put;
+  return put > 0
+    ? [...surfaces, { name: 'Work dissipated', value, unit: '%', note: 'of the work that the loads put in' }]
     : surfaces;
 }
 

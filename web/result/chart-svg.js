@@ -23,10 +23,11 @@ let ink = paper;
  * @param {string} title
  * @param {number} width
  * @param {number} height of the axes' box and what belongs to it, without title and legend
+ * @param {(name: string) => string} [colours] by name
  * @returns {SVGSVGElement}
  */
-export function chartSvg(plot, title, width, height) {
-  return drawing(plot, title, width, height, paper);
+export function chartSvg(plot, title, width, height, colours = paper) {
+  return drawing(plot, title, width, height, colours);
 }
 
 /** The same without title and legend, in the colours of the page: for curves that turn back. @param {Plot} plot @param {number} width @param {number} height */

@@ -3,6 +3,7 @@
 import { h, svg } from '../lib/dom.js';
 import { colour, onTheme } from '../lib/theme.js';
 import { figure, plain } from '../lib/units.js';
+import { chartPng } from './chart-png.js';
 import { bareChart, chartSvg, dashOf } from './chart-svg.js';
 import { placeWords } from './labels.js';
 
@@ -86,6 +87,8 @@ export class Chart {
 
   /** @param {string} title @returns {Promise<Blob | null>} a PNG with title and legend, on the page's ground */
   async picture(title) {
+    if (this.#plot?.turns)
+      return chartPng(chartSvg(this.#plot, title, this.canvas.clientWidth, this.height, colour), devicePixelRatio);
     if (!this.#uplot || !this.#plot) return null;
     const { canvas } = this.#uplot.ctx;
     const ratio = devicePixelRatio;

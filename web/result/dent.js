@@ -3,6 +3,7 @@
 import { h } from '../lib/dom.js';
 import { figure, percent, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
+import { workPutIn } from './loads.js';
 import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -27,6 +28,7 @@ export class DentPanel {
     this.panel.show(Boolean(flow));
     if (!flow) return;
     const length = unit('length', report.units);
+    const put = workPutIn(report, at);
     const round = report.analysis === 'axisymmetric';
     const bodies = /** @type {const} */ (['lower', 'upper']).flatMap((name) => {
       const surface = flow.surfaces[name];
@@ -55,7 +57,7 @@ export class DentPanel {
             surface.yielded_in_reverse ? ', yielded in reverse' : ''
           }`,
       ),
-      flow.energy.work > 0 ? `${percent(flow.energy.dissipated / flow.energy.work, 3)} of the work is dissipated` : '',
+      put > 0 ? `${percent(flow.energy.dissipated / put, 3)} of the work that the loads put in is dissipated` : '',
     ]
       .filter(Boolean)
       .join('\n');

@@ -2,7 +2,7 @@
 
 import { h } from '../lib/dom.js';
 import { factor, figure, unit, unitsOf } from '../lib/units.js';
-import { yieldName, yieldStress } from '../setup/fields.js';
+import { overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
@@ -99,7 +99,6 @@ export class DepthPanel {
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
     const curves = beside(shown, at).flatMap((side) => this.#curves(side, shown.length > 1));
-    const strength = (yieldStress(first.job[this.#body]?.material) ?? 0) * factor('stress', unitsOf(first.job), units);
     const graded = profile?.yield_stress;
     if (graded && shown.length === 1)
       curves.push({
@@ -129,17 +128,7 @@ export class DepthPanel {
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
-      marks:
-        strength && !graded
-          ? [
-              {
-                across: 'y',
-                at: strength,
-                text: `${yieldName(first.job[this.#body]?.material)} ${figure(strength, 4)} ${stress}`,
-                colour: '--yield',
-              },
-            ]
-          : [],
+      marks: this.#strengths(shown),
       words: profile
         ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
             profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],
@@ -147,6 +136,24 @@ export class DepthPanel {
           )} ${length}.`
         : `The ${this.#body} body is rigid.`,
     });
+  }
+
+  /**
+   * The yield stress of the body in every job, each once; where they differ, in the colours of the jobs. One that varies over depth
+   * is a curve of its own.
+   * @param {Shown[]} shown @returns {import('./chart.js').Mark[]}
+   */
+  #strengths(shown) {
+    const all = shown.flatMap(({ job, report, colour }) => {
+      const material = job[this.#body]?.material;
+      const at = (yieldStress(material) ?? 0) * factor('stress', unitsOf(job), report.units);
+      const text = `${yieldName(material)} ${figure(at, 4)} ${unit('stress', report.units)}`;
+      return at && overDepthOf(material) === 'uniform'
+        ? [{ across: /** @type {const} */ ('y'), at, text, colour }]
+        : [];
+    });
+    const distinct = all.filter(({ text }, k) => all.findIndex((one) => one.text === text) === k);
+    return distinct.length > 1 ? distinct : distinct.map((one) => ({ ...one, colour: '--yield' }));
   }
 
   /** What the stresses would be without yield. @param {Shown} shown @param {number} at @param {number[]} depths @returns {import('./chart.js').Curve[]} */

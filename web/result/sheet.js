@@ -125,7 +125,7 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
           h(
             'div',
             { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures of every step' },
-            h('table', {}, tableElements(figuresTable(shown))),
+            h('table', {}, tableElements(tableOf(shown))),
           ),
         ]
       : []),
@@ -270,6 +270,16 @@ function inputs(job) {
       }),
     ),
   );
+}
+
+/** Every step in figures; beside the names of jobs there is no room to say of each that it converged. @param {Shown[]} shown */
+function tableOf(shown) {
+  const { columns, rows, write } = figuresTable(shown);
+  const last = columns.length - 1;
+  // A state that is not the usual one stands before the figures.
+  return shown.length > 1 && columns[last].title === 'state'
+    ? { columns: columns.slice(0, last), rows: rows.map((row) => row.slice(0, last)), write }
+    : { columns, rows, write };
 }
 
 /** The figures of one step, error bar and elastic theory beside them; without load, what is left behind comes first. @param {Shown} shown @param {number} at */

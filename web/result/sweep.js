@@ -66,9 +66,7 @@ export class SweepPanel {
     if (swept.length === 0) return;
     this.words.textContent = leftOut(swept);
     this.chart.show(
-      this.#kind === 'approach'
-        ? overApproach(swept, shown[0], at)
-        : overLoad(swept, shown[0], at, OVER_LOAD[this.#kind]),
+      this.#kind === 'approach' ? overApproach(swept, shown, at) : overLoad(swept, shown, at, OVER_LOAD[this.#kind]),
     );
   }
 }
@@ -78,6 +76,39 @@ const turnsBack = ({ job, report: { steps } }) =>
   job.solver?.theory === 'flow' &&
   steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
   steps.some((step) => strainOf(step) > 0);
+
+/** Part of the range of forces from which on a piece of a loop has nothing solved that is worth the name. */
+const FAR = 0.25;
+
+/**
+ * A loop without its long pieces, and these by themselves: unloading is often one increment, and a straight line between its ends is
+ * no answer.
+ * @param {import('./chart.js').Curve} curve @param {number[]} forces of its points @returns {import('./chart.js').Curve[]}
+ */
+function apart(curve, forces) {
+  const range = Math.max(...forces) - Math.min(...forces);
+  const isFar = (/** @type {number} */ k) => k > 0 && Math.abs(forces[k] - forces[k - 1]) > FAR * range;
+  const [near, far] = [0, 1].map(() => ({
+    x: /** @type {number[]} */ ([]),
+    y: /** @type {(number | null)[]} */ ([]),
+  }));
+  curve.x.forEach((x, k) => {
+    if (isFar(k)) {
+      near.x.push(x);
+      near.y.push(null);
+      far.x.push(curve.x[k - 1], x, x);
+      far.y.push(curve.y[k - 1], curve.y[k], null);
+    }
+    near.x.push(x);
+    near.y.push(curve.y[k]);
+  });
+  if (far.x.length === 0) return [curve];
+  const label = `${curve.label}, nothing solved between`;
+  return [
+    { ...curve, ...near },
+    { ...curve, ...far, label, points: false, dash: [2, 3], width: 0.9 },
+  ];
+}
 
 /** Steps that are answers: others have no place on a curve. @param {Report} report */
 const answered = ({ steps }) => steps.filter(({ status }) => status === 'converged');
@@ -93,52 +124,63 @@ const leftOut = (swept) => {
     : '';
 };
 
-/** @param {Shown} shown */
-const onsetOf = ({ report }) => report.steps[0].hertz?.yield_onset_force;
+/**
+ * Where the jobs begin to yield, each once; where that is not the same for all, in the colours of the jobs.
+ * @param {Shown[]} swept @param {'x' | 'y'} across @param {string} words of the mark @returns {import('./chart.js').Mark[]}
+ */
+function onsets(swept, across, words) {
+  const { report } = swept[0];
+  const all = swept.flatMap(({ report: { steps }, colour }) => {
+    const at = steps[0].hertz?.yield_onset_force;
+    return at ? [{ at, colour, figure: figure(at, 4) }] : [];
+  });
+  const distinct = all.filter(({ figure }, k) => all.findIndex((one) => one.figure === figure) === k);
+  const alone = distinct.length < 2;
+  return distinct.map(({ at, colour, figure }) => ({
+    across,
+    at,
+    text: across === 'y' || !alone ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
+    colour: alone ? '--yield' : colour,
+  }));
+}
 
-/** Force over approach in the order of the steps, so that a history shows its loops. @param {Shown[]} swept @param {Shown} first @param {number} at @returns {import('./chart.js').Plot} */
-function overApproach(swept, first, at) {
-  const { report } = first;
+/** Force over approach in the order of the steps, so that a history shows its loops. @param {Shown[]} swept @param {Shown[]} shown @param {number} at @returns {import('./chart.js').Plot} */
+function overApproach(swept, shown, at) {
+  const [{ report }] = shown;
   const force = unit(forceOf(report), report.units);
-  const onset = onsetOf(first);
   const turns = swept.some(turnsBack);
   const rising = (/** @type {Report} */ report) => answered(report).sort((a, b) => a.approach - b.approach);
   return {
     turns,
     x: `α  [${unit('length', report.units)}]`,
     y: `P  [${force}]`,
-    curves: swept.map((one) => ({
-      label: swept.length > 1 ? one.label : 'force',
-      colour: one.colour,
-      dash: one.dash,
-      points: true,
+    curves: swept.flatMap((one) => {
       // Of a history, every increment.
-      x: turns ? (one.report.load_approach?.approach ?? []) : rising(one.report).map(({ approach }) => approach),
-      y: turns ? (one.report.load_approach?.force ?? []) : rising(one.report).map(({ contact }) => contact.force),
-    })),
+      const { approach, force } = one.report.load_approach ?? { approach: [], force: [] };
+      const steps = rising(one.report);
+      const curve = {
+        label: shown.length > 1 ? one.label : 'force',
+        colour: one.colour,
+        dash: one.dash,
+        points: true,
+        x: turns ? approach : steps.map((step) => step.approach),
+        y: turns ? force : steps.map(({ contact }) => contact.force),
+      };
+      return turns ? apart(curve, force) : [curve];
+    }),
     marks: [
-      ...(onset
-        ? [
-            /** @type {const} */ ({
-              across: 'y',
-              at: onset,
-              text: `first yield, elastic theory ${figure(onset, 4)} ${force}`,
-              colour: '--yield',
-            }),
-          ]
-        : []),
+      ...onsets(swept, 'y', 'first yield, elastic theory'),
       { across: 'x', at: report.steps[at].approach, text: 'shown' },
     ],
     words: `Force over approach, ${report.steps.length} points up to ${figure(Math.max(...report.steps.map(({ contact }) => contact.force)))} ${force}.`,
   };
 }
 
-/** @param {Shown[]} swept @param {Shown} first @param {number} at @param {typeof OVER_LOAD[string]} figures @returns {import('./chart.js').Plot} */
-function overLoad(swept, first, at, { label, value, unit: unitOf }) {
-  const { report } = first;
+/** @param {Shown[]} swept @param {Shown[]} shown @param {number} at @param {typeof OVER_LOAD[string]} figures @returns {import('./chart.js').Plot} */
+function overLoad(swept, shown, at, { label, value, unit: unitOf }) {
+  const [{ report }] = shown;
   const force = unit(forceOf(report), report.units);
   const name = unitOf(report);
-  const onset = onsetOf(first);
   // A load that falls on a body that has yielded has a way back of its own.
   const turns = swept.some(turnsBack);
   const inOrder = (/** @type {Report} */ report) =>
@@ -147,18 +189,19 @@ function overLoad(swept, first, at, { label, value, unit: unitOf }) {
     turns,
     x: `P  [${force}]`,
     y: `${label}  [${name}]`,
-    curves: swept.map((one) => ({
-      label: swept.length > 1 ? one.label : label,
-      colour: one.colour,
-      dash: one.dash,
-      points: true,
-      x: inOrder(one.report).map(({ contact }) => contact.force),
-      y: inOrder(one.report).map(value),
-    })),
-    marks: [
-      ...(onset ? [/** @type {const} */ ({ across: 'x', at: onset, text: 'first yield', colour: '--yield' })] : []),
-      { across: 'x', at: report.steps[at].contact.force, text: 'shown' },
-    ],
+    curves: swept.flatMap((one) => {
+      const steps = inOrder(one.report);
+      const curve = {
+        label: shown.length > 1 ? one.label : label,
+        colour: one.colour,
+        dash: one.dash,
+        points: true,
+        x: steps.map(({ contact }) => contact.force),
+        y: steps.map(value),
+      };
+      return turns ? apart(curve, curve.x) : [curve];
+    }),
+    marks: [...onsets(swept, 'x', 'first yield'), { across: 'x', at: report.steps[at].contact.force, text: 'shown' }],
     words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(value(report.steps[at]))} ${name}.`,
   };
 }

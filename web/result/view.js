@@ -190,7 +190,8 @@ export class View {
     }
     // Curves of several jobs have the step of each in the legend.
     if (shown.length > 1) for (const { panel } of [this.pressure, this.depth]) panel.of = '';
-    this.sweep.panel.of = label;
+    // So have those of sweeps, among which the first job need not be.
+    this.sweep.panel.of = shown.length > 1 ? '' : label;
     for (const { panel } of [this.sweep, this.figures, this.differences]) panel.stem = stem;
     this.steps.show(many, this.#at, load);
     showHeadline(shown[0], this.#at);

@@ -267,11 +267,14 @@ export class Form {
   /** @param {Body} body */
   #initialStress(body) {
     const at = `/${body}/material`;
+    const place = `${at}/${INITIAL_STRESS.key}`;
+    // A table that is emptied to take another stays where it is; the choice above takes it away.
+    const stresses = () => this.#place(place, INITIAL_STRESS, (value) => this.draft.set(place, value ?? [], SOURCE));
     return [
       this.#choice(`${at}/stress_kind`, 'Initial stress', { none: 'None', given: 'Over depth' }, (kind) =>
         this.kinds.useInitialStress(body, kind === 'given'),
       ),
-      ...(hasInitialStress(this.draft.job[body]?.material) ? [this.#field(at, INITIAL_STRESS)] : []),
+      ...(hasInitialStress(this.draft.job[body]?.material) ? [stresses()] : []),
     ];
   }
 

@@ -31,11 +31,11 @@ export const writeHistory = (history) =>
 /** Loads that are written out where there is little room. */
 const FEW = 4;
 
-/** @param {unknown} history @param {number} [most] loads that are written out @returns {string} as it is read */
-export function historyWords(history, most = FEW) {
+/** @param {unknown} history @param {number} [most] loads that are written out @param {(value: number) => string} [write] @returns {string} as it is read */
+export function historyWords(history, most = FEW, write = plain) {
   if (!Array.isArray(history)) return writeHistory(history);
   const load = (/** @type {any} */ one) =>
-    one?.approach === undefined ? plain(numberOf(one?.force)) : `α ${plain(numberOf(one.approach))}`;
+    one?.approach === undefined ? write(numberOf(one?.force)) : `α ${write(numberOf(one.approach))}`;
   if (history.length <= most) return history.map(load).join(' → ');
   const forces = history.map((one) => numberOf(one?.force)).filter(Number.isFinite);
   return `${history.length} loads${forces.length ? ` up to ${plain(Math.max(...forces))}` : ''}`;

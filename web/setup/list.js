@@ -21,8 +21,12 @@ export const tooLong = (text) =>
     ? { problem: `${quoted(text)} and so on is too long: at most ${MOST} numbers are taken` }
     : undefined;
 
+/** Numbers between which nothing but spaces that do not break stands: one number in groups, or several as a document has them. */
+const UNBROKEN = /^\s*[α\d.,+\-−–\u00a0]*\d{1,3}\u00a0\d{3}(?!\d)[\d.,\u00a0]*(?:\s*[^\d\s].*)?$/;
+
 /** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
 export function partsOf(text) {
+  if (UNBROKEN.test(text)) return [text.trim()];
   const parts = /** @type {string[]} */ ([]);
   for (const part of groupsJoined(text)
     .replace(/α\s+/g, 'α')
@@ -82,6 +86,8 @@ export function readParts(parts, units, name = 'number') {
  */
 function severalIn(text, alone, before) {
   const { digits } = parted(text);
+  if (digits.includes('\u00a0'))
+    return `${quoted(digits)} can be one number or several: put plain spaces between numbers, and none within`;
   const commas = digits.match(/\d,(?=\d)/g)?.length ?? 0;
   if (commas > 1) return `${quoted(digits)} can be one number or several: put spaces between numbers`;
   if (commas === 1 && alone && !/^\D*0,/.test(digits) && !digits.includes('.')) {

@@ -4,6 +4,7 @@
  */
 
 import { numberOf } from '../lib/number.js';
+import { smoothed } from './interpolation.js';
 
 /** @typedef {[number, number]} Point */
 /**
@@ -49,7 +50,7 @@ function outlineOf(shape) {
         ? { surface: arc(radius, width / 2, 1), base: -depth }
         : null;
     case 'profile':
-      return depth > 0 ? profile(shape.points, depth) : null;
+      return depth > 0 ? profile(shape.points, depth, shape.interpolation !== 'linear') : null;
     default:
       return smooth(shape);
   }
@@ -153,8 +154,8 @@ function arc(radius, half, sense) {
   });
 }
 
-/** @param {unknown} points @param {number} depth @returns {Outline | null} */
-function profile(points, depth) {
+/** @param {unknown} points @param {number} depth @param {boolean} isSmooth between the points @returns {Outline | null} */
+function profile(points, depth, isSmooth) {
   const good = (/** @type {any} */ point) => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
   if (!Array.isArray(points) || points.length < 2 || !points.every(good)) return null;
   const mirrored = points.map(([x, height]) => /** @type {Point} */ ([-x, height])).reverse();
@@ -164,5 +165,6 @@ function profile(points, depth) {
       : points.at(-1)[0] === 0
         ? [...points, ...mirrored.slice(1)]
         : points;
-  return { surface: whole, base: -depth };
+  const rises = whole.every(([x], k) => k === 0 || x > whole[k - 1][0]);
+  return { surface: isSmooth && rises ? smoothed(whole) : whole, base: -depth };
 }

@@ -28,7 +28,7 @@ export function profilePreview(shape, units) {
     h(
       'figure',
       { class: 'preview' },
-      drawing(surface, [left, right], [low, high], `Profile, ${surface.length} points`, 'filled'),
+      drawing(surface, [left, right], [low, high], `Profile, ${shape.points.length} points`, 'filled'),
       h(
         'figcaption',
         {},

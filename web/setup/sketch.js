@@ -2,7 +2,7 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from './fields.js';
 import { historyWords } from './history.js';
 import { outline, pin } from './outline.js';
@@ -117,8 +117,8 @@ function drawBody(body, up, of, scale, size) {
 function sizeWords(of, body, length) {
   const { type, radius } = of?.shape ?? {};
   if (!body) return '';
-  if (type === 'cylinder') return `R ${plain(numberOf(radius))} ${length}`;
-  if (type === 'groove' || type === 'hole') return `${type} R ${plain(numberOf(radius))} ${length}`;
+  if (type === 'cylinder') return `R ${exact(numberOf(radius))} ${length}`;
+  if (type === 'groove' || type === 'hole') return `${type} R ${exact(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
   return `${plain(right - left)} × ${plain(-body.base)} ${length}`;
 }
@@ -151,7 +151,7 @@ function load(job, upper, scale) {
   const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
   /** @type {number[]} */
   const list = [value].flat().filter((one) => Number.isFinite(one));
-  const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : plain(list[0]);
+  const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : exact(list[0]);
   const figures = kind === 'history' ? historyWords(value) : range;
   const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
   const text =

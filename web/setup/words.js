@@ -1,5 +1,6 @@
 /** Keys of the job in messages of the service, as the form calls them. */
 
+import { plain } from '../lib/units.js';
 import { SHAPES, allFields } from './fields.js';
 
 const PLAIN = ['analysis', 'units', 'support', 'theory', 'shape', 'material', 'load'];
@@ -59,4 +60,6 @@ export const inWords = (message) =>
     .replace(/ \(`[\w./]+`\)/g, '')
     .replace(/\b(the )?theory `flow`/g, 'flow theory')
     .replace(/\bsee `(\w+)`/g, (_, code) => `see the remark ${titled(code.replaceAll('_', ' '))}`)
-    .replace(/`([\w./]+)`/g, called);
+    .replace(/`([\w./]+)`/g, called)
+    // Powers of ten as the page writes them.
+    .replace(/(?<![\w.])\d(?:\.\d+)?e[+-]?\d+(?![\w.])/g, (number) => plain(Number(number)));

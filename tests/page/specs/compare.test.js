@@ -3,28 +3,10 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { follow, shown, solved } from '../jobs.js';
+import { SI, follow, shown, solved } from '../jobs.js';
 
 const service = suite();
 const ROWS = '#panel-differences tbody tr';
-
-/** The reference problem in SI. @type {Record<string, any>} */
-const SI = {
-  units: 'SI',
-  ...Object.fromEntries(
-    ['upper', 'lower'].map((body) => [
-      body,
-      {
-        shape: { type: 'cylinder', radius: 0.02 },
-        material: {
-          young_modulus: 210e9,
-          poisson_ratio: 0.3,
-          plasticity: { law: 'bilinear', yield_stress: 500e6, tangent_modulus: 10.5e9 },
-        },
-      },
-    ]),
-  ),
-};
 
 service.test('jobs in other units differ in nothing but what they ask, which has its unit', async (page) => {
   const [mm, si] = [
@@ -46,6 +28,34 @@ service.test('the onset of yield is called so beside a force', async (page) => {
   await page.locator(ROWS).first().waitFor();
   assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', 'P 300 N/mm', 'onset of yield']);
 });
+
+service.test(
+  'a sweep beside a job of one load is called by its own name, and every yield stress is marked',
+  async (page) => {
+    const harder = structuredClone(SI);
+    for (const body of ['upper', 'lower']) harder[body].material.plasticity.yield_stress = 800e6;
+    const [one, other] = [
+      await solved(page, { load: { force: 300 }, tags: { roll: 'A' } }),
+      await solved(page, { ...harder, load: { forces: [100e3, 300e3] }, tags: { roll: 'B' } }),
+    ];
+    await follow(page, `job=${one}&with=${other}`);
+    await page.locator('#panel-sweep .legend').getByText('B', { exact: true }).waitFor();
+    const drawing = async (/** @type {string} */ panel) => {
+      const [file] = await Promise.all([
+        page.waitForEvent('download'),
+        page.locator(panel).getByText('SVG', { exact: true }).click(),
+      ]);
+      return readFile(await file.path(), 'utf8');
+    };
+    const sweep = await drawing('#panel-sweep');
+    assert.match(sweep, />Sweep</);
+    // The elastic bodies are the same, of which the second yields at 1.6² times the force.
+    assert.match(sweep, />first yield, elastic theory 560\.\d N\/mm</);
+    assert.doesNotMatch(sweep, /219\.\d N/);
+    const depth = await drawing('#panel-depth');
+    for (const figure of ['500.0', '800.0']) assert.ok(depth.includes(`>yield ${figure} MPa<`), figure);
+  },
+);
 
 service.test('an axisymmetric job is not laid over a plane one', async (page) => {
   const other = await solved(page, { analysis: 'axisymmetric', load: { force: 2000 } });
@@ -126,6 +136,12 @@ service.test('sweeps are compared at the same load, and their curves say at whic
   assert.match(drawing, />Contact pressure<.*>A, step 2 of 3, 300\.0 N\/mm<.*>B, step 1 of 3, 300\.0 N\/mm</s);
   await page.getByRole('button', { name: 'Report' }).click();
   await page.locator('#sheet').getByText('A, step 2 of 3, 300.0 N/mm; B, step 1 of 3, 300.0 N/mm').waitFor();
+  // Names of jobs have room in the table, and it stays on the sheet.
+  const [table, name] = ['#sheet .wide:has(thead .text)', '#sheet .wide td.text:first-child'].map((one) =>
+    page.locator(one).first(),
+  );
+  assert.ok(await table.evaluate((one) => one.scrollWidth <= one.clientWidth));
+  assert.ok(await name.evaluate((one) => one.getBoundingClientRect().width > 85));
 });
 
 service.test('what differs is written so that it is seen, and shapes are called by their names', async (page) => {

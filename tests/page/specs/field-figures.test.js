@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -134,23 +134,6 @@ service.test('limits of the colours are taken as they are written, or refused in
   assert.equal(await choice.inputValue(), 'step');
   assert.equal(await legend.textContent(), before);
 });
-
-const SI = {
-  units: 'SI',
-  ...Object.fromEntries(
-    ['upper', 'lower'].map((body) => [
-      body,
-      {
-        shape: { type: 'cylinder', radius: 0.02 },
-        material: {
-          young_modulus: 210e9,
-          poisson_ratio: 0.3,
-          plasticity: { law: 'bilinear', yield_stress: 500e6, tangent_modulus: 10.5e9 },
-        },
-      },
-    ]),
-  ),
-};
 
 service.test(
   'limits that are held are the same stresses of a job in other units, and its figures are read back',

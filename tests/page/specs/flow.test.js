@@ -37,7 +37,7 @@ service.test('unloading leaves a dent, a loop and residual stresses', async (pag
     (await dent.locator('.plot').getAttribute('aria-label')) ?? '',
     /^Residual height of the surfaces: .*0\.00\d+ mm deep/,
   );
-  await dent.getByText('of the work is dissipated').waitFor();
+  await dent.getByText('of the work that the loads put in is dissipated').waitFor();
   await page.locator('#panel-sweep .plot svg').waitFor();
   assert.match(
     (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
@@ -45,6 +45,35 @@ service.test('unloading leaves a dent, a loop and residual stresses', async (pag
   );
   await page.locator('#headline').getByText('Unloading stiffness').waitFor();
 });
+
+service.test(
+  'what is dissipated is a part of the work put in, and a loop says where nothing is solved',
+  async (page) => {
+    const history = [{ force: 600 }, { force: 0 }, { force: 600 }, { force: 0 }];
+    const id = await shown(page, { load: { history }, solver: { theory: 'flow' } });
+    const energies = await page.evaluate(async (id) => {
+      const { steps } = await (await fetch(`v1/jobs/${id}/result`)).json();
+      return steps.map((/** @type {any} */ { flow }) => flow.energy);
+    }, id);
+    // What has come back as the force fell is no loss, and is put in again.
+    const [up, down, again, end] = energies;
+    const put = up.work + again.work - down.work;
+    const loss = (100 * end.dissipated) / put;
+    assert.ok(loss > 1 && loss < 20, `${loss} %`);
+    const said = /([\d.]+) % of the work that the loads put in/.exec(
+      (await page.locator('#panel-dent .readout').textContent()) ?? '',
+    );
+    assert.ok(Math.abs(Number(said?.[1]) - loss) < 0.01 * loss, `${said} instead of ${loss}`);
+    await page.locator('#panel-sweep .legend').getByText('force, nothing solved between').waitFor();
+    // Those pieces begin and end at points that are solved.
+    const [solid, dashed] = await page
+      .locator('#panel-sweep .plot g[clip-path] path')
+      .evaluateAll((all) => all.map((one) => one.getAttribute('d') ?? ''));
+    const points = (/** @type {string} */ path) => path.split(/[ML]/).filter(Boolean);
+    assert.ok(points(dashed).length >= 4);
+    for (const point of points(dashed)) assert.ok(points(solid).includes(point), point);
+  },
+);
 
 service.test('bodies that stay elastic have no loop of force over approach', async (page) => {
   const history = [{ force: 150 }, { force: 50 }, { force: 0 }];

@@ -208,6 +208,19 @@ service.test('tables are pasted as spreadsheets have them', async (page) => {
   await page.locator('.preview svg[aria-label="Profile, 3 points"]').waitFor();
 });
 
+service.test('a smooth profile is drawn smooth, one of straight lines straight', async (page) => {
+  const points = await profile(page);
+  await points.fill('-10 -2.5\n-4 -0.4\n0 0\n4 -0.4\n10 -2.5');
+  const corners = async () => {
+    const path = (await page.locator('[data-preview=upper-shape] .curve').getAttribute('d')) ?? '';
+    return path.split('L').length;
+  };
+  await page.locator('.preview svg[aria-label="Profile, 5 points"]').waitFor();
+  assert.ok((await corners()) > 100);
+  await page.getByLabel('Between points').selectOption('linear');
+  assert.equal(await corners(), 5);
+});
+
 service.test('a faulty table is one message with its line', async (page) => {
   const points = await profile(page);
   const rows = Array.from({ length: 21 }, (_, k) => `${k - 10} ${k === 4 ? 'oops' : k === 6 ? '1 2' : 0}`);
@@ -385,6 +398,11 @@ service.test('initial stress is a table over depth, drawn and checked line by li
   assert.equal((await rows()).length, 2, 'another law, the same stress');
   await page.getByLabel('Analysis').selectOption('axisymmetric');
   await place.locator('.error').getByText('line 1: must equal').waitFor();
+  await place.locator('textarea').fill('');
+  await place.locator('.error').getByText('is empty').waitFor();
+  assert.equal(await place.locator('textarea').evaluate((area) => area === document.activeElement), true);
+  await paste(place.locator('textarea'), '0 -1e8 -1e8\n0.0003 0 0');
+  assert.equal((await rows()).length, 2, 'another table is pasted where one was taken out');
   await kind.selectOption('none');
   assert.equal(await rows(), undefined);
   assert.equal(await place.count(), 0);

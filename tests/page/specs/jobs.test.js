@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, sent, shown, solved } from '../jobs.js';
+import { SI, drawn, follow, sent, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -55,6 +55,16 @@ service.test('jobs are listed, searched and laid over each other', async (page) 
   await legend.getByText('this contact').waitFor();
   await page.getByLabel('State', { exact: true }).selectOption('failed');
   await page.getByText('No job matches.').waitFor();
+});
+
+service.test('the peak of a job in SI is in pascals', async (page) => {
+  const id = await solved(page, { ...SI, load: { force: 300e3 } });
+  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
+  await page.getByLabel('Search jobs').fill(id);
+  await page
+    .locator('#jobs-list li')
+    .getByText(/^P 300000 N\/m, peak 9\.\d+·10⁸ Pa$/)
+    .waitFor();
 });
 
 service.test('jobs of the list are cancelled at once and deleted after a question, by keyboard too', async (page) => {
@@ -128,6 +138,31 @@ service.test('every panel is a picture', async (page) => {
     ]);
     assert.equal(file.suggestedFilename(), `${id.slice(-8)}-${panel}.png`);
   }
+});
+
+service.test('a loop is a picture too, on the ground of the page', async (page) => {
+  const history = [{ force: 600 }, { force: 0 }];
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const sweep = page.locator('#panel-sweep');
+  await sweep.locator('.plot svg').waitFor();
+  const [file] = await Promise.all([page.waitForEvent('download'), sweep.getByText('PNG').click()]);
+  const bytes = [...(await readFile(await file.path()))];
+  const ink = await page.evaluate(async (bytes) => {
+    const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context?.drawImage(bitmap, 0, 0);
+    const { data } = context?.getImageData(0, 0, width, height) ?? { data: [] };
+    const at = (/** @type {number} */ k) => `${data[4 * k]},${data[4 * k + 1]},${data[4 * k + 2]}`;
+    const colours = new Map();
+    for (let k = 0; k < width * height; k++) colours.set(at(k), (colours.get(at(k)) ?? 0) + 1);
+    return { width, height, corner: at(0), colours: Object.fromEntries(colours) };
+  }, bytes);
+  const curve = await sweep.locator('.plot svg circle').first().getAttribute('fill');
+  const rgb = [1, 3, 5].map((at) => parseInt(curve?.slice(at, at + 2) ?? '', 16)).join();
+  assert.ok(ink.width > 300 && ink.height > 240, `${ink.width} × ${ink.height}`);
+  assert.ok(ink.colours[ink.corner] > 0.7 * ink.width * ink.height, 'a ground');
+  assert.ok(ink.colours[rgb] > 40, `a curve in ${rgb}`);
 });
 
 service.test(

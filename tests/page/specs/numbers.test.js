@@ -37,6 +37,9 @@ test('a list is read as it is meant, or refused', () => {
     ['100, 200 ,300; 400\t500', [100, 200, 300, 400, 500]],
     ['100,5 200,5', [100.5, 200.5]],
     ['1’000 2\u202f000 3\u00a0000', [1000, 2000, 3000]],
+    ['100\u00a0200\u00a0300', /can be one number or several: put plain spaces/],
+    ['100\u00a0200\u00a0300 N/mm', /can be one number or several: put plain spaces/],
+    ['10\u00a020\u00a030', [10, 20, 30]],
     ['100 N/mm; 200 N/mm', [100, 200]],
     ['0.1 0.2 0.3 kN/mm', [100, 200, 300]],
     ['100…600/6', [100, 200, 300, 400, 500, 600]],
@@ -407,6 +410,10 @@ test('what the service tells programs is told to people in their words', () => {
       'a punch is rigid (`{"rigid": true}`), because its contact reaches to the edge of its face; give a face that deforms as a `profile`',
     ),
     'a punch is rigid (Rigid under Hardening), because its contact reaches to the edge of its face; give a face that deforms as a profile',
+  );
+  assert.equal(
+    inWords('ends within about 3.62e-2 mm: must be between 1e-6 and 1e8 mm'),
+    'ends within about 0.0362 mm: must be between 10⁻⁶ and 10⁸ mm',
   );
   assert.equal(
     inWords('at x = 0.000000 mm of a profile: set its `interpolation` to "linear" if this is a corner'),

@@ -38,6 +38,20 @@ service.test('a step without load has no columns of Hertz, and says why its stif
   assert.equal(await (await sheet(page)).locator('.answers').getByText('Hertz').count(), 1);
 });
 
+service.test('figures that were put in are written in all their digits', async (page) => {
+  const material = { young_modulus: 210000, poisson_ratio: 0.3 };
+  await shown(page, {
+    upper: { shape: { type: 'cylinder', radius: 20 }, material },
+    lower: { shape: { type: 'hole', radius: 20.00015, outer_radius: 100 }, material },
+    load: { force: 20.000025 },
+  });
+  const place = await sheet(page);
+  // A clearance of 0.15 µm would be 0.2 µm of a rounded radius.
+  await place.getByRole('row', { name: 'Radius R 20 20.00015 mm' }).waitFor();
+  await place.getByRole('row', { name: 'Force P 20.000025 N/mm' }).waitFor();
+  await place.locator('.sketch').getByText('hole R 20.00015 mm').waitFor();
+});
+
 const HOLE = { type: 'hole', radius: 10.02, outer_radius: 100 };
 const ELASTIC = { young_modulus: 210000, poisson_ratio: 0.3 };
 for (const [analysis, name, force] of /** @type {const} */ ([
