@@ -187,7 +187,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
         }),
         validity: validity::notes(job, step, radius, &depths),
         yield_onset: onset::onset(job, step, write),
-        estimated_error: error_bars::estimate(step),
+        estimated_error: error_bars::estimate(job, step),
         fields,
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }

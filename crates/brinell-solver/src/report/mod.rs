@@ -9,6 +9,7 @@ mod field_arrays;
 mod fields;
 mod flow;
 mod load_approach;
+mod mesh_effects;
 mod onset;
 mod plastic_zone;
 mod run;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::mesh_effects::peak_is_unbounded;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::strength;
 use crate::contact::ContactLoad;
@@ -184,14 +185,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if let Some((code, message)) = history_remark(job, step) {
         say(code, message.into());
     }
-    if let (true, Some(x)) = (strain == 0.0, step.loaded_corners.first()) {
-        say(
-            "sharp_corner",
-            format!(
-                "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound there: the peak pressure is \
-                 that of the mesh. It grows with the density of the mesh, and the force under which yield begins falls."
-            ),
-        );
+    if let Some(message) = sharp_corner(step, strain) {
+        say("sharp_corner", message);
     }
     if step.reaches_edge {
         say(
@@ -231,6 +226,24 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     notes
+}
+
+/// What is said of pressure at a sharp corner that has no limit, or none that the mesh shows.
+fn sharp_corner(step: &StepSolution, strain: f64) -> Option<String> {
+    let x = step.loaded_corners.first()?;
+    if strain == 0.0 {
+        return Some(format!(
+            "A sharp corner carries pressure at x = {x:.4} mm. Elastic pressure has no bound there: the peak pressure is \
+             that of the mesh. It grows with the density of the mesh, and the force under which yield begins falls."
+        ));
+    }
+    peak_is_unbounded(step).then(|| {
+        format!(
+            "The largest pressure is at the sharp corner at x = {:.4} mm and still grows with the density of the mesh, although the \
+             bodies yield. Where what yields hardens it has no bound: the peak pressure is that of the mesh.",
+            step.peak_position
+        )
+    })
 }
 
 /// What is said of a contact that is wide beside the radii or, of a pin in its hole, beside what their clearance leaves of them.
