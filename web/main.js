@@ -46,6 +46,8 @@ const json = startJson(draft);
 const sketch = startSketch(draft);
 const view = new View({
   fieldsWanted: () => {
+    // Of the job that is shown, whatever the form has come to since.
+    if (current && !same(current.job, draft.job)) draft.replace(current.job, 'job');
     draft.set('/output/fields', true, 'page');
     solve();
   },

@@ -99,8 +99,14 @@ service.test('a job without fields offers to solve again with them', async (page
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Stress field on the mesh').uncheck();
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.getByRole('button', { name: 'Solve again with it' }).waitFor();
+  // Of the job that is shown, whatever the form says by now.
+  const force = await page.getByLabel('Force P').inputValue();
+  await page.getByLabel('Force P').fill('100');
   await page.getByRole('button', { name: 'Solve again with it' }).click();
   await drawn(page);
+  assert.equal(await page.getByLabel('Force P').inputValue(), force);
+  await page.locator('#headline').getByText('1182.4').waitFor();
 });
 
 /** Shows the reference problem with its field. @param {import('playwright-core').Page} page @param {object} [change] */
