@@ -141,7 +141,7 @@ fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) ->
 }
 
 /// The floor of the error of the approach for elements of a size over the half-width.
-fn approach_floor(step: &StepSolution, yields: bool, size: f64) -> f64 {
+fn approach_floor(step: &StepSolution, yields: bool, flows: bool, size: f64) -> f64 {
     let elastic = APPROACH_FLOOR * size * size;
     let edge = match step.stress_state {
         _ if step.rounded_edge.is_none() => 0.0,
@@ -156,15 +156,15 @@ fn approach_floor(step: &StepSolution, yields: bool, size: f64) -> f64 {
             };
             return edge.max(floor * size);
         }
-        StressState::PlaneStress if yields && flows(step) => FLOW_FLOOR + PLATEAU_FLOOR * plateau(step),
-        StressState::PlaneStrain if yields && flows(step) => FLOW_FLOOR,
+        StressState::PlaneStress if flows => FLOW_FLOOR + PLATEAU_FLOOR * plateau(step),
+        StressState::PlaneStrain if flows => FLOW_FLOOR,
         StressState::PlaneStrain | StressState::PlaneStress | StressState::Axisymmetric => 0.0,
     };
     elastic.max(edge).max(plastic * size)
 }
 
 /// Floor of the error of the half-width over h/a.
-fn half_width_floor(step: &StepSolution) -> f64 {
+fn half_width_floor(step: &StepSolution, flows: bool) -> f64 {
     let is_next = |end: f64| (end - step.peak_position).abs() < NEXT_TO_END * step.spacing;
     let is_steep = step.patch.is_some_and(|patch| {
         let is_wide = patch.half_width() > 2.0 * NEXT_TO_END * step.spacing;
@@ -172,7 +172,7 @@ fn half_width_floor(step: &StepSolution) -> f64 {
     });
     if is_steep {
         STEEP_HALF_WIDTH_FLOOR
-    } else if step.stress_state == StressState::PlaneStress && flows(step) {
+    } else if step.stress_state == StressState::PlaneStress && flows {
         HALF_WIDTH_FLOOR + PLATEAU_HALF_WIDTH_FLOOR * plateau(step)
     } else {
         HALF_WIDTH_FLOOR
@@ -187,7 +187,7 @@ fn after_unloading(step: &StepSolution, coarse: CoarseFigures) -> Option<ErrorEs
         return None;
     }
     let size = step.spacing / half_width;
-    let floor = approach_floor(step, true, size) * approach;
+    let floor = approach_floor(step, true, flows(step), size) * approach;
     let difference = (step.approach - coarse.approach).abs();
     let increments = step.increment_error.unwrap_or_default().approach;
     let bar = increments + (difference.max(floor) / left).max(RESIDUAL_FLOOR * size);
@@ -247,7 +247,7 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     let corner_floor = if peak_is_unbounded(step) { UNBOUNDED } else { rise_at_corners(step) };
     let plateau_floor = if yields { overshoot(step) } else { 0.0 };
     let beside = if plateau_floor > 0.0 { 0.0 } else { BESIDE_PEAK_FLOOR * size_beside_peak(step).powi(2) };
-    let flows = yields && flows(step);
+    let flows = flows(step);
     let flow_floor = match step.stress_state {
         StressState::PlaneStrain if flows => FLOW_PEAK_FLOOR * size,
         StressState::PlaneStrain | StressState::PlaneStress | StressState::Axisymmetric => 0.0,
@@ -259,7 +259,7 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     // Where flow gathers in bands that are narrower than elements errors fall more slowly than these, and are above the difference.
     let bands =
         if flows && step.stress_state == StressState::PlaneStress { 1.0 + plateau(step) } else { 1.0 };
-    let approach_floor = approach_floor(step, yields, size).max(APPROACH_FLOOR * between_points);
+    let approach_floor = approach_floor(step, yields, flows, size).max(APPROACH_FLOOR * between_points);
     let clamped_end = clamped_end(job, step);
     // Half as many increments differ by more than what these are wrong by.
     let increments = step.increment_error.unwrap_or_default();
@@ -287,7 +287,7 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
             (0.0, (bands * relative(force, coarse.force)).max(floor) + slope.max(1.0) * clamped_end)
         }
     };
-    let width_floor = (half_width_floor(step) * size)
+    let width_floor = (half_width_floor(step, flows) * size)
         .max(step.rounded_edge.map_or(0.0, |edge| relative(edge.half_width, half_width)));
     // What an error of the force under a prescribed approach is on the curves over force.
     let by_force = match step.load {

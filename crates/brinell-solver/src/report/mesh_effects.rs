@@ -2,8 +2,8 @@
 
 use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
-use crate::job::{Body, Job, Shape, Support};
-use crate::material::{ElasticModuli, von_mises};
+use crate::job::{Body, Job, Material, Shape, Support};
+use crate::material::von_mises;
 use crate::solver::{BodySolution, PairState, StepSolution};
 
 /// Mean pressure over peak of an elastic line contact, and from which on it is that of a plateau.
@@ -148,10 +148,10 @@ pub(super) fn clamped_end(job: &Job, step: &StepSolution) -> f64 {
     }
     let of = |(body, solution): (&Body, &Option<_>)| {
         let solution: &BodySolution = solution.as_deref().filter(|_| body.support == Support::Clamped)?;
+        let Material::Deformable(material) = &body.material else { return None };
         let (depth, width) = (solution.depth(), width(solution, step.symmetric));
-        let ElasticModuli { bulk, shear } = solution.model.elastic();
-        let poisson_ratio = (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
-        let young_modulus = 2.0 * shear * (1.0 + poisson_ratio);
+        let elastic = material.elastic();
+        let (young_modulus, poisson_ratio) = (elastic.young_modulus.get(), elastic.poisson_ratio.get());
         let (modulus, ratio) = match step.stress_state {
             StressState::PlaneStress => (young_modulus, poisson_ratio),
             StressState::PlaneStrain | StressState::Axisymmetric => {

@@ -220,35 +220,42 @@ fn random_turns_end_near_those_of_many_parts() {
         bulk: YOUNG / (3.0 * (1.0 - 2.0 * nu)),
         shear: YOUNG / (2.0 * (1.0 + nu)),
     });
-    for (size, bound) in [(1e-3, 2e-3), (5e-3, 5e-3), (3e-2, 5e-3), (0.3, 5e-3)] {
-        let mut worst: f64 = 0.0;
-        for (law, elastic) in laws().iter().flat_map(|law| moduli.map(|elastic| (law, elastic))) {
-            for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
-                for _ in 0..40 {
+    let gentle: Vec<Arc<dyn HardeningLaw>> = vec![constant(500.0), straight(300.0, 2000.0), voce()];
+    let sizes = [1e-3, 5e-3, 3e-2, 0.3];
+    for (laws, bounds) in [(gentle, [2e-3, 4e-3, 4e-3, 2e-3]), (laws(), [2e-3, 5e-3, 5e-3, 5e-3])] {
+        for (size, bound) in sizes.into_iter().zip(bounds) {
+            for (law, elastic) in laws.iter().flat_map(|law| moduli.map(|elastic| (law, elastic))) {
+                for out_of_plane in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
                     let mapping = ReturnMapping::new(Arc::clone(law), elastic.shear);
                     let model = FlowPlasticity::new(elastic, mapping, [], out_of_plane);
-                    let start: [f64; 4] = std::array::from_fn(|k| if k == 2 { 0.0 } else { 5e-3 * random() });
-                    let end = [0, 1, 2, 3].map(|k| if k == 2 { 0.0 } else { start[k] + size * random() });
-                    let state = model.update(start, &FlowState::default()).1;
-                    let (found, after) = model.update(end, &state);
-                    let (exact, _) = model.clone().with_substeps(2000).update(end, &state);
-                    let [a, b] = [found, exact].map(|response| deviator_of(response.stress));
-                    let away = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-                    let yield_stress = law.stress(after.accumulated);
-                    worst = worst.max(away.fold(0.0, f64::max) / yield_stress);
-                    let q = equivalent_stress(deviator_of(found.stress));
-                    let place = format!("{law:?} {elastic:?} {out_of_plane:?} {start:?} {end:?}");
-                    assert!(q <= yield_stress * (1.0 + 1e-9), "{q} {place}");
-                    if out_of_plane == OutOfPlane::PlaneStress {
-                        assert!(model.stress(&after)[2].abs() < 1e-8 * yield_stress, "{place}");
+                    for _ in 0..40 {
+                        let start: [f64; 4] =
+                            std::array::from_fn(|k| if k == 2 { 0.0 } else { 5e-3 * random() });
+                        let end = [0, 1, 2, 3].map(|k| if k == 2 { 0.0 } else { start[k] + size * random() });
+                        turn_ends_near_that_of_many_parts(&model, start, end, bound);
                     }
-                    assert!(after.accumulated >= state.accumulated, "{place}");
-                    assert!(after.plastic_work >= state.plastic_work, "{place}");
                 }
             }
         }
-        assert!(worst < bound, "{size}: {worst}");
     }
+}
+
+fn turn_ends_near_that_of_many_parts(model: &FlowPlasticity<0>, start: [f64; 4], end: [f64; 4], bound: f64) {
+    let place = format!("{:?} {:?} {start:?} {end:?}", model.mapping.law(), model.elastic);
+    let state = model.update(start, &FlowState::default()).1;
+    let (found, after) = model.update(end, &state);
+    let (exact, _) = model.clone().with_substeps(2000).update(end, &state);
+    let [a, b] = [found, exact].map(|response| deviator_of(response.stress));
+    let yield_stress = model.mapping.law().stress(after.accumulated);
+    let away = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / yield_stress;
+    assert!(away < bound, "{away} {place}");
+    let q = equivalent_stress(deviator_of(found.stress));
+    assert!(q <= yield_stress * (1.0 + 1e-9), "{q} {place}");
+    if model.out_of_plane == OutOfPlane::PlaneStress {
+        assert!(model.stress(&after)[2].abs() < 1e-8 * yield_stress, "{place}");
+    }
+    assert!(after.accumulated >= state.accumulated, "{place}");
+    assert!(after.plastic_work >= state.plastic_work, "{place}");
 }
 
 fn deviator_of(stress: [f64; 4]) -> [f64; 4] {

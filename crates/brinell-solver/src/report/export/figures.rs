@@ -163,9 +163,10 @@ pub fn load_approach_svg(job: &Job, report: &Report) -> Result<String, ExportErr
 /// A curve and, where it turns back, its long pieces by themselves, dashed: unloading is often one increment, and the straight line
 /// between its ends is no answer.
 fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
-    let (least, most) = range(points.iter().map(|point| point.1));
+    let forces = || points.iter().map(|point| point.1);
+    let span = forces().fold(0.0, f64::max) - forces().fold(f64::INFINITY, f64::min);
     let turns = points.windows(2).any(|pair| pair[1].1 < pair[0].1);
-    let is_far = |from: &(f64, f64), to: &(f64, f64)| turns && (to.1 - from.1).abs() > FAR * (most - least);
+    let is_far = |from: &(f64, f64), to: &(f64, f64)| turns && (to.1 - from.1).abs() > FAR * span;
     let curve = |name: &str, points: Vec<(f64, f64)>, stroke| Curve {
         name: name.to_owned(),
         points,
