@@ -4,6 +4,8 @@
 //! guards it. With them, every request under `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key
 //! it came under and to administrators, and does not exist for others.
 
+use std::future::pending;
+
 use axum::extract::{FromRequestParts, Request, State};
 use axum::http::header::AUTHORIZATION;
 use axum::http::request::Parts;
@@ -39,6 +41,14 @@ impl Caller {
         self.key.filter(|_| self.scope != Scope::Admin)
     }
 
+    /// Returns once its key is no longer good, within seconds; never without a key.
+    pub(super) async fn ends(self, state: &HttpState) {
+        match self.key {
+            Some(key) => state.jobs.key_ends(key).await,
+            None => pending().await,
+        }
+    }
+
     /// Whether a job exists for this caller.
     pub(super) fn sees(self, record: &JobRecord) -> bool {
         self.confined_to().is_none_or(|key| record.submitter == Some(key))
@@ -68,8 +78,16 @@ pub(super) async fn authenticate(
             return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
         }
         request.extensions_mut().insert(caller);
+        return tokio::select! {
+            response = next.run(request) => Ok(response),
+            () = caller.ends(&state) => Err(no_longer_good()),
+        };
     }
     Ok(next.run(request).await)
+}
+
+fn no_longer_good() -> Problem {
+    Problem::new(ProblemType::Unauthorized, "the API key is not known, or no longer good")
 }
 
 async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Problem> {
@@ -82,6 +100,6 @@ async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Prob
         return Err(refused("send the header Authorization: Bearer TOKEN"));
     }
     let key = state.jobs.authenticate(token.trim()).await?;
-    let key = key.ok_or_else(|| refused("the API key is not known, or no longer good"))?;
+    let key = key.ok_or_else(no_longer_good)?;
     Ok(Caller { key: Some(key.id), scope: key.scope })
 }

@@ -10,8 +10,10 @@ use http_body_util::BodyExt;
 use tokio::time::timeout;
 
 use super::HttpState;
+use super::access::Caller;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use crate::jobs::KeyId;
 
 /// How long, and how much of, a refused body is read and thrown away, so that a client still sending sees the
 /// answer instead of a broken connection.
@@ -31,7 +33,8 @@ impl FromRequest<HttpState> for JobBody {
             check_content_type(&parts.headers)?;
             check_not_compressed(&parts.headers)?;
             check_declared_length(&parts.headers, state.settings.max_body_bytes)?;
-            read(&mut body, state).await
+            let key = parts.extensions.get::<Caller>().and_then(|caller| caller.key());
+            read(&mut body, state, key).await
         };
         match read.await {
             Ok(text) => Ok(Self(text)),
@@ -71,32 +74,26 @@ fn check_declared_length(headers: &HeaderMap, limit: usize) -> Result<(), Proble
     if declared.is_some_and(|length| length > limit as u64) { Err(too_large(limit)) } else { Ok(()) }
 }
 
-/// Reads a body. What has arrived counts towards the bytes that all unfinished bodies may take.
-async fn read(body: &mut Body, state: &HttpState) -> Result<Bytes, Problem> {
+/// Reads a body. What has arrived counts towards the bytes that all bodies may take.
+async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<Bytes, Problem> {
     let settings = &state.settings;
     let limit = settings.max_body_bytes;
     let read = async {
-        let mut text = Vec::new();
-        let mut room = Vec::new();
+        let mut held = state.bodies.open(key);
         while let Some(frame) = body.frame().await {
             let broken = |error| {
                 Problem::new(ProblemType::InvalidJson, format!("the body could not be read: {error}"))
             };
             let Ok(data) = frame.map_err(broken)?.into_data() else { continue };
-            if text.len() + data.len() > limit {
+            if held.len() + data.len() > limit {
                 return Err(too_large(limit));
             }
-            let more = u32::try_from(data.len()).unwrap_or(u32::MAX);
-            let more = state.bodies.try_acquire_many(more).map_err(|_| {
-                Problem::new(
-                    ProblemType::TooManyBodies,
-                    "too much of other bodies is arriving at this moment",
-                )
-            })?;
-            room.push(more);
-            text.extend_from_slice(&data);
+            if !held.extend(&data) {
+                let detail = "too much of other bodies is held at this moment";
+                return Err(Problem::new(ProblemType::TooManyBodies, detail));
+            }
         }
-        Ok(Bytes::from(text))
+        Ok(held.finish())
     };
     timeout(settings.body_timeout, read).await.unwrap_or_else(|_| {
         let seconds = settings.body_timeout.as_secs();

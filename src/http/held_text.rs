@@ -11,7 +11,7 @@ use tokio::sync::mpsc::{self, Sender};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{Instant, sleep_until};
 
-use crate::jobs::{KeyId, Turns};
+use crate::jobs::{KeyId, Turn, Turns};
 
 /// How many at a time, and of one API key.
 const PLACES: usize = 8;
@@ -34,7 +34,8 @@ pub(super) struct TextPlaces {
 
 /// One place.
 pub(super) struct TextPlace {
-    permits: [Option<OwnedSemaphorePermit>; 2],
+    of_key: Turn,
+    permit: Option<OwnedSemaphorePermit>,
     window: Duration,
 }
 
@@ -50,7 +51,7 @@ impl TextPlaces {
     pub(super) async fn take(&self, key: Option<KeyId>) -> TextPlace {
         let of_key = self.keys.take(key).await;
         let place = Arc::clone(&self.places).acquire_owned().await;
-        TextPlace { permits: [of_key, place.ok()], window: self.window }
+        TextPlace { of_key, permit: place.ok(), window: self.window }
     }
 }
 
@@ -75,7 +76,8 @@ impl TextPlace {
 
     /// Whether all places are taken, so that others may wait.
     fn is_wanted(&self) -> bool {
-        self.permits.iter().flatten().any(|permit| permit.semaphore().available_permits() == 0)
+        let is_last = |permit: &OwnedSemaphorePermit| permit.semaphore().available_permits() == 0;
+        self.of_key.is_last() || self.permit.as_ref().is_some_and(is_last)
     }
 
     async fn pass_on(self, mut text: Bytes, sender: Sender<Bytes>) {

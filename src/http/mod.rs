@@ -7,6 +7,7 @@
 mod access;
 mod batch;
 mod body;
+mod body_room;
 mod docs;
 mod edge;
 mod event_stream;
@@ -42,7 +43,6 @@ use axum::http::{Extensions, HeaderMap, HeaderValue, Method, Uri};
 use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use tokio::sync::Semaphore;
 use tokio_util::sync::CancellationToken;
 use tower_http::CompressionLevel;
 use tower_http::catch_panic::CatchPanicLayer;
@@ -56,6 +56,7 @@ use utoipa_axum::routes;
 use crate::jobs::{JobService, Retention};
 use crate::webhook::CallbackRules;
 use access::authenticate;
+use body_room::BodyRoom;
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use held_text::TextPlaces;
 use negotiation::settle_coding;
@@ -79,7 +80,7 @@ pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
 pub use tls::{TlsError, TlsIdentity};
 
-/// How many bodies of the largest size may be arriving at the same time; of smaller ones more.
+/// How many bodies of the largest size may arrive, or wait for their turn, at the same time; of smaller ones more.
 const BODIES: usize = 64;
 
 /// Bounds on a single request.
@@ -159,8 +160,8 @@ pub struct HttpState {
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
     texts: TextPlaces,
-    /// Bytes that bodies may take while they arrive.
-    bodies: Arc<Semaphore>,
+    /// Memory that bodies may take.
+    bodies: Arc<BodyRoom>,
     metrics: Option<Metrics>,
 }
 
@@ -169,7 +170,7 @@ impl HttpState {
     pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
         let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
-        let bodies = Arc::new(Semaphore::new((BODIES * settings.max_body_bytes).min(Semaphore::MAX_PERMITS)));
+        let bodies = BodyRoom::new(BODIES * settings.max_body_bytes);
         Self {
             jobs,
             settings,

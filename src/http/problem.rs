@@ -263,6 +263,7 @@ impl From<StoreError> for Problem {
             StoreError::QueueFull { .. } => ProblemType::QueueFull,
             StoreError::QuotaExceeded { .. } => ProblemType::QuotaExceeded,
             StoreError::KeyReused => ProblemType::IdempotencyKeyReused,
+            StoreError::KeyEnded => ProblemType::Unauthorized,
             StoreError::Unfinished(_) => ProblemType::JobUnfinished,
             StoreError::LeaseLost => ProblemType::Internal,
             StoreError::DiskFull => {

@@ -178,6 +178,15 @@ async fn whole(state: &HttpState, report: Bytes, selection: Selection) -> Result
     edited.map_err(StoreError::unavailable)?
 }
 
+/// Leaves a line about an answer that breaks off. That a job was removed while it was read is nobody's fault.
+pub(super) fn log_broken_off(error: &StoreError) {
+    if matches!(error, StoreError::NotFound) {
+        tracing::info!("a job was removed while its result was read");
+    } else {
+        tracing::error!(error = error as &dyn std::error::Error, "a result could not be read");
+    }
+}
+
 /// Reads a result and sends it on.
 struct ResultWriter {
     state: HttpState,
@@ -194,7 +203,7 @@ impl ResultWriter {
             if gzip { self.compressed(before, behind).await } else { self.plain(before, behind).await };
         if let Err(error) = written {
             // The answer breaks off, so that no client takes it for whole.
-            tracing::error!(job = %self.id, error = &error as &dyn std::error::Error, "a result could not be read");
+            log_broken_off(&error);
             let _ = self.sender.send(Err(error)).await;
         }
     }

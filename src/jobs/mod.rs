@@ -13,6 +13,7 @@
 //! [`Lease`], and whatever it writes is fenced on that lease. [`JobNotifier`] notifies subscribers in this process
 //! that a job has changed; [`JobService`] is what the HTTP layer talks to.
 
+mod attended;
 mod callback;
 mod clock;
 mod closed_form;
@@ -35,6 +36,7 @@ mod store;
 mod trace;
 mod turns;
 
+pub use attended::AttendedJob;
 pub use callback::{Callback, CallbackState, Delivery, DeliveryEnd, DeliveryStore};
 pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
@@ -62,4 +64,4 @@ pub use brinell_solver::report::JobEstimate;
 pub use brinell_solver::report::export::{Export, ExportError};
 pub use brinell_solver::solver::IterationRecord;
 pub use trace::{NotATrace, TraceParent};
-pub use turns::Turns;
+pub use turns::{Turn, Turns};

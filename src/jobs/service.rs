@@ -1,5 +1,6 @@
 //! Operations on jobs for the layers above: submit, query, wait, cancel, remove.
 
+use std::panic::resume_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -8,17 +9,18 @@ use bytes::Bytes;
 use thiserror::Error;
 use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
 use tokio::task::yield_now;
-use tokio::time::{Instant, timeout_at};
+use tokio::time::{Instant, sleep, timeout_at};
 
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
+use tracing::Instrument;
 use uuid::Uuid;
 
 use super::{
-    ApiKey, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued, FieldsReader,
-    Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver, JobStore,
-    KeyId, KeyStore, NewJob, Refusals, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
-    read_token,
+    ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued,
+    FieldsReader, Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver,
+    JobStore, KeyId, KeyStore, NewJob, Refusals, ResultHead, StoreError, Subscription, SystemClock,
+    TraceParent, Turn, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -27,6 +29,9 @@ use brinell_solver::report::JobEstimate;
 /// Longest time between two looks at the store while waiting. Changes are announced, so this only matters when
 /// an announcement from another process is lost.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
+
+/// Time between two looks at the key of a request that goes on.
+const KEY_INTERVAL: Duration = Duration::from_secs(2);
 
 /// Large results that are decoded at the same time.
 const DECODERS: usize = 4;
@@ -114,11 +119,13 @@ pub struct JobService {
     keys: Arc<dyn KeyStore>,
     deliveries: Arc<dyn DeliveryStore>,
     limits: SubmissionLimits,
-    closed: AtomicBool,
+    closed: CancellationToken,
     waits_end: CancellationToken,
     decoders: Arc<Semaphore>,
     /// Of checks and estimates: those of one key never hold more than one thread of the runtime.
     checks: Turns,
+    /// Of submissions: each takes a connection to the store, and locks the row of its key.
+    submissions: Turns,
     /// Keys that had no place left in the queue a moment ago.
     refusals: Refusals,
     /// Damage was found in the file of the store.
@@ -131,6 +138,19 @@ pub struct JobService {
 fn log_queued(enqueued: &Enqueued, key: Option<KeyId>) {
     let Enqueued { job, replayed } = enqueued;
     tracing::info!(target: AUDIT, job = %job.id, key = key.map(display), replayed, "queued");
+}
+
+/// Carries out a change of the store, also where whoever asked for it goes meanwhile: what is committed is announced.
+async fn to_its_end<T: Send + 'static>(
+    change: impl Future<Output = Result<T, StoreError>> + Send + 'static,
+) -> Result<T, StoreError> {
+    match tokio::spawn(change.in_current_span()).await {
+        Ok(ended) => ended,
+        Err(error) => match error.try_into_panic() {
+            Ok(panic) => resume_unwind(panic),
+            Err(error) => Err(StoreError::unavailable(error)),
+        },
+    }
 }
 
 impl JobService {
@@ -150,10 +170,11 @@ impl JobService {
             keys,
             deliveries,
             limits,
-            closed: AtomicBool::new(false),
+            closed: CancellationToken::new(),
             waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
             checks: Turns::new(1),
+            submissions: Turns::new(1),
             refusals: Refusals::default(),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
@@ -170,8 +191,17 @@ impl JobService {
     }
 
     /// Waits for the turn of a key to have a job checked. Those without a key take theirs together.
-    async fn check_turn(&self, key: Option<KeyId>) -> Option<OwnedSemaphorePermit> {
+    async fn check_turn(&self, key: Option<KeyId>) -> Turn {
         self.checks.take(key.or(Some(KeyId::from(Uuid::nil())))).await
+    }
+
+    /// Waits for a turn, and no longer than the service takes jobs in.
+    async fn unless_closed(&self, turn: impl Future<Output = Turn>) -> Result<Turn, SubmitError> {
+        tokio::select! {
+            biased;
+            () = self.closed.cancelled() => Err(SubmitError::Closed),
+            turn = turn => Ok(turn),
+        }
     }
 
     fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Rejection> {
@@ -196,6 +226,19 @@ impl JobService {
         Ok(keys.into_iter().find(|key| key.accepts(secret, SystemClock.now())))
     }
 
+    /// Returns once an API key is no longer good.
+    pub async fn key_ends(&self, key: KeyId) {
+        loop {
+            sleep(KEY_INTERVAL).await;
+            // A store that does not answer for a moment ends nobody's key.
+            if let Ok(keys) = self.keys.keys(Some(key)).await
+                && !keys.iter().any(|key| key.is_good(SystemClock.now()))
+            {
+                return;
+            }
+        }
+    }
+
     /// What theory answers to a job without a mesh.
     ///
     /// # Errors
@@ -211,16 +254,45 @@ impl JobService {
     /// # Errors
     /// [`SubmitError`]; nothing is queued then.
     pub async fn submit(&self, submission: Submission) -> Result<Enqueued, SubmitError> {
-        if self.is_closed() {
-            return Err(SubmitError::Closed);
-        }
+        Ok(self.submit_with(submission, |_| ()).await?.0)
+    }
+
+    /// Checks a job and queues it for a client that waits for its answer: the job is cancelled when what is returned beside it, or this
+    /// future, is dropped. One with an idempotency key is not, for its client means to ask again.
+    ///
+    /// # Errors
+    /// [`SubmitError`]; nothing is queued then.
+    pub async fn submit_attended(
+        self: &Arc<Self>,
+        submission: Submission,
+    ) -> Result<(Enqueued, AttendedJob), SubmitError> {
+        let (jobs, key) = (Arc::clone(self), submission.submitter);
+        let may_come_again = submission.idempotency_key.is_some();
+        let attend = move |enqueued: &Enqueued| {
+            AttendedJob::new(jobs, Some(enqueued.job.id).filter(|_| !may_come_again), key)
+        };
+        self.submit_with(submission, attend).await
+    }
+
+    /// As [`Self::submit`]. What `attend` makes of a job that is queued is dropped if nobody waits for it any more.
+    async fn submit_with<T: Send + 'static>(
+        &self,
+        submission: Submission,
+        attend: impl FnOnce(&Enqueued) -> T + Send + 'static,
+    ) -> Result<(Enqueued, T), SubmitError> {
         let key = submission.submitter;
-        let turn = self.check_turn(key).await;
+        let turn = self.unless_closed(self.check_turn(key)).await?;
         let job = self.new_job(submission)?;
         drop(turn);
-        let enqueued = self.store.enqueue(job).await.inspect_err(|error| self.refusals.note(key, error))?;
-        log_queued(&enqueued, key);
-        Ok(enqueued)
+        let turn = self.unless_closed(self.submissions.take(key)).await?;
+        let store = Arc::clone(&self.store);
+        let enqueue = async move {
+            let enqueued = store.enqueue(job, turn).await?;
+            log_queued(&enqueued, key);
+            let attended = attend(&enqueued);
+            Ok((enqueued, attended))
+        };
+        Ok(to_its_end(enqueue).await.inspect_err(|error| self.refusals.note(key, error))?)
     }
 
     /// Checks several jobs and queues those that are in order, all in one step; of each, in order, what became of it.
@@ -231,11 +303,9 @@ impl JobService {
         &self,
         submissions: Vec<Submission>,
     ) -> Result<Vec<Result<Enqueued, SubmitError>>, SubmitError> {
-        if self.is_closed() {
-            return Err(SubmitError::Closed);
-        }
         let keys: Vec<Option<KeyId>> = submissions.iter().map(|submission| submission.submitter).collect();
-        let turn = self.check_turn(keys.first().copied().flatten()).await;
+        let first = keys.first().copied().flatten();
+        let turn = self.unless_closed(self.check_turn(first)).await?;
         let mut checked = Vec::with_capacity(submissions.len());
         for submission in submissions {
             checked.push(self.new_job(submission));
@@ -244,7 +314,9 @@ impl JobService {
         }
         drop(turn);
         let jobs = checked.iter().flatten().cloned().collect();
-        let mut taken = self.store.enqueue_all(jobs).await?.into_iter();
+        let turn = self.unless_closed(self.submissions.take(first)).await?;
+        let store = Arc::clone(&self.store);
+        let mut taken = to_its_end(async move { store.enqueue_all(jobs, turn).await }).await?.into_iter();
         let of = |job: Result<NewJob, SubmitError>| -> Result<Enqueued, SubmitError> {
             job?;
             let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
@@ -390,7 +462,8 @@ impl JobService {
     /// # Errors
     /// [`StoreError`].
     pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
-        let record = self.store.cancel(id).await?;
+        let store = Arc::clone(&self.store);
+        let record = to_its_end(async move { store.cancel(id).await }).await?;
         tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
         Ok(record)
     }
@@ -408,7 +481,8 @@ impl JobService {
     /// # Errors
     /// [`StoreError`].
     pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
-        self.store.delete(id).await?;
+        let store = Arc::clone(&self.store);
+        to_its_end(async move { store.delete(id).await }).await?;
         tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
         Ok(())
     }
@@ -459,7 +533,7 @@ impl JobService {
 
     /// Takes no more jobs in. Questions are still answered.
     pub fn close(&self) {
-        self.closed.store(true, Ordering::Relaxed);
+        self.closed.cancel();
     }
 
     /// Ends all waits with the present state of their jobs.
@@ -469,6 +543,6 @@ impl JobService {
 
     /// Whether the service has been closed.
     pub fn is_closed(&self) -> bool {
-        self.closed.load(Ordering::Relaxed)
+        self.closed.is_cancelled()
     }
 }

@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use super::{
     Deflated, FieldsPart, IterationRecord, JobId, JobRecord, JobState, KeyId, NewJob, Outcome, ResultHead,
-    StepResult, TraceParent, WorkerId,
+    StepResult, TraceParent, Turn, WorkerId,
 };
 
 /// Keeps jobs, hands them out and remembers how they ended.
@@ -22,18 +22,24 @@ use super::{
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
     /// Takes in a job, durably as far as the store is durable, and queues it behind those of its priority. A job
-    /// with an idempotency key that is known already is not taken in: the job that came with the key is returned.
+    /// with an idempotency key that is known already is not taken in: the job that came with the key is returned. The turn of its
+    /// key ends when others may be taken in.
     ///
     /// # Errors
-    /// [`StoreError::QueueFull`], [`StoreError::KeyReused`], [`StoreError::DiskFull`]; nothing is kept then.
-    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError>;
+    /// [`StoreError::QueueFull`], [`StoreError::QuotaExceeded`], [`StoreError::KeyReused`], [`StoreError::KeyEnded`],
+    /// [`StoreError::DiskFull`]; nothing is kept then.
+    async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError>;
 
     /// Takes in several jobs, each as [`JobStore::enqueue`] does, all in one step: of each, in order, what became of it. One
     /// that is refused leaves nothing behind and does not touch the others.
     ///
     /// # Errors
     /// [`StoreError::DiskFull`], [`StoreError::Damaged`], [`StoreError::Unavailable`]; none is kept then.
-    async fn enqueue_all(&self, jobs: Vec<NewJob>) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError>;
+    async fn enqueue_all(
+        &self,
+        jobs: Vec<NewJob>,
+        turn: Turn,
+    ) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError>;
 
     /// What is known about a job.
     ///
@@ -362,6 +368,9 @@ pub enum StoreError {
     /// The idempotency key came with another body before.
     #[error("the idempotency key was used with another body before")]
     KeyReused,
+    /// The API key was revoked, or has expired, since the request began.
+    #[error("the API key is no longer good")]
+    KeyEnded,
     /// Another worker owns the job, or nobody does any more.
     #[error("the job's lease is lost")]
     LeaseLost,

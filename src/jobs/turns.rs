@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::Duration;
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
-use tokio::time::sleep;
+use tokio::time::{Instant, sleep};
 
 use super::KeyId;
 
@@ -29,21 +29,12 @@ impl Turns {
     }
 
     /// Waits for a turn, which ends when what is returned is dropped. Without a key there is none to wait for.
-    pub async fn take(&self, key: Option<KeyId>) -> Option<OwnedSemaphorePermit> {
-        self.of(key?).acquire_owned().await.ok()
-    }
-
-    /// Ends a turn that took so long. Where others of the key wait for theirs, the next one begins after twice as long again, 50 ms at
-    /// most: a key that floods leaves two thirds of the time to other keys.
-    pub fn end(turn: Option<OwnedSemaphorePermit>, took: Duration) {
-        let Some(turn) = turn else { return };
-        // Whoever waits holds the turns too.
-        if Arc::strong_count(turn.semaphore()) > 1 {
-            tokio::spawn(async move {
-                sleep((REST * took).min(LONGEST_REST)).await;
-                drop(turn);
-            });
-        }
+    pub async fn take(&self, key: Option<KeyId>) -> Turn {
+        let permit = match key {
+            Some(key) => self.of(key).acquire_owned().await.ok(),
+            None => None,
+        };
+        Turn { permit, begin: Instant::now() }
     }
 
     fn of(&self, key: KeyId) -> Arc<Semaphore> {
@@ -58,12 +49,43 @@ impl Turns {
     }
 }
 
+/// The turn of a key.
+#[derive(Debug)]
+pub struct Turn {
+    permit: Option<OwnedSemaphorePermit>,
+    begin: Instant,
+}
+
+impl Turn {
+    /// One that nobody waits for.
+    pub fn free() -> Self {
+        Self { permit: None, begin: Instant::now() }
+    }
+
+    /// Whether the key has no other turn left.
+    pub fn is_last(&self) -> bool {
+        self.permit.as_ref().is_some_and(|permit| permit.semaphore().available_permits() == 0)
+    }
+
+    /// Ends it. Where others of the key wait for theirs, the next one begins after twice the time that this one took, 50 ms at most: a
+    /// key that floods leaves two thirds of the time to other keys.
+    pub fn end(self) {
+        let Some(permit) = self.permit else { return };
+        // Whoever waits holds the turns too.
+        if Arc::strong_count(permit.semaphore()) > 1 {
+            let rest = (REST * self.begin.elapsed()).min(LONGEST_REST);
+            tokio::spawn(async move {
+                sleep(rest).await;
+                drop(permit);
+            });
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use futures_util::FutureExt;
-    use tokio::time::Instant;
-
     use super::*;
+    use futures_util::FutureExt;
 
     #[tokio::test]
     async fn keys_wait_for_themselves_alone_and_leave_nothing_behind() {
@@ -86,12 +108,13 @@ mod tests {
         let turns = Turns::new(1);
         let (one, other) = (KeyId::generate(), KeyId::generate());
         let took = Duration::from_millis(20);
-        Turns::end(turns.take(Some(one)).await, took);
+        turns.take(Some(one)).await.end();
         let turn = turns.take(Some(one)).now_or_never().expect("nobody waited");
         let mut next = Box::pin(turns.take(Some(one)));
         assert!((&mut next).now_or_never().is_none());
+        sleep(took).await;
         let begin = Instant::now();
-        Turns::end(turn, took);
+        turn.end();
         assert!(turns.take(Some(other)).now_or_never().is_some());
         drop(next.await);
         assert!(begin.elapsed() >= REST * took);

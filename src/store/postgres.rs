@@ -20,7 +20,7 @@ use self::notifications::{Announcer, listen};
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
-use crate::jobs::{Clock, JobNotifier, StoreError, Turns, WorkerId};
+use crate::jobs::{Clock, JobNotifier, StoreError, WorkerId};
 
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
@@ -88,7 +88,7 @@ pub async fn open_postgres(
     let listener = tokio::spawn(listen(pool.clone(), node, Arc::clone(&notifier))).abort_handle();
     let announcer = Announcer::start(&pool, node);
     let backend = PostgresPool { pool, clock, announcer, listener };
-    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 #[async_trait]

@@ -30,7 +30,7 @@ use self::wal::WalSync;
 use super::migration::{self, Step};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
-use crate::jobs::{Clock, JobNotifier, StoreError, Turns};
+use crate::jobs::{Clock, JobNotifier, StoreError};
 
 const STEPS: &[Step] = &[
     Step { version: 1, name: "jobs", sql: include_str!("../../migrations/sqlite/0001_jobs.sql") },
@@ -163,7 +163,7 @@ pub async fn open_sqlite_in_memory(
     let backend = SqliteDatabase::in_memory(bytes, clock).await;
     let failed = |source| SqliteError::Database { path: PathBuf::from(":memory:"), source };
     let backend = backend.map_err(failed)?;
-    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 async fn open(
@@ -176,7 +176,7 @@ async fn open(
     let path = directory.join(DATABASE);
     let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
     let backend = backend.map_err(|source| SqliteError::Database { path, source })?;
-    Ok(Arc::new(SqlStore { backend, notifier, limits, submissions: Turns::new(1) }))
+    Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
 /// Makes the directory and locks it. The lock ends with the process, however it ends.

@@ -1,8 +1,10 @@
 //! Several jobs in one request.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use serde_json::{Value, json};
 
-use crate::curl::{Answer, pointers};
+use crate::curl::{Answer, curl, pointers};
 use crate::in_process::{InProcess, job};
 use crate::server::{Server, Target, example};
 
@@ -136,4 +138,33 @@ fn jobs_are_fetched_with_the_parts_of_their_results_that_are_wanted() {
         server.target.get(&format!("/v1/jobs/{}/result?step=2&fields=contact", ids[0].as_str().unwrap()));
     assert_eq!(parts[0]["job"]["result"], result.json());
     assert_eq!(parts[2]["problem"]["type"], "/problems/step-not-found");
+}
+
+#[test]
+fn a_job_that_is_removed_meanwhile_does_not_touch_the_others() {
+    let service = InProcess::start(|_| ());
+    let jobs: Vec<Value> = (0..30).map(|_| json!({"job": job("quick")})).collect();
+    let answered = items(&submit(&service.target, &jobs, "Accept: */*"));
+    let ids = ids_of(&answered);
+    let addresses: Vec<&str> =
+        answered.iter().map(|item| item["job"]["links"]["self"].as_str().unwrap()).collect();
+    for address in &addresses {
+        service.target.wait_for(address, &["succeeded"]);
+    }
+    let asked = json!({"ids": ids}).to_string();
+    let are_left = AtomicBool::new(true);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            for address in &addresses {
+                curl(&["-X", "DELETE", &format!("{}{address}", service.target.url)]);
+            }
+            are_left.store(false, Ordering::Relaxed);
+        });
+        while are_left.load(Ordering::Relaxed) {
+            let fetched = items(&service.target.post("/v1/batch/fetch", asked.clone()));
+            assert_eq!(fetched.len(), ids.len(), "the answer is whole");
+        }
+    });
+    let fetched = items(&service.target.post("/v1/batch/fetch", asked));
+    assert!(fetched.iter().all(|item| item["problem"]["type"] == "/problems/job-not-found"));
 }

@@ -3,7 +3,8 @@
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::process::Command;
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use crate::curl::{Answer, curl, curl_with_input};
 use crate::server::{DEADLINE, Scratch, Server, example};
@@ -146,6 +147,24 @@ fn a_key_has_quotas_and_an_end() {
     let admin = guarded.key(&["create", "admin", "--scope", "admin"]);
     let finished = format!("{}?wait=30", job.header("location").unwrap());
     assert_eq!(guarded.ask(&admin, "GET", &finished).json()["status"], "succeeded");
+}
+
+#[test]
+fn what_goes_on_under_a_key_ends_with_it() {
+    let guarded = Guarded::start();
+    let token = guarded.key(&["create", "press", "--max-running", "0"]);
+    let id = guarded.key(&["list"]).split(' ').next().unwrap().to_owned();
+    let job = guarded.post(&token, "/v1/jobs").header("location").unwrap().to_owned();
+    let begin = Instant::now();
+    let [waited, stream] = thread::scope(|scope| {
+        let wait = scope.spawn(|| guarded.ask(&token, "GET", &format!("{job}?wait=50")));
+        let stream = scope.spawn(|| guarded.ask(&token, "GET", &format!("{job}/events")));
+        thread::sleep(Duration::from_millis(300));
+        guarded.key(&["revoke", &id]);
+        [wait.join().unwrap(), stream.join().unwrap()]
+    });
+    waited.problem(401, "unauthorized");
+    assert!(stream.status == 200 && begin.elapsed() < Duration::from_secs(40), "{:?}", begin.elapsed());
 }
 
 #[test]

@@ -56,6 +56,14 @@ fn jobs_are_listed_newest_first_page_by_page() {
 }
 
 #[test]
+fn a_tag_that_no_job_can_have_is_refused() {
+    let server = Server::start();
+    for tag in ["a:%00", "%00:a", "a"] {
+        server.target.get(&format!("/v1/jobs?tag={tag}")).problem(400, "invalid-query");
+    }
+}
+
+#[test]
 fn finished_jobs_are_deleted() {
     let service = InProcess::start(|_| ());
     let target = &service.target;

@@ -1,6 +1,6 @@
 //! What is damaged is told as such, and holds nothing else up.
 
-use brinell::jobs::{FIELDS_PART, JobId, NewJob, StepResult, StoreError};
+use brinell::jobs::{FIELDS_PART, JobId, NewJob, StepResult, StoreError, Turn};
 use brinell_solver::report::{FieldArrays, FieldsReport, PerBody};
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
@@ -74,7 +74,7 @@ async fn damage_in_every_table_of_postgres_is_found() {
 /// A job with everything that a job can have.
 async fn rich_job(subject: &Subject) -> JobId {
     let callback_url = Some("https://hooks.example/".to_owned());
-    let id = subject.store.enqueue(NewJob { callback_url, ..job("x") }).await.unwrap().job.id;
+    let id = subject.store.enqueue(NewJob { callback_url, ..job("x") }, Turn::free()).await.unwrap().job.id;
     let lease = subject.claim_one().await;
     let fields = FieldsReport { nodes: vec![[0.0; 2]; 40_000], ..FieldsReport::default() };
     let fields = FieldArrays::encode(&PerBody { upper: Some(fields), lower: None }).unwrap();

@@ -5,6 +5,7 @@
 mod cluster;
 mod damage;
 mod deliveries;
+mod dropped;
 mod durable;
 mod fair_share;
 mod in_memory;
@@ -74,6 +75,12 @@ macro_rules! contract {
             deliveries many_at_once_never_get_the_same_announcement;
             deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
+            dropped a_client_that_goes_leaves_no_job_behind;
+            dropped a_client_that_means_to_come_again_finds_its_job;
+            dropped what_is_changed_is_announced_although_its_client_has_gone;
+            dropped who_waits_for_his_turn_is_told_that_the_service_closes;
+            dropped names_in_any_order_are_taken_in_together;
+            quotas a_key_that_has_ended_hands_nothing_in;
         }
     };
     ($backend:ident, $start:expr, $($part:ident $promise:ident;)*) => {

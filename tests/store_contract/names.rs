@@ -1,6 +1,6 @@
 //! Submissions that come twice.
 
-use brinell::jobs::{Idempotency, KeyId, NewJob, StoreError};
+use brinell::jobs::{Idempotency, KeyId, NewJob, StoreError, Turn};
 use brinell_solver::solver::SolveStatus;
 
 use crate::subject::{ALL, QUEUE_CAPACITY, Subject, job};
@@ -42,7 +42,7 @@ pub async fn a_refused_job_does_not_take_its_name(subject: &Subject) {
 pub async fn the_same_name_at_the_same_instant_is_one_job(subject: &Subject) {
     let submissions = (0..8).map(|_| {
         let store = subject.store.clone();
-        tokio::spawn(async move { store.enqueue(named("a", 1)).await.unwrap() })
+        tokio::spawn(async move { store.enqueue(named("a", 1), Turn::free()).await.unwrap() })
     });
     let (mut ids, mut fresh) = (Vec::new(), 0);
     for submission in submissions.collect::<Vec<_>>() {
@@ -59,7 +59,7 @@ pub async fn jobs_together_are_taken_in_or_refused_one_by_one(subject: &Subject)
     let all =
         |names: &[(&str, u8)]| names.iter().map(|(name, digest)| named(name, *digest)).collect::<Vec<_>>();
     let together = all(&[("b", 1), ("a", 1), ("a", 2), ("c", 1), ("b", 1), ("d", 1), ("e", 1), ("f", 1)]);
-    let taken = subject.store.enqueue_all(together).await.unwrap();
+    let taken = subject.store.enqueue_all(together, Turn::free()).await.unwrap();
     let told: Vec<_> = taken
         .iter()
         .map(|taken| match taken {

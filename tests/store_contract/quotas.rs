@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use brinell::jobs::{ApiKey, KeyId, KeyLimits, NewJob, Quota, Scope, StepResult, StoreError};
+use brinell::jobs::{ApiKey, Clock, KeyId, KeyLimits, NewJob, Quota, Scope, StepResult, StoreError, Turn};
 use brinell_solver::solver::SolveStatus;
 use jiff::Timestamp;
 
@@ -87,7 +87,7 @@ pub async fn submissions_at_the_same_instant_are_counted(subject: &Subject) {
     let bound = key(subject, KeyLimits { queued: Some(2), ..KeyLimits::default() }).await;
     let submissions = (0..8).map(|_| {
         let store = Arc::clone(&subject.store);
-        tokio::spawn(async move { store.enqueue(job_of(bound)).await })
+        tokio::spawn(async move { store.enqueue(job_of(bound), Turn::free()).await })
     });
     let mut accepted = 0;
     for submission in submissions.collect::<Vec<_>>() {
@@ -98,4 +98,15 @@ pub async fn submissions_at_the_same_instant_are_counted(subject: &Subject) {
         }
     }
     assert_eq!(accepted, 2);
+}
+
+pub async fn a_key_that_has_ended_hands_nothing_in(subject: &Subject) {
+    let revoked = key(subject, KeyLimits::default()).await;
+    subject.submit(job_of(revoked)).await.unwrap();
+    subject.store.revoke_key(revoked).await.unwrap();
+    assert!(matches!(subject.submit(job_of(revoked)).await, Err(StoreError::KeyEnded)));
+    let (short, _) = ApiKey::generate("short".to_owned(), Scope::Write, Timestamp::UNIX_EPOCH);
+    let expires_at = Some(subject.clock.now());
+    subject.store.add_key(ApiKey { expires_at, ..short.clone() }).await.unwrap();
+    assert!(matches!(subject.submit(job_of(short.id)).await, Err(StoreError::KeyEnded)));
 }

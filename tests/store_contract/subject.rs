@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use brinell::jobs::{
     Claim, ClaimRequest, Claims, Clock, Enqueued, IterationRecord, JobFilter, JobId, JobNotifier, JobRecord,
-    KeyLimits, Lease, NewJob, Outcome, StoreError, WorkerId,
+    KeyLimits, Lease, NewJob, Outcome, StoreError, Turn, WorkerId,
 };
 use brinell::store::{Store, StoreLimits, open_postgres, open_sqlite, open_sqlite_in_memory};
 use brinell_solver::solver::SolveStatus;
@@ -131,7 +131,7 @@ impl Subject {
     }
 
     pub async fn submit(&self, job: NewJob) -> Result<Enqueued, StoreError> {
-        self.store.enqueue(job).await
+        self.store.enqueue(job, Turn::free()).await
     }
 
     /// What a worker that does nothing else is handed.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use brinell::jobs::{Idempotency, JobId, JobState, NewJob, Scope};
+use brinell::jobs::{Idempotency, JobId, JobState, NewJob, Scope, Turn};
 use brinell_solver::report::Report;
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
@@ -72,7 +72,7 @@ async fn everything_is_there(subject: &Subject) {
 
     let digest = sha2::Digest::finalize(<sha2::Sha256 as sha2::Digest>::new_with_prefix(&request)).into();
     let again = NewJob { idempotency: Some(Idempotency { key: "press-7".to_owned(), digest }), ..job("x") };
-    let replayed = store.enqueue(again).await.unwrap();
+    let replayed = store.enqueue(again, Turn::free()).await.unwrap();
     assert_eq!((replayed.replayed, replayed.job.id), (true, done));
 
     let keys = store.keys(None).await.unwrap();

@@ -3,7 +3,7 @@
 use axum::body::{Body, Bytes};
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
-use tokio::sync::mpsc::{self, Sender};
+use tokio::sync::mpsc::{self, Receiver, Sender};
 
 use super::BatchItem;
 use crate::http::HttpState;
@@ -11,9 +11,12 @@ use crate::http::access::Caller;
 use crate::http::job_path::check_seen;
 use crate::http::problem::Problem;
 use crate::http::query::Selection;
-use crate::http::result_body::{WAITING_PIECES, inside_of, pieces};
+use crate::http::result_body::{WAITING_PIECES, inside_of, log_broken_off, pieces};
 use crate::http::wire::{JobDocument, Prefix};
 use crate::jobs::{JobId, StoreError};
+
+/// Bytes of a job that are held back until the whole of it is there, so that one that is removed meanwhile is answered as such.
+const HELD: usize = 1 << 20;
 
 type Piece = Result<Bytes, StoreError>;
 
@@ -30,7 +33,7 @@ pub(in crate::http) fn fetched(
     tokio::spawn(async move {
         if let Err(error) = fetch.run(ids).await {
             // The answer breaks off, so that no client takes it for whole.
-            tracing::error!(error = &error as &dyn std::error::Error, "results could not be read");
+            log_broken_off(&error);
             let _ = fetch.sender.send(Err(error)).await;
         }
     });
@@ -90,6 +93,44 @@ impl Fetch {
         before.truncate(before.len().saturating_sub(2));
         before.extend_from_slice(b",\"result\":");
         let around = (Bytes::from(before), Bytes::from_static(b"}}"));
-        inside_of(&self.state, id, head, &self.selection, around, &self.sender).await
+        let (inner, pieces) = mpsc::channel(WAITING_PIECES);
+        let write = async {
+            let written = inside_of(&self.state, id, head, &self.selection, around, &inner).await;
+            drop(inner);
+            written
+        };
+        let (written, held) = tokio::join!(write, self.pass_on(pieces));
+        match (written, held) {
+            // Removed meanwhile, by its owner or to make room.
+            (Err(error @ StoreError::NotFound), Some(_)) => Ok(Err(error.into())),
+            (Ok(Ok(())), Some(held)) => {
+                for piece in held {
+                    let _ = self.sender.send(piece).await;
+                }
+                Ok(Ok(()))
+            }
+            (written, _) => written,
+        }
+    }
+
+    /// Sends the pieces of a job once there are so many that they are not held any longer, and returns those of a job of which
+    /// nothing is sent yet.
+    async fn pass_on(&self, mut pieces: Receiver<Piece>) -> Option<Vec<Piece>> {
+        let mut held = Some(Vec::new());
+        let mut bytes = 0;
+        while let Some(piece) = pieces.recv().await {
+            bytes += piece.as_ref().map_or(0, Bytes::len);
+            let Some(waiting) = &mut held else {
+                let _ = self.sender.send(piece).await;
+                continue;
+            };
+            waiting.push(piece);
+            if bytes > HELD {
+                for piece in held.take().into_iter().flatten() {
+                    let _ = self.sender.send(piece).await;
+                }
+            }
+        }
+        held
     }
 }

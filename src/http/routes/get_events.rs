@@ -16,8 +16,9 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
-use futures_util::stream;
+use futures_util::{StreamExt as _, stream};
 
+use crate::http::access::Caller;
 use crate::http::event_stream::{EventPosition, EventStream};
 use crate::http::job_path::JobPath;
 use crate::http::wire::Prefix;
@@ -51,6 +52,7 @@ pub(in crate::http) async fn get_events(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     prefix: Prefix,
+    caller: Caller,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
@@ -59,10 +61,16 @@ pub(in crate::http) async fn get_events(
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
     let permit = state.streams.open()?;
+    let key_ends = {
+        let state = state.clone();
+        async move { caller.ends(&state).await }
+    };
     let events = EventStream::new(state, id, last.and_then(EventPosition::parse), prefix);
     let stream = stream::unfold((events, permit), |(mut events, permit)| async {
         let event = events.next().await?;
         Some((Ok::<Event, Infallible>(event), (events, permit)))
     });
-    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
+    Ok(Sse::new(stream.take_until(Box::pin(key_ends)))
+        .keep_alive(KeepAlive::new().interval(KEEP_ALIVE))
+        .into_response())
 }

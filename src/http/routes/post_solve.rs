@@ -7,14 +7,11 @@
 //! | the input turned out impossible | 422 |
 //! | the solver or the program failed | 500 |
 //! | stopped before there was a report | 409 |
-//! | the client hung up | the job is cancelled |
-
-use std::sync::Arc;
+//! | the client hung up | the job is cancelled, unless it has an `Idempotency-Key` to ask again with |
 
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::{IntoResponse, Response};
-use tokio::runtime::Handle;
 
 use super::answer::{apply_preference, finished, mark_replayed};
 use crate::http::access::Caller;
@@ -24,7 +21,7 @@ use crate::http::query::{Wait, WaitQuery};
 use crate::http::request_log::Trace;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
-use crate::jobs::{JobId, JobService, KeyId, Submission};
+use crate::jobs::Submission;
 
 /// Somebody waits: these jobs go before queued ones of ordinary priority.
 const URGENT: i16 = 1;
@@ -32,7 +29,7 @@ const URGENT: i16 = 1;
 /// Solve a job and wait for the result
 ///
 /// Waits as long as the service allows, or as `wait` says if that is less. Past it the answer is 202, as that of
-/// `POST /v1/jobs`, and the job goes on. A client that hangs up cancels its job.
+/// `POST /v1/jobs`, and the job goes on. A client that hangs up cancels its job, unless it has an `Idempotency-Key` to ask again with.
 #[utoipa::path(
     post, path = "/v1/solve", tag = "jobs",
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
@@ -86,40 +83,16 @@ pub(in crate::http) async fn post_solve(
         callback_url: None,
         trace,
     };
-    let enqueued = state.jobs.submit(submission).await?;
+    let (enqueued, attended) = state.jobs.submit_attended(submission).await?;
     let id = enqueued.job.id;
-    let mut cancel_on_drop = CancelOnDrop {
-        jobs: Arc::clone(&state.jobs),
-        job: Some(id).filter(|_| !enqueued.replayed),
-        key: caller.key(),
-    };
     let record = state.jobs.wait(id, timeout).await?;
     if !record.state.is_finished() {
         state.jobs.sync().await?;
     }
-    cancel_on_drop.job = None;
+    attended.release();
     let answer = finished(&state, record, &prefix, &headers).await;
     let mut response = answer.unwrap_or_else(IntoResponse::into_response);
     mark_replayed(&mut response, enqueued.replayed);
     apply_preference(&mut response, wait);
     Ok(response)
-}
-
-/// Cancels the job when the handler is dropped before its end, which is what happens when the client goes.
-struct CancelOnDrop {
-    jobs: Arc<JobService>,
-    job: Option<JobId>,
-    key: Option<KeyId>,
-}
-
-impl Drop for CancelOnDrop {
-    fn drop(&mut self) {
-        let (Some(id), Ok(runtime)) = (self.job, Handle::try_current()) else { return };
-        let (jobs, key) = (Arc::clone(&self.jobs), self.key);
-        runtime.spawn(async move {
-            if let Err(error) = jobs.cancel(id, key).await {
-                tracing::warn!(job = %id, %error, "cannot cancel the job of a client that hung up");
-            }
-        });
-    }
 }

@@ -85,6 +85,7 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
         owner: Uuid,
         job: &NewJob,
         limits: StoreLimits,
+        key: KeyLimits,
     ) -> impl Future<Output = Result<bool, StoreError>> + Send;
     fn label(
         &mut self,
@@ -124,13 +125,15 @@ macro_rules! intake {
                 now: i64,
             ) -> Result<Enqueued, StoreError> {
                 let submitter = job.submitter.map(|key| key.uuid());
+                // Before a name is taken: who waits for a name never holds up its owner.
+                let limits_of_key = self.lock_submitter(job.submitter, now).await?;
                 if let Some(name) = &job.idempotency
                     && let Some(job) = self.replay(job.id, submitter.unwrap_or_default(), name).await?
                 {
                     return Ok(Enqueued { job, replayed: true });
                 }
                 let owner = submitter.unwrap_or_default();
-                if !self.check_places(owner, &job, limits).await? {
+                if !self.check_places(owner, &job, limits, limits_of_key).await? {
                     let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
                     flow.execute(&mut *self).await?;
                 }
@@ -168,12 +171,9 @@ macro_rules! intake {
                 owner: Uuid,
                 job: &NewJob,
                 limits: StoreLimits,
+                key: KeyLimits,
             ) -> Result<bool, StoreError> {
-                // Counts begin once the row of the key is locked.
-                let key = match job.submitter {
-                    Some(_) => self.lock_limits(owner).await?.or(limits.by_key),
-                    None => KeyLimits::default(),
-                };
+                let key = if job.submitter.is_some() { key.or(limits.by_key) } else { key };
                 let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES).bind(owner);
                 let places =
                     places.bind(job.interactive).bind(key.queued.is_some()).bind(key.stored_bytes.is_some());

@@ -83,6 +83,14 @@ fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
     })
 }
 
+/// [`LimitsRow`], whether the key is revoked, and when it expires.
+type SubmitterRow = (Option<i64>, Option<i64>, Option<i64>, Option<i32>, bool, Option<i64>);
+
+const fn split(row: SubmitterRow) -> (LimitsRow, bool, Option<i64>) {
+    let (queued, running, bytes, priority, is_revoked, expires_at) = row;
+    ((queued, running, bytes, priority), is_revoked, expires_at)
+}
+
 fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits, StoreError> {
     Ok(KeyLimits {
         queued: queued.map(count).transpose()?,
@@ -101,9 +109,13 @@ fn limits_row(limits: KeyLimits) -> LimitsRow {
 pub(in crate::store) trait Keys: Send {
     fn add_key(&mut self, key: ApiKey) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn keys(&mut self, id: Option<KeyId>) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
-    /// What a key may take by its own row, which stays locked until the end of the transaction, so that submissions under one
-    /// key are counted one after the other.
-    fn lock_limits(&mut self, id: Uuid) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
+    /// What a submitter may take by the row of his key. Until the end of the transaction nobody else submits under this key, or
+    /// without one, so that jobs are counted and names are taken one after the other.
+    fn lock_submitter(
+        &mut self,
+        key: Option<KeyId>,
+        now: i64,
+    ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
     fn rotate_key(
         &mut self,
         id: KeyId,
@@ -120,7 +132,7 @@ pub(in crate::store) trait Keys: Send {
 }
 
 macro_rules! keys {
-    ($database:ty, $connection:ty, $limits:expr) => {
+    ($database:ty, $connection:ty, $limits:expr, $lock_keyless:expr) => {
         impl Keys for $connection {
             async fn add_key(&mut self, key: ApiKey) -> Result<(), StoreError> {
                 let (queued, running, bytes, priority) = limits_row(key.limits);
@@ -150,10 +162,26 @@ macro_rules! keys {
                 rows.fetch_all(self).await?.into_iter().map(api_key).collect()
             }
 
-            async fn lock_limits(&mut self, id: Uuid) -> Result<KeyLimits, StoreError> {
-                let row =
-                    sqlx::query_as::<$database, LimitsRow>($limits).bind(id).fetch_optional(self).await?;
-                row.map_or(Ok(KeyLimits::default()), key_limits)
+            async fn lock_submitter(
+                &mut self,
+                key: Option<KeyId>,
+                now: i64,
+            ) -> Result<KeyLimits, StoreError> {
+                let Some(key) = key else {
+                    if let Some(lock) = $lock_keyless {
+                        sqlx::query::<$database>(lock).execute(self).await?;
+                    }
+                    return Ok(KeyLimits::default());
+                };
+                let row = sqlx::query_as::<$database, SubmitterRow>($limits).bind(key.uuid());
+                let Some((limits, is_revoked, expires_at)) = row.fetch_optional(self).await?.map(split)
+                else {
+                    return Ok(KeyLimits::default());
+                };
+                if is_revoked || expires_at.is_some_and(|end| end <= now) {
+                    return Err(StoreError::KeyEnded);
+                }
+                key_limits(limits)
             }
 
             async fn rotate_key(
@@ -193,9 +221,17 @@ macro_rules! keys {
 
 macro_rules! limits_of_key {
     ($lock:literal) => {
-        concat!("SELECT max_queued, max_running, max_stored, max_priority FROM api_keys WHERE id = $1", $lock)
+        concat!(
+            "SELECT max_queued, max_running, max_stored, max_priority, revoked_at IS NOT NULL, expires_at FROM api_keys \
+             WHERE id = $1",
+            $lock
+        )
     };
 }
 
-keys!(Sqlite, SqliteConnection, limits_of_key!(""));
-keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"));
+/// A lock of no row, for those who submit without a key; its number is that of nothing else.
+const LOCK_KEYLESS: &str = "SELECT pg_advisory_xact_lock(4242001)";
+
+// Who writes to SQLite is alone.
+keys!(Sqlite, SqliteConnection, limits_of_key!(""), None::<&str>);
+keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"), Some(LOCK_KEYLESS));

@@ -15,7 +15,7 @@ mod reading;
 
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use async_trait::async_trait;
 use bytes::Bytes;
@@ -25,7 +25,7 @@ use super::StoreLimits;
 use crate::jobs::{
     ClaimRequest, Claims, Counts, Deflated, DeliveryStore, Enqueued, FieldsPart, FieldsReader,
     IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobState, JobStore, KeyStore, Lease,
-    LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError, Turns,
+    LeaseStatus, NewJob, Outcome, ResultHead, Retention, StepResult, StoreError, Turn,
 };
 use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
@@ -65,8 +65,6 @@ pub(super) struct SqlStore<B> {
     pub(super) backend: B,
     pub(super) notifier: Arc<JobNotifier>,
     pub(super) limits: StoreLimits,
-    /// Of submissions: each takes a connection, and locks the row of its key.
-    pub(super) submissions: Turns,
 }
 
 impl<B: Backend> SqlStore<B> {
@@ -113,23 +111,24 @@ impl<B: Backend> SqlStore<B> {
 
 #[async_trait]
 impl<B: Backend> JobStore for SqlStore<B> {
-    async fn enqueue(&self, job: NewJob) -> Result<Enqueued, StoreError> {
+    async fn enqueue(&self, job: NewJob, turn: Turn) -> Result<Enqueued, StoreError> {
         self.backend.check_space().await?;
         let durability = if job.interactive { Written } else { Synced };
-        let turn = self.submissions.take(job.submitter).await;
-        let begin = Instant::now();
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
         // Many that are handed in one after the other share a sync.
-        Turns::end(turn, begin.elapsed());
+        turn.end();
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
 
-    async fn enqueue_all(&self, jobs: Vec<NewJob>) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError> {
+    async fn enqueue_all(
+        &self,
+        jobs: Vec<NewJob>,
+        turn: Turn,
+    ) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError> {
         self.backend.check_space().await?;
         let durability = if jobs.iter().all(|job| job.interactive) { Written } else { Synced };
-        let _turn = self.submissions.take(jobs.first().and_then(|job| job.submitter)).await;
         let (mut transaction, now) = self.backend.write().await?;
         let mut enqueued = Vec::with_capacity(jobs.len());
         for job in jobs {
@@ -143,6 +142,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
             enqueued.push(taken);
         }
         self.commit(transaction, durability, &[Change::Work]).await?;
+        drop(turn);
         Ok(enqueued)
     }
 

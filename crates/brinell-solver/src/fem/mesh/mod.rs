@@ -1,4 +1,4 @@
-//! Meshes of the two bodies: half-O-grids, and polar grids of a pin in a hole.
+//! Meshes of the two bodies: half-O-grids, columns through layers, and polar grids of a pin in a hole.
 //!
 //! Each body is meshed in its own frame: the contact starts at the origin, `x` is tangential, `y` points out
 //! of the body, so the material lies at `y <= surface(x)`. The upper body of a job is this picture mirrored,
@@ -18,6 +18,7 @@
 mod frame;
 mod half_o_grid;
 mod interpolation;
+mod layer;
 mod locator;
 mod outline;
 mod polar;
@@ -74,7 +75,12 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
     if let Some(ring) = outline.ring() {
         return polar::estimated_nodes(ring, zone, refinement);
     }
-    half_o_grid::estimated_nodes(outline, zone, refinement)
+    let in_columns = || layer::estimated_nodes(outline, zone, refinement);
+    if layer::is_layer(outline, zone) {
+        return in_columns();
+    }
+    let in_rings = half_o_grid::estimated_nodes(outline, zone, refinement);
+    if layer::is_flat(outline) { in_rings.max(in_columns()) } else { in_rings }
 }
 
 /// Relative difference of two lengths that is rounding: other units give the same numbers of rows and columns.
@@ -123,6 +129,10 @@ impl Mesh {
             let mesh = polar::generate(outline, ring, zone, refinement)?;
             return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
+        if layer::is_layer(outline, zone) {
+            let mesh = layer::generate(outline, zone, refinement)?;
+            return quality::require_positive_jacobians(&mesh).map(|()| mesh);
+        }
         // Where a narrow body bends away beside an off-centre zone, a deviation that reaches far into the body
         // folds the rings there; a steeper fade keeps it near the surface.
         let centre = [zone.centre(), outline.height(zone.centre())];
@@ -138,6 +148,10 @@ impl Mesh {
                     return outcome;
                 }
             }
+        }
+        if layer::is_flat(outline) {
+            let mesh = layer::generate(outline, zone, refinement)?;
+            return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
         match (outcome, outline.steepest()) {
             (Err(MeshError::Inverted { .. }), Some([x, slope])) if slope > MESHED_SLOPE => {
@@ -220,7 +234,7 @@ mod tests {
         });
         prop_oneof![
             Just(r#"{"type": "cylinder", "radius": 10}"#.to_owned()),
-            (0.0..3.5f64)
+            (-4.0..3.5f64)
                 .prop_map(|decades| format!(r#"{{"type": "block", "width": 20, "depth": {}}}"#, 10f64.powf(decades))),
             (1.2..8.0f64, 0.0..3.5f64).prop_map(|(exponent, decades)| {
                 let depth = 9.0 + 10f64.powf(decades);

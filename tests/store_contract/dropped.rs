@@ -1,0 +1,144 @@
+//! Requests whose client goes before they are answered, at any moment.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use brinell::jobs::{
+    CoreSolver, Idempotency, JobFilter, JobService, KeyId, NewJob, Submission, SubmissionLimits, SubmitError,
+    Turn,
+};
+use futures_util::FutureExt;
+use tokio::time::{Instant, sleep, timeout};
+
+use crate::subject::{Subject, job};
+
+const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
+/// Times a request is polled before it is dropped, at most.
+const POLLS: usize = 40;
+const POLL: Duration = Duration::from_micros(200);
+const SOON: Duration = Duration::from_secs(5);
+
+fn service(subject: &Subject) -> Arc<JobService> {
+    let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
+    let (store, notifier) = (&subject.store, Arc::clone(&subject.notifier));
+    let solver = Arc::new(CoreSolver::with_cache(0));
+    Arc::new(JobService::new(store.clone(), notifier, solver, store.clone(), store.clone(), limits))
+}
+
+/// Polls a request some times and drops it; `true` if it came to its end.
+async fn dropped_after(polls: usize, request: impl Future) -> bool {
+    let mut request = Box::pin(request);
+    for _ in 0..polls {
+        if (&mut request).now_or_never().is_some() {
+            return true;
+        }
+        sleep(POLL).await;
+    }
+    false
+}
+
+async fn soon(mut holds: impl AsyncFnMut() -> bool) -> bool {
+    let deadline = Instant::now() + SOON;
+    while !holds().await {
+        if Instant::now() > deadline {
+            return false;
+        }
+        sleep(POLL).await;
+    }
+    true
+}
+
+pub async fn a_client_that_goes_leaves_no_job_behind(subject: &Subject) {
+    let jobs = service(subject);
+    for polls in 0..POLLS {
+        let submission = Submission { request: JOB.into(), interactive: true, ..Submission::default() };
+        // What came to its end is dropped too.
+        dropped_after(polls, jobs.submit_attended(submission)).await;
+        let all_ended = soon(async || {
+            // One that is just being taken in is in the store by then.
+            sleep(10 * POLL).await;
+            let page = jobs.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+            page.jobs.iter().all(|job| job.state.is_finished())
+        });
+        assert!(all_ended.await, "a job goes on after {polls} polls");
+    }
+}
+
+pub async fn a_client_that_means_to_come_again_finds_its_job(subject: &Subject) {
+    let jobs = service(subject);
+    let submission = |name: &str| Submission {
+        request: JOB.into(),
+        interactive: true,
+        idempotency_key: Some(name.to_owned()),
+        ..Submission::default()
+    };
+    let (first, attended) = jobs.submit_attended(submission("press-7")).await.unwrap();
+    drop(attended);
+    sleep(10 * POLL).await;
+    let (again, _attended) = jobs.submit_attended(submission("press-7")).await.unwrap();
+    assert!(again.replayed && again.job.id == first.job.id && !again.job.state.is_finished());
+}
+
+pub async fn what_is_changed_is_announced_although_its_client_has_gone(subject: &Subject) {
+    let jobs = service(subject);
+    for polls in 0..POLLS {
+        let id = subject.enqueue("x").await;
+        let lease = subject.claim_one().await;
+        let mut subscription = jobs.subscribe(id);
+        dropped_after(polls, jobs.cancel(id, None)).await;
+        sleep(10 * POLL).await;
+        if subject.get(id).await.cancel_requested {
+            let told = timeout(SOON, async { while !subscription.changed().await.cancel_requested {} });
+            told.await.unwrap_or_else(|_| panic!("a job is not told to stop after {polls} polls"));
+        }
+        subject.store.release(&[lease]).await.unwrap();
+        jobs.cancel(id, None).await.unwrap();
+    }
+}
+
+pub async fn names_in_any_order_are_taken_in_together(subject: &Subject) {
+    for round in 0_u8..10 {
+        let names: Vec<String> = (0..3).map(|k| format!("{round} {k}")).collect();
+        let batch = |names: Vec<String>| {
+            let store = subject.store.clone();
+            let jobs = names.into_iter().map(|key| {
+                let idempotency = Some(Idempotency { key, digest: [0; 32] });
+                NewJob { idempotency, ..job("x") }
+            });
+            let jobs = jobs.collect();
+            tokio::spawn(async move { store.enqueue_all(jobs, Turn::free()).await })
+        };
+        let begin = Instant::now();
+        let both = [batch(names.clone()), batch(names.into_iter().rev().collect())];
+        let mut fresh = 0;
+        for taken in both {
+            let taken = taken.await.unwrap().expect("neither waits for the other for ever");
+            fresh += taken.iter().filter(|taken| !taken.as_ref().unwrap().replayed).count();
+        }
+        assert_eq!(fresh, 3);
+        assert!(begin.elapsed() < SOON);
+        let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+        for record in page.jobs {
+            subject.store.cancel(record.id).await.unwrap();
+        }
+    }
+}
+
+pub async fn who_waits_for_his_turn_is_told_that_the_service_closes(subject: &Subject) {
+    let jobs = service(subject);
+    let submitter = Some(KeyId::generate());
+    let submissions: Vec<_> = (0..50)
+        .map(|_| {
+            let jobs = Arc::clone(&jobs);
+            let submission = Submission { request: JOB.into(), submitter, ..Submission::default() };
+            tokio::spawn(async move { jobs.submit(submission).await })
+        })
+        .collect();
+    jobs.close();
+    let mut refused = 0;
+    for submission in submissions {
+        refused += usize::from(matches!(submission.await.unwrap(), Err(SubmitError::Closed)));
+    }
+    let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+    assert!(refused >= 48 && page.jobs.len() + refused == 50, "{refused} of 50 were told");
+}
