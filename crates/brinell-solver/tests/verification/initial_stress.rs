@@ -57,6 +57,10 @@ fn a_stress_of_depth_alone_moves_nothing() {
             let (plain, stressed) = (step(&plain), step(&stressed));
             assert_within(stressed.approach, plain.approach, 1e-9);
             assert_within(stressed.contact.half_width, plain.contact.half_width, 1e-9);
+            if let (Some(stressed), Some(plain)) = (&stressed.flow, &plain.flow) {
+                assert_within(stressed.energy.work, plain.energy.work, 1e-6);
+                assert_within(stressed.energy.elastic, plain.energy.elastic, 1e-6);
+            }
             for (a, b) in stressed.contact.nodes.pressure.iter().zip(&plain.contact.nodes.pressure) {
                 assert!((a - b).abs() < 1e-9 * plain.contact.peak_pressure);
             }

@@ -94,3 +94,48 @@ fn approach_grows_as_for_a_disc() {
     // And the stiffer part is small.
     assert_within(heavy.0, heavy.1, 0.05);
 }
+
+/// A rigid cylinder of radius R on a layer that is much thinner than the contact is wide, held at its base: strained across alone, it
+/// has the pressure `M (a² - x²) / 2Rd` with `M = E (1-ν) / ((1+ν) (1-2ν))` and carries `2 M a³ / 3Rd`.
+///
+/// K. L. Johnson, *Contact Mechanics* (1985), section 5.8.
+#[test]
+fn a_thin_layer_is_compressed_as_by_itself() {
+    let depth = 0.01;
+    let elastic = json!({"young_modulus": 2000.0, "poisson_ratio": 0.2});
+    let job = json!({"analysis": "plane_strain", "load": {"approach": 2e-4},
+        "upper": {"shape": {"type": "cylinder", "radius": 100.0}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 20.0, "depth": depth}, "material": elastic}});
+    let step = &report(&job).steps[0];
+    assert_eq!(step.status, SolveStatus::Converged);
+    let half_width = (2.0_f64 * 100.0 * 2e-4).sqrt();
+    let modulus = 2000.0 * 0.8 / (1.2 * 0.6);
+    assert_within(step.contact.half_width, half_width, 0.05);
+    assert_within(step.contact.peak_pressure, modulus * 2e-4 / depth, 0.01);
+    assert_within(step.contact.force, 2.0 * modulus * half_width.powi(3) / (300.0 * depth), 0.05);
+}
+
+/// Layers of any thickness under a contact of the same force: the thinner, the smaller the contact, without a jump where columns take
+/// the place of rings.
+#[test]
+fn layers_of_any_thickness_are_meshed() {
+    for elements in [4, 7, 14] {
+        let mut last = f64::INFINITY;
+        for k in 0..12 {
+            let depth = 20.0 * 0.5_f64.powi(k);
+            let material = json!({"young_modulus": 70_000.0, "poisson_ratio": 0.3});
+            let job = json!({"analysis": "plane_strain", "load": {"force": 3500.0},
+                "upper": {"shape": {"type": "cylinder", "radius": 50.0}, "material": {"rigid": true}},
+                "lower": {"shape": {"type": "block", "width": 60.0, "depth": depth}, "material": material},
+                "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}});
+            let step = &report(&job).steps[0];
+            assert_eq!(step.status, SolveStatus::Converged, "{depth}");
+            assert!(
+                step.contact.half_width < 1.01 * last,
+                "{depth}: {} after {last}",
+                step.contact.half_width
+            );
+            last = step.contact.half_width;
+        }
+    }
+}

@@ -207,6 +207,18 @@ impl BodyModel {
         rest[..equations.len()].iter().map(|r| r * r).sum::<f64>().sqrt()
     }
 
+    /// `∫ σ_r : ε dV`, what the stress before the load does on displacements of all nodes \[N mm\] or \[N\]: nothing where it is in
+    /// equilibrium by itself, and under a plane the work of what holds the cut-out part at its side walls.
+    pub fn work_of_initial_stress(&self, nodal: &[[f64; 2]]) -> f64 {
+        let Some(initial) = &self.initial_stress else { return 0.0 };
+        let free = self.elastic.equations.len();
+        let of_node = |(node, u): (u32, &[f64; 2])| -> f64 {
+            let equations = self.elastic.equations.of_node(node).into_iter().map(|k| k as usize).zip(u);
+            equations.filter(|(k, _)| *k < free).map(|(k, u)| initial.force[k] * u).sum()
+        };
+        (0u32..).zip(nodal).map(of_node).sum()
+    }
+
     /// Whether the material yields outside the plastic region.
     pub fn yields_outside_region(&self, field: &StressField) -> bool {
         self.plastic_region.points.is_some()

@@ -176,7 +176,7 @@ pub(crate) fn unloading_stiffness(
 fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
     outcome.history.last()?.increment?;
     let mut energy = Energy::default();
-    for (body, copies) in bodies.iter().zip(&system.bodies_represented) {
+    for ((body, model), copies) in bodies.iter().zip(&system.bodies).zip(&system.bodies_represented) {
         let ElasticModuli { bulk, shear } = body.model.elastic();
         let copies = (copies * system.symmetry_factor()) as f64;
         let density = |stress: [f64; 4]| {
@@ -188,6 +188,7 @@ fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> O
             for (point, stress) in body.stress.points.iter().flatten().zip(initial.iter().flatten()) {
                 energy.elastic -= copies * point.weight * density(*stress);
             }
+            energy.elastic -= copies * model.work_of_initial_stress(&body.displacement);
         }
         for point in body.stress.points.iter().flatten() {
             let weight = copies * point.weight;
