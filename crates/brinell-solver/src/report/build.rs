@@ -235,7 +235,7 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
             format!("the outer edge of the {side} body, {} from the hole", write.length_text(hole.wall()))
         }
         (_, Shape::Groove(groove)) => block_base(side, groove.depth().get(), write),
-        (_, Shape::Profile(profile)) => block_base(side, profile.depth().get(), write),
+        (_, Shape::Profile(profile)) => block_base(side, profile.depth().get() + profile.top(), write),
         (_, Shape::Wedge(wedge)) => block_base(side, wedge.depth().get(), write),
         (_, Shape::Cone(cone)) => block_base(side, cone.depth().get(), write),
         (_, Shape::Punch(punch)) => block_base(side, punch.depth().get(), write),

@@ -209,3 +209,24 @@ fn a_flat_with_rounded_flanks() {
         last = Some(one);
     }
 }
+
+/// Heights may count from anywhere: the bodies touch all the same, and depths count from where they do.
+#[test]
+fn a_face_at_another_height_is_the_same_face() {
+    let points = face(10.0, 40, |x| -x * x / 40.0);
+    let reports = [0.0, 1.5, -2.5].map(|height| {
+        let points: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, y + height]).collect();
+        let mut upper = profile(&points, bilinear());
+        upper["shape"]["depth"] = json!(20.0 - height);
+        crate::problems::report(&press(&upper, &block(bilinear()), 900.0))
+    });
+    let [plain, others @ ..] = reports.each_ref().map(|report| &report.steps[0]);
+    let of = |step: &brinell_solver::report::StepReport| step.plasticity.upper.as_ref().unwrap().depth;
+    assert!(of(plain) > 0.0);
+    for other in others {
+        assert_eq!(other.approach_datum, plain.approach_datum);
+        assert_within(other.approach, plain.approach, 1e-6);
+        assert_within(other.contact.peak_pressure, plain.contact.peak_pressure, 1e-6);
+        assert_within(of(other), of(plain), 1e-6);
+    }
+}

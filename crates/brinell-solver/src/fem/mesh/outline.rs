@@ -126,14 +126,16 @@ impl Outline {
                 Self::arc(-radius.recip(), radius, hole.wall())
             }
             Shape::Profile(profile) => {
-                let points = whole_face(profile.points());
+                // Heights count from the highest place, near which it touches, as those of other shapes do.
+                let top = profile.top();
+                let points = whole_face(profile.points()).into_iter().map(|[x, y]| [x, y - top]).collect();
                 let line = Polyline::new(points);
                 let span = line.range();
                 let surface = match profile.interpolation() {
                     Some(Interpolation::Linear) => Surface::Linear(line),
                     _ => Surface::Smooth(MonotoneCubic::new(line.points().to_vec())),
                 };
-                Self { surface, span, depth: profile.depth().get(), ring: None }
+                Self { surface, span, depth: profile.depth().get() + top, ring: None }
             }
             Shape::Wedge(wedge) => {
                 let surface = Surface::Wedge { slope: wedge.slope(), tip_radius: wedge.tip_radius() };

@@ -65,6 +65,11 @@ impl Profile {
         Self { interpolation: Some(interpolation), ..self }
     }
 
+    /// The greatest height of a point \[mm\].
+    pub fn top(&self) -> f64 {
+        self.points.iter().map(|[_, height]| *height).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// What lies between the points; `None` where that was not said: smooth, unless it would round off a corner.
     pub const fn interpolation(&self) -> Option<Interpolation> {
         self.interpolation
