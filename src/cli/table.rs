@@ -86,7 +86,7 @@ impl Page {
         let unit = match &job.load {
             Load::Target(Target { figure, .. }) => match figure.figure() {
                 Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
-                Figure::Pure(_) | Figure::Below(..) => String::new(),
+                Figure::Pure(_) => String::new(),
             },
             _ => String::new(),
         };

@@ -90,7 +90,7 @@ pub struct Fault {
     #[schema(value_type = String)]
     code: FaultCode,
     /// What is wrong and what would be right.
-    #[schema(example = "must be at least 0 and less than 0.5, got 0.5")]
+    #[schema(example = "must be between 0 and 0.499999, got 0.5")]
     detail: String,
 }
 

@@ -128,6 +128,6 @@ fn quantity(figure: &Figure) -> &'static str {
         ) => "stress",
         Figure::Quantity(Quantity::LineForce) => "line_force",
         Figure::Quantity(Quantity::Force) => "force",
-        Figure::Pure(_) | Figure::Below(..) => "number",
+        Figure::Pure(_) => "number",
     }
 }

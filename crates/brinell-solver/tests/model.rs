@@ -153,7 +153,7 @@ mod refused {
     fn figures_out_of_range() {
         assert_snapshot!(faults_of(&with("/upper/shape/radius", json!(-20.0))), @"/upper/shape/radius: must be greater than 0, got -20");
         assert_snapshot!(faults_of(&with("/upper/shape/radius", json!(1e300))), @"/upper/shape/radius: must be between 1e-6 and 1000000 mm (units mm_N_MPa), got 1e300");
-        assert_snapshot!(faults_of(&with("/lower/material/poisson_ratio", json!(0.5))), @"/lower/material/poisson_ratio: must be at least 0 and less than 0.5, got 0.5");
+        assert_snapshot!(faults_of(&with("/lower/material/poisson_ratio", json!(0.5))), @"/lower/material/poisson_ratio: must be between 0 and 0.499999, got 0.5");
         assert_snapshot!(faults_of(&with("/lower/material/young_modulus", json!(210e9))), @"/lower/material/young_modulus: must be between 0.001 and 1e8 MPa (units mm_N_MPa), got 2.1e11");
         assert_snapshot!(faults_of(&with("/lower/material/plasticity/tangent_modulus", json!(210_000))), @"/lower/material/plasticity/tangent_modulus: must be less than `young_modulus`, got 210000");
         assert_snapshot!(faults_of(&with("/lower/material/plasticity/tangent_modulus", json!(-1))), @"/lower/material/plasticity/tangent_modulus: must be at least 0, got -1");
@@ -337,7 +337,7 @@ mod refused {
         }"#;
         assert_snapshot!(faults(text), @r#"
         /load/force: must be greater than 0, got 0
-        /lower/material/poisson_ratio: must be at least 0 and less than 0.5, got 0.5
+        /lower/material/poisson_ratio: must be between 0 and 0.499999, got 0.5
         /lower/material/plasticity/tangent_modulus: must be less than `young_modulus`, got 1000
         /lower/material/plasticity/yield_stress: is required
         /lower/shape/radius: must be a number, got a string

@@ -14,7 +14,7 @@ pub struct FieldError {
     pub pointer: String,
     /// What kind of fault it is, for programs.
     pub code: FaultCode,
-    /// What is wrong and what would be right, e.g. `must be at least 0 and less than 0.5, got 0.5`.
+    /// What is wrong and what would be right, e.g. `must be between 0 and 0.499999, got 0.5`.
     pub detail: String,
 }
 

@@ -201,8 +201,8 @@ record! {
         /// Young's modulus E.
         pub young_modulus: PositiveF64 =
             Field::quantity(Quantity::Modulus).label("Young’s modulus", "E").example(210_000.0),
-        /// Poisson's ratio ν, below 0.5.
-        pub poisson_ratio: PoissonRatio = Field::below(0.0, 0.5).label("Poisson’s ratio", "ν").example(0.3),
+        /// Poisson's ratio ν. What is incompressible has 0.499999.
+        pub poisson_ratio: PoissonRatio = Field::pure(PoissonRatio::RANGE).label("Poisson’s ratio", "ν").example(0.3),
     }
 }
 

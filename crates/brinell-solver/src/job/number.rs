@@ -1,5 +1,7 @@
 //! Numbers that carry their range in their type. None of them can hold a NaN or an infinity.
 
+use std::ops::RangeInclusive;
+
 use serde::Serialize;
 use thiserror::Error;
 
@@ -64,11 +66,16 @@ ranged!(
     "must be a finite number, 0 or greater"
 );
 ranged!(
-    /// Poisson's ratio ν, `0 <= ν < 0.5`.
+    /// Poisson's ratio ν, `0 <= ν <= 0.499999`.
     ///
-    /// The upper end is excluded because the bulk modulus is infinite there; `0.4999` is allowed and B-bar
-    /// elements do not lock on it. Auxetic materials (`ν < 0`) are not offered: no yield-onset table covers them.
+    /// The bulk modulus grows without bound towards 0.5, and from 0.4999999 on rounding keeps iterations from their tolerance; B-bar
+    /// elements do not lock. Auxetic materials (`ν < 0`) are not offered: no yield-onset table covers them.
     PoissonRatio,
-    |value| (0.0..0.5).contains(&value),
-    "must be at least 0 and less than 0.5"
+    |value| PoissonRatio::RANGE.contains(&value),
+    "must be between 0 and 0.499999"
 );
+
+impl PoissonRatio {
+    /// All that are accepted.
+    pub const RANGE: RangeInclusive<f64> = 0.0..=0.499_999;
+}

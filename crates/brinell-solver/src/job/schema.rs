@@ -498,12 +498,6 @@ fn figure_schema(figure: &Figure, description: &str) -> Value {
             "minimum": range.start(),
             "maximum": range.end(),
         }),
-        Figure::Below(least, limit) => json!({
-            "type": "number",
-            "description": format!("{description} Without unit."),
-            "minimum": least,
-            "exclusiveMaximum": limit,
-        }),
     }
 }
 

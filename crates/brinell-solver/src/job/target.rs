@@ -124,7 +124,6 @@ impl Target {
             let value = object.required(figure.name(), |c| match figure.figure() {
                 Figure::Quantity(quantity) => c.quantity(quantity, units),
                 Figure::Pure(range) => c.number_in(&range),
-                Figure::Below(least, limit) => c.number_below(least, limit),
             });
             value.map(|value| Self { figure, value })
         };

@@ -58,7 +58,7 @@ impl UnitConverter {
         let value = rounded(self.of_target(figure, core));
         match figure.figure() {
             Figure::Quantity(quantity) => format!("{value} {}", quantity.symbol(self.units)),
-            Figure::Pure(_) | Figure::Below(..) => value,
+            Figure::Pure(_) => value,
         }
     }
 

@@ -43,7 +43,6 @@ fn read_figure<T: TryFrom<f64>>(cursor: Cursor<'_>, kind: &Figure, units: Option
     match kind {
         Figure::Quantity(quantity) => cursor.quantity(*quantity, units),
         Figure::Pure(range) => cursor.number_in(range),
-        Figure::Below(least, limit) => cursor.number_below(*least, *limit),
     }
 }
 

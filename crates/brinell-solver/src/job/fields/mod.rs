@@ -96,8 +96,6 @@ pub enum Figure {
     Quantity(Quantity),
     /// Without a unit.
     Pure(RangeInclusive<f64>),
-    /// Without a unit, from the first number up to but not including the second.
-    Below(f64, f64),
 }
 
 impl Figure {
@@ -106,7 +104,6 @@ impl Figure {
         match self {
             Self::Quantity(quantity) => quantity.range(),
             Self::Pure(range) => (*range.start(), *range.end()),
-            Self::Below(least, limit) => (*least, *limit),
         }
     }
 
@@ -114,7 +111,7 @@ impl Figure {
     pub fn to_wire(&self, units: Units, core: f64) -> f64 {
         match self {
             Self::Quantity(quantity) => quantity.to_wire(units, core),
-            Self::Pure(_) | Self::Below(..) => core,
+            Self::Pure(_) => core,
         }
     }
 }
@@ -132,11 +129,6 @@ impl Field {
     /// A figure without a unit.
     pub(super) const fn pure(range: RangeInclusive<f64>) -> Self {
         Self::new(FieldKind::Figure(Figure::Pure(range)))
-    }
-
-    /// A figure without a unit, at least `least` and less than `limit`.
-    pub(super) const fn below(least: f64, limit: f64) -> Self {
-        Self::new(FieldKind::Figure(Figure::Below(least, limit)))
     }
 
     /// A whole number.

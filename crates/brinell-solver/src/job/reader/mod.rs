@@ -111,22 +111,6 @@ impl<'a> Cursor<'a> {
         None
     }
 
-    /// A number that is at least `least` and less than `limit`.
-    pub fn number_below<T: TryFrom<f64>>(&self, least: f64, limit: f64) -> Option<T> {
-        let value = self.number()?;
-        if (least..limit).contains(&value)
-            && let Ok(value) = T::try_from(value)
-        {
-            return Some(value);
-        }
-        let (least, limit, value) = (Figure(least), Figure(limit), Figure(value));
-        self.fault(
-            FaultCode::OutOfRange,
-            format_args!("must be at least {least} and less than {limit}, got {value}"),
-        );
-        None
-    }
-
     /// A whole number in a range; `20.0` is one.
     pub fn integer(&self, range: &RangeInclusive<u32>) -> Option<u32> {
         let value = self.number()?;
