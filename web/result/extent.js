@@ -24,13 +24,9 @@ const widthOf = ({ left, right }) => right - left;
  * @returns {Extent | undefined}
  */
 export function extentSeen(steps, at, round) {
-  const own = extentOf(steps[at], round);
-  if (own && widthOf(own) > 0) return own;
-  const all = steps.flatMap((step) => extentOf(step, round) ?? []);
-  return all.reduce(
-    (widest, one) => (widest && widthOf(widest) >= widthOf(one) ? widest : one),
-    /** @type {Extent | undefined} */ (undefined),
-  );
+  const [own, ...all] = [steps[at], ...steps].map((step) => extentOf(step, round) ?? { left: 0, right: 0 });
+  const seen = widthOf(own) > 0 ? own : all.reduce((a, b) => (widthOf(b) > widthOf(a) ? b : a));
+  return widthOf(seen) > 0 ? seen : undefined;
 }
 
 /**

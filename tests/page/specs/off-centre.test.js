@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { OFF_CENTRE, follow, shown, solved } from '../jobs.js';
+import { OFF_CENTRE, drawn, follow, shown, solved } from '../jobs.js';
 
 const service = suite();
 
@@ -75,3 +75,73 @@ service.test(
     await page.locator('#panel-pressure').waitFor();
   },
 );
+
+/** The first body of the same problem with another height of depth 0. @param {number} height */
+const raised = (height) => {
+  const { upper, lower } = structuredClone(OFF_CENTRE);
+  for (const point of upper.shape.points) point[1] += height;
+  return { upper, lower, load: { force: 1500 }, output: { fields: true } };
+};
+
+service.test('the field begins at the contact, and so does a cut', async (page) => {
+  for (const height of [0, 5]) {
+    const { upper, lower, ...rest } = raised(height);
+    // Of the lower body the heights are those of the section.
+    const id = await shown(page, height ? { upper: lower, lower: upper, ...rest } : { upper, lower, ...rest });
+    await drawn(page);
+    const { patches } = await contactOf(page, id);
+    const over = page.locator('.stage .over');
+    const box = await over.boundingBox();
+    assert.ok(box);
+    const readout = page.locator('#panel-field .readout');
+    const middle = (patches[0].left + patches[0].right) / 2;
+    for (const [share, name] of /** @type {const} */ ([
+      [0.45, 'upper'],
+      [0.55, 'lower'],
+    ])) {
+      await page.mouse.move(box.x + box.width / 2, box.y + share * box.height);
+      await readout.getByText(new RegExp(`^${name} body, x`)).waitFor();
+      const [, x] = / x (\S+), /.exec((await readout.textContent()) ?? '') ?? [];
+      assert.ok(
+        Math.abs(Number(x) - middle) < 0.05 * (patches[0].right - patches[0].left),
+        `${x} instead of ${middle}`,
+      );
+    }
+    await page.mouse.move(box.x + 5, box.y + 5);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 300, box.y + 200);
+    await page.mouse.up();
+    await page.getByRole('button', { name: 'Whole contact' }).click();
+    await page.mouse.move(box.x + box.width / 2, box.y + 0.45 * box.height);
+    await readout.getByText(/^upper body, x/).waitFor();
+    await page.getByLabel('Cut', { exact: true }).check();
+    await page.getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ }).waitFor();
+    assert.ok(Math.abs(Number(await page.getByLabel('Cut from x').inputValue()) - middle) < 1e-3 * middle);
+    assert.equal(await page.locator('.cut .legend li').count(), 2, 'it crosses both bodies');
+    await page.getByLabel('Cut', { exact: true }).uncheck();
+  }
+});
+
+service.test('the plastic zone lies in its body, whatever height its profile counts from', async (page) => {
+  const highest = [];
+  for (const height of [0, 5]) {
+    const id = await solved(page, raised(height));
+    highest.push(
+      await page.evaluate(async (id) => {
+        const { frameOf } = await import(/** @type {any} */ ('/web/field/frame.js'));
+        const [report, job] = await Promise.all(
+          ['result', 'request'].map(async (part) => (await fetch(`v1/jobs/${id}/${part}`)).json()),
+        );
+        const [{ fields, plasticity }] = report.steps;
+        const frame = frameOf(job, 'upper', { nodes: fields.upper.nodes.flat() });
+        const heights = plasticity.upper.outline
+          .flat()
+          .map((/** @type {number[]} */ [along, depth]) => frame.point(along, depth)[1]);
+        return [Math.min(...heights), Math.max(...heights)];
+      }, id),
+    );
+  }
+  const [[low, high], other] = highest;
+  assert.ok(low > -0.5 && high > low && high < 5, `${low} … ${high}`);
+  for (const [k, value] of [low, high].entries()) assert.ok(Math.abs(other[k] - value) < 0.02, `${other[k]} ${value}`);
+});
