@@ -305,10 +305,11 @@ service.test('what a sweep has over its load follows the order of a history', as
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const panel = page.locator('#panel-sweep');
   await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
-  const places = await panel
+  const [rest, ...places] = await panel
     .locator('.plot svg circle')
     .evaluateAll((all) => all.map((one) => [Number(one.getAttribute('cx')), Number(one.getAttribute('cy'))]));
   assert.equal(places.length, 4);
+  assert.equal(rest[0], places[1][0], 'from the bodies at rest on');
   assert.ok(places[1][0] < places[3][0] && places[3][0] < places[0][0] && places[0][0] < places[2][0], 'in turn');
   // Plastic strain never falls: upward is a smaller place.
   for (let k = 1; k < 4; k++) assert.ok(places[k][1] <= places[k - 1][1] + 1e-6, JSON.stringify(places));
