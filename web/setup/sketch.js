@@ -2,9 +2,10 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { exact, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, figure, forceOf, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from './fields.js';
 import { historyWords } from './history.js';
+import { sweepWords } from './list.js';
 import { outline, pin } from './outline.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
@@ -120,7 +121,7 @@ function sizeWords(of, body, length) {
   if (type === 'cylinder') return `R ${exact(numberOf(radius))} ${length}`;
   if (type === 'groove' || type === 'hole') return `${type} R ${exact(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
-  return `${plain(right - left)} × ${plain(-body.base)} ${length}`;
+  return `${exact(right - left)} × ${exact(-body.base)} ${length}`;
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz @returns {string} Hertz's width, if there is one */
@@ -145,23 +146,30 @@ function support(x0, x1, y, up, roller) {
 function load(job, upper, scale) {
   if (!upper) return [];
   const [x, y] = scale(0, -upper.base);
-  const units = unitsOf(job);
-  const kind = loadOf(job.load);
-  const value = job.load?.[kind];
-  const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
-  /** @type {number[]} */
-  const list = [value].flat().filter((one) => Number.isFinite(one));
-  const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : exact(list[0]);
-  const figures = kind === 'history' ? historyWords(value) : range;
-  const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
-  const text =
-    kind === 'onset' || kind === 'target'
-      ? `P = ? (${kind === 'onset' ? 'first yield' : wanted})`
-      : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
+  const text = loadLine(job);
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
     svg('text', { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' }, text),
   ];
+}
+
+/** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
+function loadLine(job) {
+  const kind = loadOf(job.load);
+  const value = job.load?.[kind];
+  if (kind === 'onset' || kind === 'target') {
+    const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
+    return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
+  }
+  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'history') {
+    const words = [undefined, 0].map((few) => historyWords(value, { force, approach }, { is: ' = ', few }));
+    return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
+  }
+  /** @type {number[]} */
+  const list = [value].flat().filter((one) => Number.isFinite(one));
+  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
+  return `${letter} = ${list.length > 1 ? sweepWords(list) : exact(list[0])} ${name}`;
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale */
