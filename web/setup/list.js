@@ -1,7 +1,7 @@
 /** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
 
 import { h } from '../lib/dom.js';
-import { commas, groupsJoined, parted, quoted, readQuantity } from '../lib/number.js';
+import { commas, groupsJoined, parted, quoted, readQuantity, withMinus } from '../lib/number.js';
 import { exact, inJobUnits } from '../lib/units.js';
 import { written } from './written.js';
 
@@ -23,18 +23,19 @@ export const tooLong = (text) =>
 
 /** Numbers between which nothing but spaces that do not break or are thin stands: one number in groups, or several as a document has them. */
 const UNBROKEN =
-  /^\s*[α\d.,+\-−–\u00a0\u2009\u202f]*\d{1,3}[\u00a0\u2009\u202f]\d{3}(?!\d)[\d.,\u00a0\u2009\u202f]*(?:\s*[^\d\s].*)?$/;
+  /^\s*[α\d.,+\-\u00a0\u2009\u202f]*\d{1,3}[\u00a0\u2009\u202f]\d{3}(?!\d)[\d.,\u00a0\u2009\u202f]*(?:\s*[^\d\s].*)?$/;
 
 /** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
 export function partsOf(text) {
-  if (UNBROKEN.test(text)) return [text.trim()];
+  const plain = withMinus(text);
+  if (UNBROKEN.test(plain)) return [plain.trim()];
   const parts = /** @type {string[]} */ ([]);
-  for (const part of groupsJoined(text)
+  for (const part of groupsJoined(plain)
     .replace(/α\s+/g, 'α')
     .replace(/[-=]>/g, '→')
     .split(/\s*[;→]\s*|\s*,\s+|\s+,\s*|\s+/)
     .filter(Boolean)) {
-    const isUnit = !/^([αa]=?)?[+\-−–.,]*\d/i.test(part);
+    const isUnit = !/^([αa]=?)?[+\-.,]*\d/i.test(part);
     if (isUnit && parts.length) parts[parts.length - 1] += ` ${part}`;
     else parts.push(part);
   }
@@ -95,7 +96,7 @@ function severalIn(text, alone, before) {
     const [left, right] = digits.split(',');
     return `${quoted(digits)} can be one number or two: write ${left}.${right}, or ${left} ${right}`;
   }
-  return /^[+\-−–]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
+  return /^[+-]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
     ? `“${before} ${digits}” can be one number or two: write ${before}${digits} without a space`
     : undefined;
 }

@@ -239,6 +239,42 @@ test('a unit in the header of a table is converted, or refused where it is not k
   }
 });
 
+test('a factor in the header of a table is refused, and so is a unit that stands alone and is none of its column', () => {
+  for (const header of [
+    'eps x1000\tsigma',
+    'strain*1e3\tstress',
+    'strain × 1000\tstress',
+    'ε_p · 10³\tq',
+    'ε_p [10⁻³]\tq [MPa]',
+    '10^3 strain\tstress',
+    'strain (x1000)\tstress',
+  ]) {
+    const result = readTable(`${header}\n0\t500\n1\t600`, ['strain', 'stress'], 'mm_N_MPa', ['ε_p', 'q']);
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), /^line 1/, header);
+  }
+  const spaced = readTable('eps x1000 sigma\n0 500\n1 600', ['strain', 'stress'], 'mm_N_MPa');
+  assert.match('problem' in spaced ? spaced.problem : '', /^line 1: “eps x1000 sigma” has a factor: write the figures/);
+  const factors = readTable('z\t%\n0\t180\n1\t100', ['length', 'number'], 'mm_N_MPa', ['z', 'factor']);
+  assert.match('problem' in factors ? factors.problem : '', /^line 1, column 2: “%” is no unit known here/);
+  for (const header of ['x1\ty1', 'x10\tx20', '# lens x50', 'x\t-', 'Sample 1\tSample 2']) {
+    const result = readTable(`${header}\n1\t5`, ['length', 'length'], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [[1, 5]], header);
+  }
+});
+
+test('every hyphen before a digit is a minus, and no line of figures is taken for a header', () => {
+  for (const minus of ['-', '−', '–', '\u2010', '\u2011', '\u2012', '\ufe63', '\uff0d']) {
+    const result = readTable(`${minus}10\t${minus}2.5\n0\t0`, ['length', 'length'], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [[-10, -2.5], [0, 0]], minus); // prettier-ignore
+    assert.deepEqual(readList(`${minus}10 5 ${minus}2`, undefined, 'mm_N_MPa'), { values: [-10, 5, -2] }, minus);
+    assert.deepEqual(readNumber(`${minus}1.5e${minus}2`), { value: -0.015 }, minus);
+  }
+  for (const sign of ['\u2014', '\u2015', '~', '±', '<']) {
+    const result = readTable(`${sign}10\t${sign}2.5\n0\t0`, ['length', 'length'], 'mm_N_MPa');
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), /^line 1: “.10” is not a number/, sign);
+  }
+});
+
 test('a hardness is of the scale of Vickers, and one of another scale is refused', () => {
   const read = (/** @type {string} */ text) => readTable(text, ['length', 'hardness'], 'mm_N_MPa', ['z', 'HV']);
   for (const header of [
