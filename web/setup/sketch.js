@@ -16,7 +16,7 @@ const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
 /** Width of a letter, on average. */
 const LETTER = 6.4;
 /** The same of a bold one. */
-const BOLD = 6.9;
+const BOLD = 7.2;
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
