@@ -58,6 +58,27 @@ function movedAt(body, surface, k) {
 }
 
 /**
+ * The surface of a body between the contact pairs, with its displacement.
+ * @param {Framed} body
+ * @param {number[]} places of the pairs along the surface, rising
+ * @returns {(along: number) => Moved | undefined}
+ */
+export function surfaceOf(body, places) {
+  const found = surfaceNodes(body, places);
+  const there = places.map((_, k) => k).filter((k) => found[k] >= 0);
+  return (along) => {
+    const beyond = there.findIndex((k) => places[k] >= along);
+    const next = beyond < 0 ? there.length - 1 : Math.max(1, beyond);
+    const [k, j] = [there[next - 1], there[next]];
+    if (k === undefined || j === undefined) return undefined;
+    const [one, other] = [movedAt(body, found, k), movedAt(body, found, j)];
+    const t = (along - places[k]) / (places[j] - places[k]);
+    const between = (/** @type {keyof Moved} */ part) => one[part] + t * (other[part] - one[part]);
+    return { x: between('x'), y: between('y'), u: between('u'), v: between('v') };
+  };
+}
+
+/**
  * @param {Framed | null} upper
  * @param {Framed | null} lower
  * @param {Pick<import('../types.js').Step, 'approach' | 'contact'>} step

@@ -9,7 +9,7 @@ import { Renderer } from './gl.js';
 import { extentSeen } from '../result/extent.js';
 import { frameOf } from './frame.js';
 import { carried } from './locate.js';
-import { lifts } from './lift.js';
+import { lifts, surfaceOf } from './lift.js';
 import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
 import { compose } from './picture.js';
@@ -52,6 +52,9 @@ export class Scene {
   #renderer;
   /** @type {(deformation: number) => import('./lift.js').Lifts} */
   #lifts = () => ({ upper: 0, lower: 0, contact: 0, unloaded: 0 });
+
+  /** Of the body that the ends of the contact are drawn on. @type {ReturnType<typeof surfaceOf>} */
+  #surface = () => undefined;
 
   /**
    * @param {import('./cut-tool.js').CutTool} cutter
@@ -96,6 +99,8 @@ export class Scene {
     const framed = bodiesOf(step, fields).map((body) => ({ ...body, frame: frameOf(job, body.name, body.mesh) }));
     const [upper, lower] = ['upper', 'lower'].map((name) => framed.find((body) => body.name === name) ?? null);
     this.#lifts = lifts(upper, lower, step);
+    const body = lower ?? upper;
+    if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
     this.bodies = framed.map((body) => ({
       ...body,
       polygons: carried(step.plasticity?.[body.name]?.outline ?? [], body, report.mesh.symmetric),
@@ -253,17 +258,21 @@ export class Scene {
     performance.mark('field-drawn');
   }
 
-  /** Ends of the parts of the contact as they are drawn. @param {Step} step @returns {import('./overlay.js').Over['edges']} */
-  #edges({ contact: { patches, peak_position: middle } }) {
-    const [{ frame }] = this.bodies.slice(-1);
-    const { contact: height } = this.#lifts(this.deformation);
+  /** Ends of the parts of the contact where they are drawn on one of the bodies. @param {Step} step @returns {import('./overlay.js').Over['edges']} */
+  #edges({ contact: { patches } }) {
+    const [{ frame, lift }] = this.bodies.slice(-1);
+    const halved = this.shown?.report.mesh.symmetric;
     const ends = patches.flatMap(({ left, right }) => (this.#isRound() ? [left, right, -left, -right] : [left, right]));
-    return ends
-      .filter((along) => along !== 0)
-      .map((along) => {
-        const [x, y] = frame.point(along, 0);
-        return { at: [x, y - frame.point(middle, 0)[1] + height], across: frame.outward(along) };
-      });
+    return ends.flatMap((along) => {
+      const side = halved && along < 0 ? -1 : 1;
+      const end = along === 0 ? undefined : this.#surface(side * along);
+      if (!end) return [];
+      const at = /** @type {[number, number]} */ ([
+        side * (end.x + this.deformation * end.u),
+        end.y + this.deformation * end.v + lift,
+      ]);
+      return [{ at, across: frame.outward(along) }];
+    });
   }
 
   /** @param {Renderer} renderer @param {Report} report @param {(name: string) => string} colours */

@@ -100,6 +100,31 @@ service.test('the least and the largest value of what has a sign are marked, eac
   }
 });
 
+service.test('an extreme that is not in the picture has no word there', async (page) => {
+  await shown(page, { ...FIELDS, load: { force: 612 } });
+  await drawn(page);
+  await drawnWords(page);
+  const over = page.locator('.stage .over');
+  await over.focus();
+  await page.keyboard.press('ArrowLeft');
+  const words = (/** @type {string} */ word) =>
+    page.evaluate(
+      (word) => /** @type {any} */ (globalThis).drawnWords.filter((/** @type {string} */ one) => one.startsWith(word)),
+      word,
+    );
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawnWords.length > 0);
+  assert.ok((await words('max ')).length > 0);
+  for (let k = 0; k < 12; k++) await page.keyboard.press('+');
+  for (let k = 0; k < 20; k++) await page.keyboard.press('ArrowLeft');
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.evaluate(() => {
+    /** @type {any} */ (globalThis).drawnWords.length = 0;
+  });
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawnWords.length > 0);
+  assert.deepEqual(await words('max '), []);
+});
+
 service.test('there are isolines where values change, and none where they are the same', async (page) => {
   const elastic = { young_modulus: 210e3, poisson_ratio: 0.3 };
   const body = { shape: { type: 'cylinder', radius: 20 }, material: elastic };

@@ -26,6 +26,18 @@ service.test('a history of loads is typed, brought back to 0 and undone', async 
   assert.equal((await draft(page)).load.force, 612.6106);
 });
 
+service.test('nothing is said of the highest force before it is known', async (page) => {
+  await page.getByLabel('Given').selectOption('history');
+  const loads = page.getByLabel('Loads in turn');
+  const check = page.locator('#check');
+  await loads.fill('150 50 0');
+  await check.getByText('Elastic: 68.5 % of the force of first yield').waitFor();
+  await loads.fill('150 α0.05 0');
+  await check.locator('.verdict').waitFor({ state: 'detached' });
+  await check.getByText('first yield at').waitFor();
+  assert.equal(await check.getByText('peak pressure').count(), 0);
+});
+
 service.test('unloading leaves a dent, a loop and residual stresses', async (page) => {
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Elements per half-width', { exact: true }).fill('8');

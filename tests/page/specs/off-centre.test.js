@@ -1,6 +1,11 @@
 /** Contacts that lie beside x = 0, as those of profiles without symmetry do. */
 
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { frameOf } from '../../../web/field/frame.js';
+import { surfaceOf } from '../../../web/field/lift.js';
+import { outline } from '../../../web/setup/outline.js';
+import { counted, touching } from '../../../web/setup/touching.js';
 import { suite } from '../browser.js';
 import { OFF_CENTRE, drawn, follow, shown, solved } from '../jobs.js';
 
@@ -144,4 +149,40 @@ service.test('the plastic zone lies in its body, whatever height its profile cou
   const [[low, high], other] = highest;
   assert.ok(low > -0.5 && high > low && high < 5, `${low} … ${high}`);
   for (const [k, value] of [low, high].entries()) assert.ok(Math.abs(other[k] - value) < 0.02, `${other[k]} ${value}`);
+});
+
+test('the ends of a contact go with the surface that they are on', () => {
+  const mesh = {
+    nodes: Float32Array.from([0, 0, 1, 0, 2, 0, 0, -1, 1, -1, 2, -1]),
+    displacement: Float32Array.from([0, -3, 0, -2, 0.5, -1, 9, 9, 9, 9, 9, 9]),
+    elements: new Uint32Array(),
+  };
+  const body = { shape: { type: 'block', width: 4, depth: 1 } };
+  const surface = surfaceOf({ mesh, frame: frameOf({ upper: body, lower: body }, 'lower', mesh) }, [-1, 0, 1, 2]);
+  assert.deepEqual(surface(1.5), { x: 1.5, y: 0, u: 0.25, v: -1.5 });
+  assert.deepEqual(surface(2), { x: 2, y: 0, u: 0.5, v: -1 });
+});
+
+test('bodies are brought together where they touch first', () => {
+  const block = outline({ type: 'block', width: 60, depth: 30 });
+  const profile = (/** @type {number[][]} */ points) =>
+    outline({ type: 'profile', points, depth: 10, interpolation: 'linear' });
+  for (const [points, raise, places] of /** @type {[number[][], number, number[][]][]} */ ([
+    [[[-6, -1.9], [3, 1.5], [6, 0]], 1.5, [[3, 0]]], // prettier-ignore
+    [[[-6, -4], [0, -2.5], [6, -4]], -2.5, [[0, 0]]], // prettier-ignore
+    [[[-6, -1], [-4, 0], [0, -1], [4, 0], [6, -1]], 0, [[-4, 0], [4, 0]]], // prettier-ignore
+    [[[-6, -1], [1, 0], [5, 0], [6, -1]], 0, [[3, 0]]], // prettier-ignore
+  ])) {
+    const upper = profile(points);
+    assert.ok(upper && block);
+    const found = touching(upper, block);
+    assert.deepEqual(found, { raise, places });
+    assert.equal(Math.max(...counted(upper, raise).surface.map(([, height]) => height)), 0);
+  }
+  const [cylinder, groove] = [
+    { type: 'cylinder', radius: 10 },
+    { type: 'groove', radius: 12, width: 10, depth: 20 },
+  ].map(outline);
+  assert.ok(cylinder && groove);
+  assert.deepEqual(touching(cylinder, groove).places, [[0, 0]]);
 });

@@ -212,6 +212,13 @@ service.test('a job that did not converge has no error bars', async (page) => {
   assert.match(await page.title(), /^Not converged/);
 });
 
+service.test('a sweep with one answer has no curve', async (page) => {
+  await shown(page, { load: { forces: [1, 612] }, solver: { max_iterations: 2, tolerance: 1e-9 } });
+  const states = await page.locator('#panel-figures tbody tr').allTextContents();
+  assert.equal(states.filter((row) => !row.includes('not converged')).length, 1, states.join(' | '));
+  assert.equal(await page.locator('#panel-sweep').isVisible(), false);
+});
+
 service.test('an elastic job has no axis for plastic strain', async (page) => {
   await shown(page, { load: { force: 100 } });
   await page.locator('#panel-depth .legend').getByText('von Mises', { exact: true }).waitFor();
