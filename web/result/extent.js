@@ -40,3 +40,7 @@ export function rangeAround(extents, round) {
   const room = 0.15 * (right - left);
   return [round ? 0 : left - room, right + room];
 }
+
+/** What places along the surface are called. @param {Step} step @param {boolean} round */
+export const abscissaOf = ({ contact: { half_angle: angle } }, round) =>
+  angle === undefined ? (round ? 'r' : 'x') : 'along the arc';

@@ -2,7 +2,7 @@
 
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
-import { extentOf, rangeAround } from './extent.js';
+import { abscissaOf, extentOf, rangeAround } from './extent.js';
 import { beside, hertzName } from './loads.js';
 import { Panel } from './panel.js';
 
@@ -64,7 +64,7 @@ export class PressurePanel {
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
     if (hertz) extents.push(hertzExtent(hertz));
     this.chart.show({
-      x: `${contact.half_angle === undefined ? (round ? 'r' : 'x') : 'along the arc'}  [${unit('length', units)}]`,
+      x: `${abscissaOf(step, round)}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,

@@ -171,12 +171,12 @@ function onsets(swept, across, words) {
     return at ? [{ at, colour, figure: figure(at, 4) }] : [];
   });
   const distinct = all.filter(({ figure }, k) => all.findIndex((one) => one.figure === figure) === k);
-  const alone = distinct.length < 2;
+  const common = distinct.length === 1 && all.length === swept.length;
   return distinct.map(({ at, colour, figure }) => ({
     across,
     at,
-    text: across === 'y' || !alone ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
-    colour: alone ? '--yield' : colour,
+    text: across === 'y' || !common ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
+    colour: common ? '--yield' : colour,
   }));
 }
 

@@ -294,6 +294,8 @@ service.test('initial stresses in the chart have the unit of its axis', async (p
   });
   await follow(page, `job=${id}`);
   await page.locator('#panel-depth .legend').getByText('σx before the load').waitFor();
+  // What the closed form leaves out is said.
+  await page.locator('#panel-depth .legend').getByText('von Mises, elastic, load alone').waitFor();
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of stress').selectOption('GPa');
   await page.keyboard.press('Escape');
@@ -386,6 +388,27 @@ service.test('the loop of a history is read out point by point, and a radius beg
     .locator('.legend')
     .getByText(/^[\d.]+ N$/)
     .waitFor();
+});
+
+service.test('places on the surface of a hole are said to be along its arc', async (page) => {
+  await shown(page, {
+    upper: { shape: { type: 'cylinder', radius: 10 }, material: { rigid: true } },
+    lower: {
+      shape: { type: 'hole', radius: 10.05, outer_radius: 40 },
+      material: {
+        young_modulus: 210e3,
+        poisson_ratio: 0.3,
+        plasticity: { law: 'bilinear', yield_stress: 300, tangent_modulus: 2100 },
+      },
+    },
+    load: { history: [{ force: 1500 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
+  ]);
+  assert.match(await readFile(await file.path(), 'utf8'), />along the arc {2}\[mm\]</);
 });
 
 service.test('files of figures in other units have names of their own', async (page) => {
