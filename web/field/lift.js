@@ -65,14 +65,13 @@ function movedAt(body, surface, k) {
  */
 export function surfaceOf(body, places) {
   const found = surfaceNodes(body, places);
-  const there = places.map((_, k) => k).filter((k) => found[k] >= 0);
+  const points = places.flatMap((place, k) => (found[k] >= 0 ? [{ place, ...movedAt(body, found, k) }] : []));
   return (along) => {
-    const beyond = there.findIndex((k) => places[k] >= along);
-    const next = beyond < 0 ? there.length - 1 : Math.max(1, beyond);
-    const [k, j] = [there[next - 1], there[next]];
-    if (k === undefined || j === undefined) return undefined;
-    const [one, other] = [movedAt(body, found, k), movedAt(body, found, j)];
-    const t = (along - places[k]) / (places[j] - places[k]);
+    const beyond = points.findIndex(({ place }) => place >= along);
+    const next = beyond < 0 ? points.length - 1 : Math.max(1, beyond);
+    const [one, other] = [points[next - 1], points[next]];
+    if (!one || !other) return undefined;
+    const t = (along - one.place) / (other.place - one.place);
     const between = (/** @type {keyof Moved} */ part) => one[part] + t * (other[part] - one[part]);
     return { x: between('x'), y: between('y'), u: between('u'), v: between('v') };
   };
@@ -90,16 +89,24 @@ export function lifts(upper, lower, { approach, contact: { nodes, peak_position:
   const fromPeak = (/** @type {number} */ k) => Math.abs(nodes.x[k] - peak);
   const middle = there.reduce((a, b) => (fromPeak(b) < fromPeak(a) ? b : a), there[0] ?? -1);
   const [up, low] = [movedAt(upper, above, middle), movedAt(lower, below, middle)];
+  // Kept by themselves: the meshes may be given back before they are drawn for the last time.
+  const pairs =
+    upper && lower
+      ? there.map((k) => ({
+          one: movedAt(upper, above, k),
+          other: movedAt(lower, below, k),
+          normal: lower.frame.outward(nodes.x[k]),
+        }))
+      : [];
   return (f) => {
     const lifted = { upper: -approach - (f - 1) * up.v, lower: -(f - 1) * low.v };
     if (!upper) return { ...lifted, contact: low.y + f * low.v + lifted.lower, unloaded: low.y };
     if (!lower) return { ...lifted, contact: up.y + f * up.v + lifted.upper, unloaded: up.y };
     let overlap = 0;
     if (f > 1)
-      for (const k of there) {
-        const [one, other] = [movedAt(upper, above, k), movedAt(lower, below, k)];
+      for (const { one, other, normal } of pairs) {
         // Along the normal, and what the upper body has to rise to be clear of that.
-        const [across, upward] = lower.frame.outward(nodes.x[k]);
+        const [across, upward] = normal;
         const into =
           across * (other.x + f * other.u - one.x - f * one.u) +
           upward * (other.y + f * other.v + lifted.lower - one.y - f * one.v - lifted.upper);

@@ -172,7 +172,7 @@ export class DepthPanel {
         ? []
         : [
             {
-              label: `${nameOf(component, report.analysis)}, elastic${isDented(report, at) ? ', undented' : ''}${before ? ', load alone' : ''}`,
+              label: `${nameOf(component, report.analysis)}, ${before ? 'Hertz alone' : 'elastic'}${isDented(report, at) ? ', undented' : ''}`,
               colour: COMPONENTS[component].colour,
               dash: [2, 3],
               dashed: true,

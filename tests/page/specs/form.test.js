@@ -466,7 +466,7 @@ service.test('a force is looked for by what it does', async (page) => {
   assert.match((await found.textContent()) ?? '', /for a half-width of 0\.2 mm, reached 0\.[12]\d+/);
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of length').selectOption('µm');
-  await found.getByText('for a half-width of 200.0 µm').waitFor();
+  await found.getByText('for a half-width of 200 µm').waitFor();
 });
 
 service.test('every example converges', async (page) => {

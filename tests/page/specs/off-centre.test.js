@@ -159,6 +159,8 @@ test('the ends of a contact go with the surface that they are on', () => {
   };
   const body = { shape: { type: 'block', width: 4, depth: 1 } };
   const surface = surfaceOf({ mesh, frame: frameOf({ upper: body, lower: body }, 'lower', mesh) }, [-1, 0, 1, 2]);
+  // The mesh may be given back.
+  mesh.displacement.fill(NaN);
   assert.deepEqual(surface(1.5), { x: 1.5, y: 0, u: 0.25, v: -1.5 });
   assert.deepEqual(surface(2), { x: 2, y: 0, u: 0.5, v: -1 });
 });
