@@ -20,6 +20,33 @@ export const SI = {
   ),
 };
 
+const STEEL = {
+  young_modulus: 210e3,
+  poisson_ratio: 0.3,
+  plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
+};
+
+/** What makes the reference problem one whose contact lies to the right of x = 0. */
+export const OFF_CENTRE = {
+  upper: {
+    shape: {
+      type: 'profile',
+      points: [
+        [-6, -1.9],
+        [-3, -0.3],
+        [0, -0.02],
+        [3.2, 0],
+        [6, -0.4],
+        [9, -2.5],
+      ],
+      depth: 30,
+      interpolation: 'smooth',
+    },
+    material: STEEL,
+  },
+  lower: { shape: { type: 'block', width: 60, depth: 30 }, material: STEEL },
+};
+
 /**
  * Sends the reference problem, with changes, on a coarse mesh.
  * @param {Page} page at a service

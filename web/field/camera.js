@@ -12,10 +12,10 @@ export class Camera {
   /** Scale at which the whole contact is seen. */
   #whole = 1;
 
-  /** @param {number} half of the width to be seen */
-  home(half) {
+  /** @param {number} half of the width to be seen @param {number} x in the middle @param {number} y */
+  home(half, x, y) {
     this.#whole = Math.min(this.width / (2 * half), this.height / (1.5 * half));
-    Object.assign(this, { x: 0, y: 0, scale: this.#whole });
+    Object.assign(this, { x, y, scale: this.#whole });
   }
 
   /** @param {number} px @param {number} py @returns {[number, number]} in the section */

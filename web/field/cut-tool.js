@@ -54,16 +54,13 @@ export class CutTool {
     );
   }
 
-  /** @param {boolean} on @param {import('./camera.js').Camera} camera @param {number} half width of the contact */
-  show(on, camera, half) {
+  /** @param {boolean} on @param {Point} middle of the contact in the bodies without load @param {number} half width of it */
+  show(on, [x, y], half) {
     this.on = on;
     this.element.hidden = !on;
     this.path = [];
     if (!on) this.line = null;
-    else {
-      const y = camera.y;
-      this.draw([0, y + 1.2 * half], [0, y - 1.2 * half]);
-    }
+    else this.draw([x, y + 1.2 * half], [x, y - 1.2 * half]);
     this.changed();
   }
 

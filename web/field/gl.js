@@ -55,7 +55,10 @@ void main() {
   // Where a pixel lies across a limit it takes of both bands.
   vec3 mixed = next == before ? colours[band] : mix(colours[before], colours[next], clamp((fract(t + edge)) / (2.0 * edge), 0.0, 1.0));
   vec3 ground = v <= bottom ? plain : mixed;
-  float limit = round(t), ink = isolines && limit > 0.5 && limit < float(count) - 0.5 ? 0.7 * clamp(1.2 - abs(t - limit) / max(fwidth(t), 1e-9), 0.0, 1.0) : 0.0;
+  // Where the values are the same from pixel to pixel, no limit is crossed.
+  float limit = round(t), slope = fwidth(t);
+  bool crossed = isolines && slope > 1e-5 && limit > 0.5 && limit < float(count) - 0.5;
+  float ink = crossed ? 0.7 * clamp(1.2 - abs(t - limit) / slope, 0.0, 1.0) : 0.0;
   colour = line.a > 0.0 ? line : vec4(mix(ground, vec3(0.05), ink), 1.0);
 }`;
 

@@ -118,25 +118,24 @@ function firstFrom(list, x) {
 
 /**
  * Polygons of the plastic zone with the displacement of every corner, to be drawn at any deformation.
- * @param {[number, number][][]} outline points `[x, depth]`
- * @param {Mesh} mesh
- * @param {1 | -1} up 1 if depth is counted upward, as in the upper body
+ * @param {[number, number][][]} outline places along the surface, and depths
+ * @param {import('./lift.js').Framed} body
  * @param {boolean} mirrored whether the mesh is the right half
  * @returns {{x: number, y: number, u: number, v: number}[][]}
  */
-export function carried(outline, mesh, up, mirrored) {
+export function carried(outline, { mesh, frame }, mirrored) {
+  const points = outline.map((polygon) => polygon.map(([along, depth]) => frame.point(along, depth)));
   const sideOf = (/** @type {number} */ x) => (mirrored && x < 0 ? -1 : 1);
   const places = locateAll(
     mesh,
-    outline.flat().map(([x, depth]) => [sideOf(x) * x, up * depth]),
+    points.flat().map(([x, y]) => [sideOf(x) * x, y]),
   ).values();
-  return outline
+  return points
     .map((polygon) =>
-      polygon.map(([x, depth]) => {
-        const side = sideOf(x);
+      polygon.map(([x, y]) => {
         const place = places.next().value ?? null;
         const [u, v] = place ? vectorAt(place, mesh.displacement) : [0, 0];
-        return { x, y: up * depth, u: side * u, v, found: place !== null };
+        return { x, y, u: sideOf(x) * u, v, found: place !== null };
       }),
     )
     .map((polygon) => {

@@ -7,8 +7,7 @@ import { plain } from '../lib/units.js';
  * @property {import('./camera.js').Camera} camera
  * @property {number} deformation
  * @property {{polygons: {x: number, y: number, u: number, v: number}[][], lift: number}[]} zones
- * @property {number[]} edges of the contact
- * @property {number} height at which the contact is drawn
+ * @property {{at: [number, number], across: [number, number]}[]} edges ends of the contact, and the normal of the surface there
  * @property {{x: number, y: number, u: number, v: number, lift: number, text: string}[]} ends where the quantity is largest, and least
  * @property {[[number, number], [number, number]][]} path pieces of the cut
  * @property {[number, number] | null} cross in pixels
@@ -19,14 +18,13 @@ import { plain } from '../lib/units.js';
 
 /** Width that the scale of colours takes. */
 const SCALE = 84;
+/** Half of the length of a line at the end of the contact. */
+const EDGE = 14;
 /** Height of a row of words. */
 const ROW = 14;
 
 /** @param {HTMLCanvasElement} canvas @param {Over} over */
-export function drawOverlay(
-  canvas,
-  { camera, deformation, zones, edges, height, ends, path, cross, colours, length, factor },
-) {
+export function drawOverlay(canvas, { camera, deformation, zones, edges, ends, path, cross, colours, length, factor }) {
   const context = canvas.getContext('2d');
   if (!context) return;
   const ratio = canvas.width / camera.width;
@@ -37,9 +35,10 @@ export function drawOverlay(
   scale(context, camera, colours, length, factor);
   context.strokeStyle = colours('--ink');
   context.lineWidth = 1;
-  for (const x of edges) {
-    const [px, py] = camera.toScreen(x, height);
-    line(context, px, py - 14, px, py + 14);
+  for (const { at, across } of edges) {
+    const [px, py] = camera.toScreen(...at);
+    const [dx, dy] = across.map((part) => EDGE * part);
+    line(context, px - dx, py + dy, px + dx, py - dy);
   }
   // The first of two words that would cover each other stays where it is.
   let before = /** @type {[number, number] | undefined} */ (undefined);
@@ -94,10 +93,11 @@ function outline(context, camera, polygons, deformation, lift) {
  * @param {number} deformation
  * @param {Over['colours']} colours
  * @param {[number, number]} [before] where the word of another one stands
- * @returns {[number, number]} where its word stands
+ * @returns {[number, number] | undefined} where its word stands, if the node is in the picture
  */
 function marked(context, camera, { x, y, u, v, lift, text }, deformation, colours, before) {
   const [px, py] = camera.toScreen(x + deformation * u, y + deformation * v + lift);
+  if (!(px >= 0 && px <= camera.width && py >= 0 && py <= camera.height)) return before;
   const [ink, ground] = [colours('--ink'), colours('--panel')];
   context.lineWidth = 3;
   for (const style of [ground, ink]) {

@@ -128,7 +128,8 @@ export class FieldPanel {
         }),
         cut: later((on) => {
           this.scene.over.classList.toggle('cutting', on);
-          this.cutter.show(on, this.scene.camera, this.scene.half());
+          const { x, unloaded, half } = this.scene.contact();
+          this.cutter.show(on, [x, unloaded], half);
         }),
         zoom: later((factor) => this.scene.camera.zoom(factor)),
         home: () => this.scene.home(),
@@ -138,13 +139,11 @@ export class FieldPanel {
   }
 
   /**
-   * @param {Report} report in the units of its job
-   * @param {number} at
-   * @param {UnitSet} units shown
+   * @param {Asked} asked
    * @param {boolean} anew whether it is another job's, of which the whole contact is to be seen
    * @param {FieldSource} [source] of fields that are not in the report
    */
-  show(report, at, units, anew, source) {
+  show(asked, anew, source) {
     this.panel.show(true);
     if (anew) {
       this.range.forget();
@@ -153,7 +152,7 @@ export class FieldPanel {
     }
     if (this.#source !== source) this.#forget();
     this.#source = source;
-    this.#wanted = { report, at, units };
+    this.#wanted = asked;
     this.#update();
   }
 
@@ -237,7 +236,7 @@ export class FieldPanel {
     else {
       performance.mark('field-received');
       this.#fields = fields;
-      this.scene.take(step, fields, report.mesh.symmetric);
+      this.scene.take(fields);
       this.#load();
     }
     this.scene.fit();

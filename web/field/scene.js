@@ -6,8 +6,10 @@ import { factor, figure, unit } from '../lib/units.js';
 import { Camera } from './camera.js';
 import { withoutLoad } from './cut.js';
 import { Renderer } from './gl.js';
+import { extentSeen } from '../result/extent.js';
+import { frameOf } from './frame.js';
 import { carried } from './locate.js';
-import { lifts } from './lift.js';
+import { lifts, surfaceOf } from './lift.js';
 import { drawOverlay } from './overlay.js';
 import { bands, rgb } from './palette.js';
 import { compose } from './picture.js';
@@ -17,9 +19,11 @@ import { scaleOf } from './read.js';
 /** @typedef {import('../types.js').Report} Report */
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('./quantities.js').Quantity} Quantity */
-/** @typedef {import('./read.js').Body & {polygons: ReturnType<typeof carried>}} Body */
+/** @typedef {import('./read.js').Body & {frame: Frame, polygons: ReturnType<typeof carried>}} Body */
+/** @typedef {import('./frame.js').Frame} Frame */
 /** @typedef {import('./source.js').Fields} Fields */
-/** @typedef {{report: Report, at: number, units: import('../lib/units.js').UnitSet}} Asked a step, and the units that are shown */
+/** @typedef {import('../types.js').Job} Job */
+/** @typedef {{job: Job, report: Report, at: number, units: import('../lib/units.js').UnitSet}} Asked a step, in the units of its job, and the units that are shown */
 
 /** Plastic strain below this part of the scale has no colour: nodes beside the zone take a little from its elements. */
 const PLAIN = 0.02;
@@ -47,7 +51,10 @@ export class Scene {
   /** @type {Renderer | undefined} */
   #renderer;
   /** @type {(deformation: number) => import('./lift.js').Lifts} */
-  #lifts = () => ({ upper: 0, lower: 0, contact: 0 });
+  #lifts = () => ({ upper: 0, lower: 0, contact: 0, unloaded: 0 });
+
+  /** Of the body that the ends of the contact are drawn on. @type {ReturnType<typeof surfaceOf>} */
+  #surface = () => undefined;
 
   /**
    * @param {import('./cut-tool.js').CutTool} cutter
@@ -84,17 +91,19 @@ export class Scene {
     this.#renderer?.load([]);
   }
 
-  /** @param {Step} step @param {Fields} fields of it @param {boolean} symmetric */
-  take(step, fields, symmetric) {
-    this.#lifts = lifts(fields.upper, fields.lower, step);
-    this.bodies = bodiesOf(step, fields).map((body) => ({
+  /** @param {Fields} fields of the step that is shown */
+  take(fields) {
+    const step = this.#step();
+    if (!this.shown || !step) return;
+    const { job, report } = this.shown;
+    const framed = bodiesOf(step, fields).map((body) => ({ ...body, frame: frameOf(job, body.name, body.mesh) }));
+    const [upper, lower] = ['upper', 'lower'].map((name) => framed.find((body) => body.name === name) ?? null);
+    this.#lifts = lifts(upper, lower, step);
+    const body = lower ?? upper;
+    if (body) this.#surface = surfaceOf(body, step.contact.nodes.x);
+    this.bodies = framed.map((body) => ({
       ...body,
-      polygons: carried(
-        step.plasticity?.[body.name]?.outline ?? [],
-        body.mesh,
-        body.name === 'upper' ? 1 : -1,
-        symmetric,
-      ),
+      polygons: carried(step.plasticity?.[body.name]?.outline ?? [], body, report.mesh.symmetric),
     }));
     this.#place();
   }
@@ -146,15 +155,25 @@ export class Scene {
     };
   }
 
-  /** Half-width of the contact; where the load is taken away, that of the largest one, whose traces are to be seen. */
-  half() {
-    const widths = this.shown?.report.steps.map(({ contact }) => contact.half_width) ?? [];
-    return this.#step()?.contact.half_width || Math.max(0, ...widths) || 1 / 1.9;
+  /**
+   * Where the contact is, and half of its width; where the load is taken away, those of the widest one, whose traces are to be seen.
+   * `drawn`: its height in the picture; `unloaded`: in the bodies without load.
+   */
+  contact() {
+    const { contact: drawn, unloaded } = this.#lifts(this.deformation);
+    const extent = this.shown && extentSeen(this.shown.report.steps, this.shown.at, this.#isRound());
+    const { left, right } = extent ?? { left: -1 / 1.9, right: 1 / 1.9 };
+    return { x: (left + right) / 2, half: (right - left) / 2, drawn, unloaded };
   }
 
   home() {
-    if (this.shown) this.camera.home(1.9 * this.half());
+    const { x, half, drawn } = this.contact();
+    if (this.shown) this.camera.home(1.9 * half, x, drawn);
     this.later();
+  }
+
+  #isRound() {
+    return this.shown?.report.analysis === 'axisymmetric';
   }
 
   #step() {
@@ -223,12 +242,7 @@ export class Scene {
       camera: this.camera,
       deformation: this.deformation,
       zones: this.bodies,
-      edges: step.contact.patches
-        .flatMap(({ left, right }) =>
-          report.analysis === 'axisymmetric' ? [left, right, -left, -right] : [left, right],
-        )
-        .filter((x) => x !== 0),
-      height: this.#lifts(this.deformation).contact,
+      edges: this.#edges(step),
       cross: this.probe,
       ends: this.ends.map((end) => ({
         ...end,
@@ -242,6 +256,23 @@ export class Scene {
     });
     this.on.drawn(scales);
     performance.mark('field-drawn');
+  }
+
+  /** Ends of the parts of the contact where they are drawn on one of the bodies. @param {Step} step @returns {import('./overlay.js').Over['edges']} */
+  #edges({ contact: { patches } }) {
+    const [{ frame, lift }] = this.bodies.slice(-1);
+    const halved = this.shown?.report.mesh.symmetric;
+    const ends = patches.flatMap(({ left, right }) => (this.#isRound() ? [left, right, -left, -right] : [left, right]));
+    return ends.flatMap((along) => {
+      const side = halved && along < 0 ? -1 : 1;
+      const end = along === 0 ? undefined : this.#surface(side * along);
+      if (!end) return [];
+      const at = /** @type {[number, number]} */ ([
+        side * (end.x + this.deformation * end.u),
+        end.y + this.deformation * end.v + lift,
+      ]);
+      return [{ at, across: frame.outward(along) }];
+    });
   }
 
   /** @param {Renderer} renderer @param {Report} report @param {(name: string) => string} colours */

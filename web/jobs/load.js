@@ -1,8 +1,9 @@
 /** What a job asks of its bodies, in words and with its unit. */
 
-import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from '../setup/fields.js';
 import { historyWords } from '../setup/history.js';
+import { sweepWords } from '../setup/list.js';
 
 /** @param {import('../types.js').Job} job @returns {string} */
 export function loadWords(job) {
@@ -10,15 +11,10 @@ export function loadWords(job) {
   const value = job.load?.[kind];
   if (kind === 'onset') return 'onset of yield';
   if (kind === 'target') return `P for ${targetWords(job)}`;
-  const far = kind.startsWith('approach');
-  const name = unit(far ? 'length' : forceOf(job), unitsOf(job));
-  const figures =
-    kind === 'history'
-      ? historyWords(value)
-      : Array.isArray(value)
-        ? `${plain(value[0])} … ${plain(value[value.length - 1])}`
-        : exact(Number(value));
-  return `${far ? 'α' : 'P'} ${figures} ${name}`;
+  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'history') return historyWords(value, { force, approach });
+  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
+  return `${letter} ${Array.isArray(value) ? sweepWords(value) : exact(Number(value))} ${name}`;
 }
 
 /** @param {import('../types.js').Job} job */

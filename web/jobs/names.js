@@ -2,8 +2,10 @@
 
 import { jobIn } from '../setup/draft.js';
 import { DEFAULTS, allFields } from '../setup/fields.js';
-import { exact, forceOf, plain, unit, unitsOf } from '../lib/units.js';
-import { historyWords } from '../setup/history.js';
+import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
+import { historyFigures } from '../setup/history.js';
+import { sweepWords } from '../setup/list.js';
+import { same } from '../lib/pointer.js';
 import { loadWords } from './load.js';
 
 /** @typedef {import('../types.js').Job} Job */
@@ -31,9 +33,12 @@ export function differences(jobs) {
   const alike = jobs.map((job) => (unitsOf(job) === units ? job : jobIn(job, units)));
   const maps = alike.map((job) => new Map(leaves(job)));
   const all = [...new Set(maps.flatMap((map) => [...map.keys()]))];
-  // A force and a sweep of forces are both the load of their job.
+  // A force and a sweep of forces are both the load of their job; a history has loads of two kinds.
   const loads = all.filter((pointer) => pointer.startsWith('/load/'));
-  const pointers = loads.length > 1 ? ['/load', ...all.filter((pointer) => !loads.includes(pointer))] : all;
+  const pointers =
+    loads.length > 1 || loads.includes('/load/history')
+      ? ['/load', ...all.filter((pointer) => !loads.includes(pointer))]
+      : all;
   for (const [k, map] of maps.entries()) map.set('/load', loadWords(alike[k]));
   return pointers
     .map((pointer) => ({
@@ -41,17 +46,17 @@ export function differences(jobs) {
       ...nameOf(pointer, first),
       values: maps.map((map) => map.get(pointer) ?? USUAL[pointer]),
     }))
-    .filter(({ values }) => distinct(values.map((value) => JSON.stringify(value))) > 1)
+    .filter(({ values }) => distinct(values) > 1)
     .map((one) => {
       const short = one.values.map(writeValue);
-      const alike = distinct(short) < distinct(one.values.map((value) => JSON.stringify(value)));
+      const alike = distinct(short) < distinct(one.values);
       return { ...one, texts: alike ? one.values.map(writeWhole) : short };
     })
     .sort((a, b) => rank(a.pointer) - rank(b.pointer));
 }
 
-/** @param {unknown[]} values */
-const distinct = (values) => new Set(values).size;
+/** How many of them are not the same JSON. @param {unknown[]} values */
+const distinct = (values) => values.filter((value, k) => values.findIndex((one) => same(one, value)) === k).length;
 
 /** Loads tell most, then what bodies are, their shapes before all; settings of the solver least. @param {string} pointer */
 const rank = (pointer) =>
@@ -81,33 +86,41 @@ function nameOf(pointer, job) {
 /** @param {unknown} value */
 export function writeValue(value) {
   if (value === undefined) return '—';
-  if (typeof value === 'number') return plain(value);
-  if (Array.isArray(value) && value[0]?.modulus !== undefined)
-    return value.map(({ modulus, rate }) => `${plain(modulus)}, ${plain(rate)}`).join('; ');
-  if (Array.isArray(value) && isHistory(value)) return historyWords(value);
-  if (Array.isArray(value))
-    return value.every(isNumber)
-      ? [...new Set([value[0], value[value.length - 1]])].map((one) => plain(one)).join(' … ')
-      : `${value.length} points`;
-  return String(value).replaceAll('_', ' ');
+  if (typeof value === 'number') return exact(value);
+  if (!Array.isArray(value)) return String(value).replaceAll('_', ' ');
+  if (value.every(isNumber)) return sweepWords(value);
+  return isTerms(value) ? writeWhole(value) : `${value.length} ${isHistory(value) ? 'loads' : 'points'}`;
 }
 
 /** Numbers, loads or rows that are written out in a report. */
 const MOST = 60;
 
-/** The same in all its digits, with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
+/** The same with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
 export function writeWhole(value) {
-  if (typeof value === 'number') return exact(value);
-  if (!Array.isArray(value) || value[0]?.modulus !== undefined) return writeValue(value);
+  if (!Array.isArray(value)) return writeValue(value);
   if (value.length > MOST)
     return value.every(isNumber) ? `${writeValue(value)}, ${value.length} in all` : writeValue(value);
   if (value.every(isNumber)) return value.map(exact).join(' ');
-  if (isHistory(value)) return historyWords(value, MOST, exact);
-  return value.map((row) => Object.values(row).map(exact).join(' ')).join('; ');
+  if (isHistory(value)) return historyFigures(value);
+  const members = MEMBERS.find(([first]) => value[0]?.[first] !== undefined);
+  const figures = (/** @type {any} */ row) => members?.map((name) => row[name]) ?? row;
+  return value
+    .map((row) =>
+      figures(row)
+        .map(exact)
+        .join(isTerms(value) ? ', ' : ' '),
+    )
+    .join('; ');
 }
+
+/** Names of the figures of rows, in the order of their columns. */
+const MEMBERS = allFields().flatMap(({ members }) => (members ? [members] : []));
 
 /** @param {unknown} value */
 const isNumber = (value) => typeof value === 'number';
+
+/** @param {any[]} value terms of a sum, of which there are few */
+const isTerms = ([first]) => first?.modulus !== undefined;
 
 /** @param {any[]} value */
 const isHistory = ([first]) => first?.force !== undefined || first?.approach !== undefined;

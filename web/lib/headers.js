@@ -5,7 +5,7 @@ import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
-/** @typedef {{number: number, cells: string[]}} Row a line of the text, counted from 1 */
+/** @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted from 1 */
 
 /** What stands in brackets behind a name and is no unit. */
 const QUALIFIER =
@@ -30,6 +30,20 @@ function otherScale(headers, quantities) {
           problem: `line ${number}: “${name}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265`,
         };
     }
+  return undefined;
+}
+
+/** A factor on the figures of a column: x1000, *1e3, · 10³, 10^-3; not the x1 that is a name. */
+const MULTIPLIER = /[*×·⋅]\s*\d|\d\s*[*×·⋅]|\S\s+x\s?\d{2}|[(\[]x\s?\d{2}|10(?:\s*\^|[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹])/i;
+
+/** @param {Row[]} headers @param {number} columns @returns {{problem: string} | undefined} where figures are to be multiplied */
+function multiplied(headers, columns) {
+  for (const { number, cells, comment } of headers) {
+    const texts = cells.length === columns ? cells : comment ? [] : [cells.join(' ')];
+    const found = texts.find((text) => MULTIPLIER.test(text));
+    if (found)
+      return { problem: `line ${number}: ${quoted(found)} has a factor: write the figures themselves, and their unit` };
+  }
   return undefined;
 }
 
@@ -75,8 +89,8 @@ export function orderCalled(headers, symbols) {
  * @returns {{named: (string | undefined)[]} | {problem: string}} the unit that is named for each column
  */
 export function unitsNamed(headers, quantities, units) {
-  const other = otherScale(headers, quantities);
-  if (other) return other;
+  const refused = otherScale(headers, quantities) ?? multiplied(headers, quantities.length);
+  if (refused) return refused;
   const named = /** @type {(string | undefined)[]} */ (quantities.map(() => undefined));
   const known = (/** @type {string} */ name, /** @type {number} */ axis) =>
     inJobUnits(1, name, quantities[axis], units);
@@ -133,7 +147,10 @@ const isOther = (name, quantities, units) =>
  * @returns {{name: string, sure: boolean}[]}
  */
 function mayBeUnits(header) {
-  const found = /** @type {{name: string, sure: boolean}[]} */ ([{ name: header.trim(), sure: false }]);
+  const whole = header.trim();
+  const found = /** @type {{name: string, sure: boolean}[]} */ ([
+    { name: whole, sure: isUnit(whole) && !/^[\d-]$/.test(whole) },
+  ]);
   const add = (/** @type {RegExp} */ pattern, /** @type {(name: string) => boolean} */ sure) => {
     const name = pattern.exec(header)?.[1]?.trim();
     if (name) found.push({ name, sure: sure(name) });

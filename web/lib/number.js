@@ -62,7 +62,7 @@ function valueOf(plain, text) {
 export function parted(text) {
   const plain = withExponents(text);
   const [, digits = plain.trim(), name = ''] =
-    /^\s*([+\-−–]?[\d.,\s'’]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(plain) ?? [];
+    /^\s*([+-]?[\d.,\s'’]*\d[.,]?(?:e[+-]?\d+)?)\s*([^\d\s].*?)?\s*$/i.exec(plain) ?? [];
   return { digits, name };
 }
 
@@ -113,20 +113,26 @@ export const groupsJoined = (text) =>
 const GROUPED =
   /^[+-]?(?:\d{1,3}(?:[\s'’]\d{3})+|\d*)(?:[.,](?:\d{3}(?:[\s'’]\d{3})*(?:[\s'’]\d{1,3})?|\d*))?(?:e[+-]?\d+)?$/i;
 
+/** Dashes that stand for a minus where a keyboard has none, or a program has put them: hyphens, short dashes, the sign itself. */
+const MINUS = /[\u2010-\u2013\u2212\ufe63\uff0d]/g;
+
+/** The same with plain minus signs. @param {string} text */
+export const withMinus = (text) => text.replace(MINUS, '-');
+
 /** Powers of ten as this page and people write them: 4.5·10⁸, 4.5×10^8, 10⁻⁵. */
-const POWER = /(?:([\d.,])\s*[·⋅×*]\s*|(?<![\d.,]))10(?:\^([+\-−]?\d+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))/g;
+const POWER = /(?:([\d.,])\s*[·⋅×*]\s*|(?<![\d.,]))10(?:\^([+-]?\d+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))/g;
 const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
 /** The same with powers of ten as exponents. @param {string} text */
 const withExponents = (text) =>
-  text.replace(POWER, (_, digit = '1', level, raised = '') => {
+  withMinus(text).replace(POWER, (_, digit = '1', level, raised = '') => {
     const lowered = [...raised].map((sign) => (sign === '⁻' ? '-' : sign === '⁺' ? '' : RAISED.indexOf(sign))).join('');
-    return `${digit}e${level?.replace('−', '-') ?? lowered}`;
+    return `${digit}e${level ?? lowered}`;
   });
 
 /** Without what groups digits, with a plain minus and an exponent for a power of ten. @param {string} text */
 function tidy(text) {
-  const plain = withExponents(text).trim().replace(/[−–]/g, '-');
+  const plain = withExponents(text).trim();
   return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
 }
 

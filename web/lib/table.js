@@ -1,12 +1,12 @@
 /** Tables of points as spreadsheets and instruments write them. */
 
 import { orderCalled, unitsNamed } from './headers.js';
-import { columnsInWords, commas, groupsJoined, parted, readQuantity } from './number.js';
+import { columnsInWords, commas, groupsJoined, parted, readQuantity, withMinus } from './number.js';
 import { inJobUnits } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
-/** @typedef {import('./headers.js').Row & {comment: boolean}} Row */
+/** @typedef {import('./headers.js').Row} Row */
 /** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
 
 /** Most lines of figures that the service takes, and letters of a line of two or three of them. */
@@ -22,7 +22,7 @@ const [MOST, LONGEST] = [10_000, 1000];
  * @returns {Table} `problem` names the first line at fault
  */
 export function readTable(text, quantities, units, symbols = []) {
-  const typed = text.split(/\r\n?|\n/);
+  const typed = withMinus(text).split(/\r\n?|\n/);
   const long = typed.findIndex((line) => line.length > LONGEST);
   if (long >= 0)
     return { problem: `line ${long + 1} has ${typed[long].length} letters: a point has a line of its own` };
@@ -31,8 +31,9 @@ export function readTable(text, quantities, units, symbols = []) {
   const given = withoutBlankColumns(
     lines.map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) })).filter(({ cells }) => cells.length),
   );
+  // Whatever sign stands before a digit, it is no word: a line of figures that cannot be read is said to be one.
   const isFigures = (/** @type {Row} */ { comment, cells }) =>
-    !comment && cells.some((cell) => /^[+\-−–]?[.,]?\d/.test(cell));
+    !comment && cells.some((cell) => /^[^\p{L}\p{N}([]*\d/u.test(cell));
   const first = Math.max(0, given.findIndex(isFigures));
   const called = orderCalled(given.slice(0, first), symbols);
   if ('problem' in called) return called;
@@ -90,9 +91,9 @@ const more = (count) => (count === 0 ? '' : ` (and ${count} more line${count ===
 /** @param {string[]} lines @returns {RegExp} */
 function separatorOf(lines) {
   for (const one of ['\t', ';']) if (lines.some((line) => line.includes(one))) return new RegExp(one);
-  const spaced = lines.some((line) => /\d[.,]?\s+[+\-−–]?[.,]?\d/.test(line));
+  const spaced = lines.some((line) => /\d[.,]?\s+[+-]?[.,]?\d/.test(line));
   if (!spaced) return /,\s*|\s+/;
-  return lines.some((line) => /\d,\s+[+\-−–]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
+  return lines.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
 }
 
 /** The cells of a line up to the last one that is not empty; a unit in brackets belongs to the word before it. @param {string} line @param {RegExp} separator */

@@ -1,6 +1,6 @@
 /** The figures that answer a job at one step, with error bar and elastic theory: for the cards of the page and for the report. */
 
-import { figure, forceOf, percent, stiffnessOf, unit } from '../lib/units.js';
+import { exact, figure, forceOf, percent, stiffnessOf, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { TARGETS } from '../setup/fields.js';
 import { barOf, strainOf } from './figures.js';
@@ -177,9 +177,9 @@ export function targetWords({ target, units }) {
     quantity: 'number',
   };
   if (quantity === 'strain')
-    return `for a ${label.toLowerCase()} of ${percent(target.wanted, 4)}, reached ${percent(target.reached, 5)}`;
+    return `for a ${label.toLowerCase()} of ${exact(100 * target.wanted)} %, reached ${percent(target.reached, 5)}`;
   const name = quantity && quantity !== 'load' ? unit(quantity, units) : '';
-  return `for a ${label.toLowerCase()} of ${figure(target.wanted, 4)} ${name}, reached ${figure(target.reached)}`;
+  return `for a ${label.toLowerCase()} of ${exact(target.wanted)} ${name}, reached ${figure(target.reached)}`;
 }
 
 /** @param {{peak_pressure: number}} hertz @param {boolean} round */

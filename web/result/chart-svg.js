@@ -57,7 +57,10 @@ function drawing(plot, title, width, height, colours) {
   if (plot.right) box.right = width - labels(rightTicks) - 30;
   // Room for the figures at the ends, and some between them.
   const apart = Math.max(80, labels([x0, x1].map((end) => Number(end.toPrecision(3)))) + 24);
-  const x = axis([x0, x1], [box.left, box.right], ticksOf([x0, x1], Math.floor((box.right - box.left) / apart)));
+  const xTicks = ticksOf([x0, x1], Math.floor((box.right - box.left) / apart));
+  // A figure stands with its middle below its place, that at the right end too.
+  if (!plot.right) box.right = width - Math.max(10, labels(xTicks.slice(-1)) / 2 + 4);
+  const x = axis([x0, x1], [box.left, box.right], xTicks);
   const y = axis(yRange, [box.bottom, box.top], yTicks, plot.log);
   const yr = axis(rightRange, [box.bottom, box.top], rightTicks);
   const clip = `clip-${++count}`;
@@ -95,6 +98,8 @@ function drawing(plot, title, width, height, colours) {
       { 'clip-path': `url(#${clip})`, fill: 'none' },
       plot.curves.map((curve) => path(curve, x, curve.right ? yr : y)),
     ),
+    // Whole where they lie on the frame.
+    ...plot.curves.flatMap((curve) => (curve.points ? dots(curve, x, curve.right ? yr : y, box) : [])),
     ...marksOf(plot, x, y, yr, box),
   );
   return root;
@@ -152,27 +157,22 @@ function path(curve, x, y) {
       pen = true;
     }
   });
-  const dots = curve.points
-    ? curve.x.flatMap((value, k) => {
-        const cy = y.at(curve.y[k] ?? NaN);
-        const of = { 'data-x': value, 'data-y': curve.y[k], 'data-label': curve.label };
-        return Number.isFinite(cy)
-          ? [svg('circle', { cx: x.at(value), cy, r: 2.2, fill: ink(curve.colour), ...of })]
-          : [];
-      })
-    : [];
-  return svg(
-    'g',
-    {},
-    svg('path', {
-      d,
-      stroke: ink(curve.colour),
-      'stroke-width': curve.width ?? (curve.dashed ? 1.1 : 1.6),
-      'stroke-dasharray': dashOf(curve)?.join(' '),
-    }),
-    dots,
-  );
+  return svg('path', {
+    d,
+    stroke: ink(curve.colour),
+    'stroke-width': curve.width ?? (curve.dashed ? 1.1 : 1.6),
+    'stroke-dasharray': dashOf(curve)?.join(' '),
+  });
 }
+
+/** @param {Curve} curve @param {Axis} x @param {Axis} y @param {import('./labels.js').Box} box */
+const dots = (curve, x, y, box) =>
+  curve.x.flatMap((value, k) => {
+    const [cx, cy] = [x.at(value), y.at(curve.y[k] ?? NaN)];
+    const isSeen = cx >= box.left - 0.5 && cx <= box.right + 0.5 && cy >= box.top - 0.5 && cy <= box.bottom + 0.5;
+    const of = { 'data-x': value, 'data-y': curve.y[k], 'data-label': curve.label };
+    return isSeen ? [svg('circle', { cx, cy, r: 2.2, fill: ink(curve.colour), ...of })] : [];
+  });
 
 /** @param {Curve} curve @returns {number[] | undefined} */
 export const dashOf = (curve) => curve.dash ?? (curve.dashed ? [5, 4] : undefined);

@@ -3,6 +3,7 @@
 import { h } from '../lib/dom.js';
 import { figure, percent, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
+import { abscissaOf } from './extent.js';
 import { workPutIn } from './loads.js';
 import { Panel } from './panel.js';
 
@@ -35,7 +36,7 @@ export class DentPanel {
       return surface ? [{ name, surface }] : [];
     });
     this.chart.show({
-      x: `${round ? 'r' : 'x'}  [${length}]`,
+      x: `${abscissaOf(step, round)}  [${length}]`,
       y: `height  [${length}]`,
       curves: bodies.map(({ name, surface }) => ({
         label: `${name} body, outward`,

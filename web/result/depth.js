@@ -2,7 +2,7 @@
 
 import { h } from '../lib/dom.js';
 import { factor, figure, unit, unitsOf } from '../lib/units.js';
-import { overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
+import { hasInitialStress, overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
@@ -98,17 +98,20 @@ export class DepthPanel {
         );
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
-    const curves = beside(shown, at).flatMap((side) => this.#curves(side, shown.length > 1));
-    const graded = profile?.yield_stress;
-    if (graded && shown.length === 1)
+    const sides = beside(shown, at);
+    const curves = sides.flatMap((side) => this.#curves(side, shown.length > 1));
+    for (const { one, at, label } of sides) {
+      const graded = one.report.steps[at].subsurface?.[this.#body];
+      if (!graded?.yield_stress) continue;
       curves.push({
-        label: 'yield stress',
-        colour: '--yield',
+        label: shown.length > 1 ? `${label}: yield stress` : 'yield stress',
+        colour: shown.length > 1 ? one.colour : '--yield',
         dash: [6, 3],
         dashed: true,
-        x: profile.depth,
-        y: graded,
+        x: graded.depth,
+        y: graded.yield_stress,
       });
+    }
     if (profile?.initial_sigma_x && shown.length === 1)
       curves.push({
         label: `${nameOf('sigma_x', first.report.analysis)} before the load`,
@@ -139,7 +142,7 @@ export class DepthPanel {
   }
 
   /**
-   * The yield stress of the body in every job, each once; where they differ, in the colours of the jobs. One that varies over depth
+   * The yield stress of the body in every job, each once; where it is not that of all, in the colours of the jobs. One that varies over depth
    * is a curve of its own.
    * @param {Shown[]} shown @returns {import('./chart.js').Mark[]}
    */
@@ -153,7 +156,8 @@ export class DepthPanel {
         : [];
     });
     const distinct = all.filter(({ text }, k) => all.findIndex((one) => one.text === text) === k);
-    return distinct.length > 1 ? distinct : distinct.map((one) => ({ ...one, colour: '--yield' }));
+    const common = distinct.length === 1 && all.length === shown.length;
+    return common ? distinct.map((one) => ({ ...one, colour: '--yield' })) : distinct;
   }
 
   /** What the stresses would be without yield. @param {Shown} shown @param {number} at @param {number[]} depths @returns {import('./chart.js').Curve[]} */
@@ -161,13 +165,14 @@ export class DepthPanel {
     const { hertz } = report.steps[at];
     if (!hertz) return [];
     const ratio = Number(job[this.#body]?.material?.poisson_ratio);
+    const before = hasInitialStress(job[this.#body]?.material);
     const stresses = elasticStresses(depths, hertz, ratio, report.analysis);
     return [...this.#chosen].flatMap((component) =>
       component === 'equivalent_plastic_strain'
         ? []
         : [
             {
-              label: `${nameOf(component, report.analysis)}, elastic${isDented(report, at) ? ', undented' : ''}`,
+              label: `${nameOf(component, report.analysis)}, ${before ? 'Hertz alone' : 'elastic'}${isDented(report, at) ? ', undented' : ''}`,
               colour: COMPONENTS[component].colour,
               dash: [2, 3],
               dashed: true,

@@ -2,6 +2,7 @@
 
 import { figure, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
+import { abscissaOf, extentOf, rangeAround } from './extent.js';
 import { beside, hertzName } from './loads.js';
 import { Panel } from './panel.js';
 
@@ -24,7 +25,7 @@ export class PressurePanel {
       x: `${round ? 'r' : 'x'}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves: [hertzCurve(hertz, round)],
-      range: [round ? 0 : -1.3 * hertz.half_width, 1.3 * hertz.half_width],
+      range: rangeAround([hertzExtent(hertz)], round),
       words: `Hertz, elastic: peak pressure ${figure(hertz.peak_pressure)} ${unit('stress', units)}, half-width ${figure(hertz.half_width)} ${unit('length', units)}.`,
     });
   }
@@ -35,11 +36,11 @@ export class PressurePanel {
     this.panel.element.classList.remove('preview');
     const [first] = shown;
     const step = first.report.steps[at];
-    // Where the load is taken away there is no pressure to be seen.
-    if (shown.length === 1 && !(step.contact.peak_pressure > 0)) return this.panel.show(false);
+    const sides = beside(shown, at);
+    // Where every load is taken away there is no pressure to be seen.
+    if (!sides.some(({ one, at }) => one.report.steps[at].contact.peak_pressure > 0)) return this.panel.show(false);
     const { units } = first.report;
     const round = first.report.analysis === 'axisymmetric';
-    const sides = beside(shown, at);
     /** @type {import('./chart.js').Curve[]} */
     const curves = sides.map(({ one, at, label }) => {
       const { nodes } = one.report.steps[at].contact;
@@ -52,25 +53,22 @@ export class PressurePanel {
         filled: shown.length === 1,
       };
     });
-    const { hertz, contact } = step;
+    const { contact } = step;
+    const hertz = step.hertz && step.hertz.half_width > 0 ? step.hertz : null;
     const name = hertzName(first.report, at);
     if (hertz) curves.push({ ...hertzCurve(hertz, round, name), filled: false });
+    const last = contact.patches[contact.patches.length - 1];
     const marks = contact.patches
-      .flatMap(({ left, right }) => [left, right])
-      .filter((x) => x !== 0 || !round)
-      .map((x) => mark(x, units, contact.half_width));
-    const reach =
-      Math.max(
-        contact.half_width,
-        hertz?.half_width ?? 0,
-        ...sides.map(({ one, at }) => one.report.steps[at].contact.half_width),
-      ) * 1.3;
+      .flatMap((patch) => [mark(patch.left, ''), mark(patch.right, patch === last ? widthWords(contact, units) : '')])
+      .filter(({ at }) => at !== 0 || !round);
+    const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
+    if (hertz) extents.push(hertzExtent(hertz));
     this.chart.show({
-      x: `${contact.half_angle === undefined ? (round ? 'r' : 'x') : 'along the arc'}  [${unit('length', units)}]`,
+      x: `${abscissaOf(step, round)}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,
-      range: reach > 0 && contact.patches.length < 2 ? [round ? 0 : -reach, reach] : undefined,
+      range: rangeAround(extents, round),
       words: `Contact pressure over x: highest ${figure(contact.peak_pressure)} ${unit('stress', units)}, half-width ${figure(contact.half_width)} ${unit('length', units)}${
         hertz ? `; ${name}: ${figure(hertz.peak_pressure)} and ${figure(hertz.half_width)}` : ''
       }.`,
@@ -78,12 +76,14 @@ export class PressurePanel {
   }
 }
 
-/** @param {number} x @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units @param {number} half */
-const mark = (x, units, half) => ({
-  across: /** @type {const} */ ('x'),
-  at: x,
-  text: Math.abs(x - half) < 1e-9 * half ? `a ${figure(half, 4)} ${unit('length', units)}` : '',
-});
+/** @param {number} at end of a part of the contact @param {string} text @returns {import('./chart.js').Mark} */
+const mark = (at, text) => ({ across: 'x', at, text });
+
+/** @param {{half_width: number}} contact @param {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units */
+const widthWords = ({ half_width }, units) => `a ${figure(half_width, 4)} ${unit('length', units)}`;
+
+/** @param {{half_width: number}} hertz @returns {import('./extent.js').Extent} */
+const hertzExtent = ({ half_width }) => ({ left: -half_width, right: half_width });
 
 /** p = p_0 √(1 − (x/a)²). @param {{half_width: number, peak_pressure: number}} hertz @param {boolean} round over the radius only @param {string} [label] */
 function hertzCurve({ half_width, peak_pressure }, round, label = 'Hertz, elastic') {

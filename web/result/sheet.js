@@ -162,12 +162,13 @@ const inJob = (length, { raw, report }) =>
     ? (length * raw.steps[0].hertz.half_width) / report.steps[0].hertz.half_width
     : length;
 
-/** @param {Job} job @param {import('../setup/fields.js').Field} load @returns {string} its unit, and that of approaches between forces */
+/** @param {Job} job @param {import('../setup/fields.js').Field} load @returns {string} its unit, and that of approaches among forces */
 function unitOfLoad(job, { quantity = 'number' }) {
   const units = unitsOf(job);
   const own = unit(quantity === 'load' ? forceOf(job) : quantity, units);
   const loads = /** @type {any[]} */ (Array.isArray(job.load?.history) ? job.load.history : []);
-  return loads.some((one) => one?.approach !== undefined) ? `${own}, α ${unit('length', units)}` : own;
+  const far = loads.filter((one) => one?.approach !== undefined).length;
+  return [...(far === 0 || far < loads.length ? [own] : []), ...(far ? [`α ${unit('length', units)}`] : [])].join(', ');
 }
 
 /** What was asked, in the units of the job. @param {Job} job */

@@ -10,28 +10,58 @@ import { Panel, segments } from './panel.js';
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
 
-/** @type {Record<string, {text: string, label: string, value: (step: Step) => number, unit: (report: Report) => string}>} */
+/**
+ * What is shown over the load. `along`: the same at every increment of a step, where results have it.
+ * @typedef {object} OverLoad
+ * @property {string} text
+ * @property {string} label
+ * @property {(step: Step) => number} value
+ * @property {(step: Step, report: Report) => (number | undefined)[] | undefined} [along]
+ * @property {number} [rest] before the first load, where that is known
+ * @property {(report: Report) => string} unit
+ */
+
+/** @type {Record<string, OverLoad>} */
 const OVER_LOAD = {
   peak: {
     text: 'Peak',
     label: 'peak pressure',
     value: ({ contact }) => contact.peak_pressure,
+    along: ({ flow }) => flow?.increments.peak_pressure,
+    rest: 0,
     unit: ({ units }) => unit('stress', units),
   },
   width: {
     text: 'Half-width',
     label: 'half-width',
     value: ({ contact }) => contact.half_width,
+    along: ({ flow }) => flow?.increments.half_width,
+    rest: 0,
     unit: ({ units }) => unit('length', units),
   },
-  strain: { text: 'Strain', label: 'plastic strain', value: (step) => 100 * strainOf(step), unit: () => '%' },
+  strain: {
+    text: 'Strain',
+    label: 'plastic strain',
+    value: (step) => 100 * strainOf(step),
+    rest: 0,
+    unit: () => '%',
+  },
   stiffness: {
     text: 'dP/dα',
     label: 'dP/dα',
     value: ({ contact_stiffness: slope }) => slope,
+    along: slopesAlong,
     unit: (report) => unit(stiffnessOf(report), report.units),
   },
 };
+
+/** dP/dα at the increments of a step, from the curve of all of them. @param {Step} step @param {Report} report */
+function slopesAlong({ flow }, { load_approach: curve }) {
+  const places = flow?.increments.approach.map((approach, k) =>
+    curve ? curve.approach.findIndex((at, j) => at === approach && curve.force[j] === flow.increments.force[k]) : -1,
+  );
+  return places?.map((place) => curve?.stiffness[place]);
+}
 
 export class SweepPanel {
   #kind = 'approach';
@@ -60,7 +90,7 @@ export class SweepPanel {
   show(shown, at) {
     this.#shown = [shown, at];
     const swept = shown.filter(
-      ({ report }) => report.steps.length > 1 || (report.load_approach?.force.length ?? 0) > 2,
+      ({ report }) => answered(report).length > 1 || (report.load_approach?.force.length ?? 0) > 2,
     );
     this.panel.show(swept.length > 0);
     if (swept.length === 0) return;
@@ -80,12 +110,17 @@ const turnsBack = ({ job, report: { steps } }) =>
 /** Part of the range of forces from which on a piece of a loop has nothing solved that is worth the name. */
 const FAR = 0.25;
 
+/** Dots, farther apart than those of any job's curve. */
+const BETWEEN = { points: false, dash: [1, 6], width: 1.2 };
+
 /**
  * A loop without its long pieces, and these by themselves: unloading is often one increment, and a straight line between its ends is
  * no answer.
- * @param {import('./chart.js').Curve} curve @param {number[]} forces of its points @returns {import('./chart.js').Curve[]}
+ * @param {import('./chart.js').Curve} curve @param {number[]} forces of its points
+ * @param {string} why the long pieces are no answers
+ * @returns {import('./chart.js').Curve[]}
  */
-function apart(curve, forces) {
+function apart(curve, forces, why = 'nothing solved between') {
   const range = Math.max(...forces) - Math.min(...forces);
   const isFar = (/** @type {number} */ k) => k > 0 && Math.abs(forces[k] - forces[k - 1]) > FAR * range;
   const [near, far] = [0, 1].map(() => ({
@@ -96,17 +131,18 @@ function apart(curve, forces) {
     if (isFar(k)) {
       near.x.push(x);
       near.y.push(null);
-      far.x.push(curve.x[k - 1], x, x);
-      far.y.push(curve.y[k - 1], curve.y[k], null);
+      // Each begins at its lower force: on the way there and on the way back dots lie on dots.
+      const [from, to] = forces[k] < forces[k - 1] ? [k, k - 1] : [k - 1, k];
+      far.x.push(curve.x[from], curve.x[to], curve.x[to]);
+      far.y.push(curve.y[from], curve.y[to], null);
     }
     near.x.push(x);
     near.y.push(curve.y[k]);
   });
   if (far.x.length === 0) return [curve];
-  const label = `${curve.label}, nothing solved between`;
   return [
     { ...curve, ...near },
-    { ...curve, ...far, label, points: false, dash: [2, 3], width: 0.9 },
+    { ...curve, ...far, ...BETWEEN, label: `${curve.label}, ${why}` },
   ];
 }
 
@@ -135,12 +171,12 @@ function onsets(swept, across, words) {
     return at ? [{ at, colour, figure: figure(at, 4) }] : [];
   });
   const distinct = all.filter(({ figure }, k) => all.findIndex((one) => one.figure === figure) === k);
-  const alone = distinct.length < 2;
+  const common = distinct.length === 1 && all.length === swept.length;
   return distinct.map(({ at, colour, figure }) => ({
     across,
     at,
-    text: across === 'y' || !alone ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
-    colour: alone ? '--yield' : colour,
+    text: across === 'y' || !common ? `${words} ${figure} ${unit(forceOf(report), report.units)}` : words,
+    colour: common ? '--yield' : colour,
   }));
 }
 
@@ -176,30 +212,50 @@ function overApproach(swept, shown, at) {
   };
 }
 
-/** @param {Shown[]} swept @param {Shown[]} shown @param {number} at @param {typeof OVER_LOAD[string]} figures @returns {import('./chart.js').Plot} */
-function overLoad(swept, shown, at, { label, value, unit: unitOf }) {
+/**
+ * A figure over the force: of a history at every increment, from the bodies at rest on; else at its loads.
+ * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an order
+ * @returns {{x: number[], y: number[]}}
+ */
+function overForce(report, { value, along, rest }, inTurn) {
+  const steps = answered(report);
+  if (!inTurn || !steps.every(({ flow }) => flow)) {
+    steps.sort((a, b) => a.contact.force - b.contact.force);
+    return { x: steps.map(({ contact }) => contact.force), y: steps.map(value) };
+  }
+  const points = steps.flatMap((step) => {
+    const between = along?.(step, report)?.slice(0, -1) ?? [];
+    const forces = step.flow?.increments.force ?? [];
+    return [
+      ...between.flatMap((figure, k) => (figure === undefined ? [] : [{ x: forces[k], y: figure }])),
+      { x: step.contact.force, y: value(step) },
+    ];
+  });
+  if (rest !== undefined) points.unshift({ x: 0, y: rest });
+  return { x: points.map(({ x }) => x), y: points.map(({ y }) => y) };
+}
+
+/** @param {Shown[]} swept @param {Shown[]} shown @param {number} at @param {OverLoad} figures @returns {import('./chart.js').Plot} */
+function overLoad(swept, shown, at, figures) {
   const [{ report }] = shown;
+  const { label, value, along, unit: unitOf } = figures;
   const force = unit(forceOf(report), report.units);
   const name = unitOf(report);
   // A load that falls on a body that has yielded has a way back of its own.
   const turns = swept.some(turnsBack);
-  const inOrder = (/** @type {Report} */ report) =>
-    turns ? answered(report) : answered(report).sort((a, b) => a.contact.force - b.contact.force);
   return {
     turns,
     x: `P  [${force}]`,
     y: `${label}  [${name}]`,
     curves: swept.flatMap((one) => {
-      const steps = inOrder(one.report);
       const curve = {
         label: shown.length > 1 ? one.label : label,
         colour: one.colour,
         dash: one.dash,
         points: true,
-        x: steps.map(({ contact }) => contact.force),
-        y: steps.map(value),
+        ...overForce(one.report, figures, turns),
       };
-      return turns ? apart(curve, curve.x) : [curve];
+      return turns ? apart(curve, curve.x, along ? undefined : 'known at the ends of loads alone') : [curve];
     }),
     marks: [...onsets(swept, 'x', 'first yield'), { across: 'x', at: report.steps[at].contact.force, text: 'shown' }],
     words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(value(report.steps[at]))} ${name}.`,

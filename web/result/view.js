@@ -203,7 +203,7 @@ export class View {
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    if (raw) this.field.show(raw, this.#at, setOf(report.units), this.#anew, fields);
+    if (raw) this.field.show({ job, report: raw, at: this.#at, units: setOf(report.units) }, this.#anew, fields);
     this.#anew = false;
   }
 }

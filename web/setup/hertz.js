@@ -31,8 +31,12 @@ export function whyNot(job) {
 export async function closedForm(job, signal) {
   const why = whyNot(job);
   if (why) return { hertz: null, why };
+  /** @type {any[]} */
   const loads = Array.isArray(job.load?.history) ? job.load.history : [];
-  const highest = Math.max(0, ...loads.map((/** @type {any} */ load) => Number(load?.force) || 0));
+  // Of a history that prescribes approaches the highest force is not known.
+  const highest = loads.every((load) => load?.approach === undefined)
+    ? Math.max(0, ...loads.map((load) => Number(load?.force) || 0))
+    : 0;
   const forced = job.load?.force !== undefined || job.load?.forces !== undefined || highest > 0;
   const load = highest > 0 ? { force: highest } : forced ? job.load : { force: 1 };
   try {

@@ -3,7 +3,7 @@
 import { h } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
-import { plain } from '../lib/units.js';
+import { exact } from '../lib/units.js';
 import { LONGEST, partsOf, readParts, tooLong } from './list.js';
 import { written } from './written.js';
 
@@ -31,14 +31,50 @@ export const writeHistory = (history) =>
 /** Loads that are written out where there is little room. */
 const FEW = 4;
 
-/** @param {unknown} history @param {number} [most] loads that are written out @param {(value: number) => string} [write] @returns {string} as it is read */
-export function historyWords(history, most = FEW, write = plain) {
-  if (!Array.isArray(history)) return writeHistory(history);
-  const load = (/** @type {any} */ one) =>
-    one?.approach === undefined ? write(numberOf(one?.force)) : `α ${write(numberOf(one.approach))}`;
-  if (history.length <= most) return history.map(load).join(' → ');
-  const forces = history.map((one) => numberOf(one?.force)).filter(Number.isFinite);
-  return `${history.length} loads${forces.length ? ` up to ${plain(Math.max(...forces))}` : ''}`;
+/** @typedef {{force: string, approach: string}} LoadUnits */
+
+/** @param {any} load */
+const kindOf = (load) => (load?.approach === undefined ? 'force' : 'approach');
+
+/** @param {any} load */
+const figureOf = (load) => numberOf(load?.[kindOf(load)]);
+
+/** Every load with nothing but its figure, approaches behind an α. @param {any[]} history */
+export const historyFigures = (history) =>
+  history.map((load) => `${kindOf(load) === 'force' ? '' : 'α '}${exact(figureOf(load))}`).join(' → ');
+
+/**
+ * Loads in turn with letters and units, where there is little room: those of one kind that follow each other share them; of many,
+ * what is prescribed at most.
+ * @param {unknown} history
+ * @param {LoadUnits} units
+ * @param {{few?: number, is?: string}} [written] loads that are written out; what stands behind a letter
+ * @returns {string}
+ */
+export function historyWords(history, units, { few = FEW, is = ' ' } = {}) {
+  const kinds = /** @type {const} */ ([
+    { kind: 'force', letter: 'P' },
+    { kind: 'approach', letter: 'α' },
+  ]);
+  if (!Array.isArray(history)) return `P${is}${writeHistory(history)} ${units.force}`;
+  const of = (/** @type {any} */ load) => kinds[kindOf(load) === 'force' ? 0 : 1];
+  if (history.length > few) {
+    const parts = kinds.flatMap(({ kind, letter }) => {
+      const figures = history.filter((load) => kindOf(load) === kind).map(figureOf);
+      return figures.length ? [{ letter, most: `up to ${exact(Math.max(...figures))} ${units[kind]}` }] : [];
+    });
+    const count = `${history.length} loads`;
+    return parts.length === 1
+      ? `${parts[0].letter}${is}${count} ${parts[0].most}`
+      : [count, ...parts.map(({ letter, most }) => `${letter} ${most}`)].join(', ');
+  }
+  return history
+    .map((load, k) => {
+      const { kind, letter } = of(load);
+      const [begins, ends] = [history[k - 1], history[k + 1]].map((next) => !next || kindOf(next) !== kind);
+      return `${begins ? letter + is : ''}${exact(figureOf(load))}${ends ? ` ${units[kind]}` : ''}`;
+    })
+    .join(' → ');
 }
 
 /**

@@ -1,8 +1,8 @@
 /** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
 
 import { h } from '../lib/dom.js';
-import { commas, groupsJoined, parted, quoted, readQuantity } from '../lib/number.js';
-import { inJobUnits } from '../lib/units.js';
+import { commas, groupsJoined, parted, quoted, readQuantity, withMinus } from '../lib/number.js';
+import { exact, inJobUnits } from '../lib/units.js';
 import { written } from './written.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
@@ -21,19 +21,21 @@ export const tooLong = (text) =>
     ? { problem: `${quoted(text)} and so on is too long: at most ${MOST} numbers are taken` }
     : undefined;
 
-/** Numbers between which nothing but spaces that do not break stands: one number in groups, or several as a document has them. */
-const UNBROKEN = /^\s*[α\d.,+\-−–\u00a0]*\d{1,3}\u00a0\d{3}(?!\d)[\d.,\u00a0]*(?:\s*[^\d\s].*)?$/;
+/** Numbers between which nothing but spaces that do not break or are thin stands: one number in groups, or several as a document has them. */
+const UNBROKEN =
+  /^\s*[α\d.,+\-\u00a0\u2009\u202f]*\d{1,3}[\u00a0\u2009\u202f]\d{3}(?!\d)[\d.,\u00a0\u2009\u202f]*(?:\s*[^\d\s].*)?$/;
 
 /** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
 export function partsOf(text) {
-  if (UNBROKEN.test(text)) return [text.trim()];
+  const plain = withMinus(text);
+  if (UNBROKEN.test(plain)) return [plain.trim()];
   const parts = /** @type {string[]} */ ([]);
-  for (const part of groupsJoined(text)
+  for (const part of groupsJoined(plain)
     .replace(/α\s+/g, 'α')
     .replace(/[-=]>/g, '→')
     .split(/\s*[;→]\s*|\s*,\s+|\s+,\s*|\s+/)
     .filter(Boolean)) {
-    const isUnit = !/^([αa]=?)?[+\-−–.,]*\d/i.test(part);
+    const isUnit = !/^([αa]=?)?[+\-.,]*\d/i.test(part);
     if (isUnit && parts.length) parts[parts.length - 1] += ` ${part}`;
     else parts.push(part);
   }
@@ -86,7 +88,7 @@ export function readParts(parts, units, name = 'number') {
  */
 function severalIn(text, alone, before) {
   const { digits } = parted(text);
-  if (digits.includes('\u00a0'))
+  if (/[\u00a0\u2009\u202f]/.test(digits))
     return `${quoted(digits)} can be one number or several: put plain spaces between numbers, and none within`;
   const commas = digits.match(/\d,(?=\d)/g)?.length ?? 0;
   if (commas > 1) return `${quoted(digits)} can be one number or several: put spaces between numbers`;
@@ -94,7 +96,7 @@ function severalIn(text, alone, before) {
     const [left, right] = digits.split(',');
     return `${quoted(digits)} can be one number or two: write ${left}.${right}, or ${left} ${right}`;
   }
-  return /^[+\-−–]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
+  return /^[+-]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
     ? `“${before} ${digits}” can be one number or two: write ${before}${digits} without a space`
     : undefined;
 }
@@ -123,6 +125,19 @@ export function readList(text, quantity, units) {
   const [first, last] = ends.values;
   const step = (last - first) / (many - 1);
   return { values: Array.from({ length: many }, (_, k) => Number((first + step * k).toPrecision(8))) };
+}
+
+/** Numbers that are written out where there is little room. */
+const FEW = 4;
+
+/** A list where there is little room: from the first to the last number, where it rises or falls all the way. @param {number[]} values */
+export function sweepWords(values) {
+  const ways = new Set(values.slice(1).map((value, k) => Math.sign(value - values[k])));
+  const ends = (/** @type {number[]} */ list) => [...new Set(list.map(exact))].join(' … ');
+  if (ways.size < 2) return ends([values[0], values[values.length - 1]]);
+  return values.length <= FEW
+    ? values.map(exact).join(', ')
+    : `${values.length} values, ${ends([Math.min(...values), Math.max(...values)])}`;
 }
 
 /** @param {import('./fields.js').Field} field @param {string} id @param {import('./entry.js').Surroundings} surroundings @returns {import('./entry.js').Control} */

@@ -56,7 +56,13 @@ export function curvePreview(material, units) {
       'figure',
       { class: 'preview' },
       drawing(points, xs, ys, 'Hardening curve', 'line', nominal),
-      h('figcaption', {}, `true stress [${unit('stress', units)}] over total strain; dashed: engineering`),
+      h(
+        'figcaption',
+        {},
+        `true stress [${unit('stress', units)}] over total strain; dashed: engineering${
+          law.over_depth ? '; at each depth times the factor there' : ''
+        }`,
+      ),
     ),
   ];
 }

@@ -2,10 +2,12 @@
 
 import { byId, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { exact, figure, forceOf, plain, unit, unitsOf } from '../lib/units.js';
+import { exact, figure, forceOf, unit, unitsOf } from '../lib/units.js';
 import { TARGETS, loadOf, targetOf } from './fields.js';
 import { historyWords } from './history.js';
+import { sweepWords } from './list.js';
 import { outline, pin } from './outline.js';
+import { counted, touching } from './touching.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
 /** @typedef {import('./check.js').Hertz} Hertz */
@@ -15,7 +17,7 @@ const [WIDTH, HEIGHT, MARGIN] = [380, 216, 22];
 /** Width of a letter, on average. */
 const LETTER = 6.4;
 /** The same of a bold one. */
-const BOLD = 6.9;
+const BOLD = 7.2;
 
 /** @param {import('./draft.js').Draft} draft */
 export function startSketch(draft) {
@@ -45,6 +47,11 @@ export function picture(job, hertz) {
     sizeWords(job.lower, bodies[1], length),
     widthWords(job, hertz),
   ];
+  // A pin and its hole touch at the bottom; others come together first.
+  const [above, below] = bodies;
+  const meeting = above && below && !inHole ? touching(above, below) : { raise: 0, places: [] };
+  if (above) bodies[0] = counted(above, meeting.raise);
+  const places = meeting.places.length ? meeting.places : [/** @type {[number, number]} */ ([0, 0])];
   const scale = fit(bodies[0], bodies[1], 16 + LETTER * Math.max(...labels.map((label) => label.length)));
   bodies.forEach((body, k) => {
     const name = k === 0 ? 'upper' : 'lower';
@@ -53,7 +60,7 @@ export function picture(job, hertz) {
   if (job.analysis === 'axisymmetric') {
     root.append(svg('line', { class: 'axis', x1: WIDTH / 2, x2: WIDTH / 2, y1: 6, y2: HEIGHT - 6 }));
   }
-  root.append(...load(job, bodies[0], scale), ...contact(job, hertz, scale));
+  root.append(...load(job, bodies[0], scale, middleOf(places)), ...contact(job, hertz, scale, places));
   return root;
 }
 
@@ -120,7 +127,7 @@ function sizeWords(of, body, length) {
   if (type === 'cylinder') return `R ${exact(numberOf(radius))} ${length}`;
   if (type === 'groove' || type === 'hole') return `${type} R ${exact(numberOf(radius))} ${length}`;
   const [left, right] = [body.surface[0][0], body.surface[body.surface.length - 1][0]];
-  return `${plain(right - left)} × ${plain(-body.base)} ${length}`;
+  return `${exact(right - left)} × ${exact(-body.base)} ${length}`;
 }
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz @returns {string} Hertz's width, if there is one */
@@ -141,35 +148,45 @@ function support(x0, x1, y, up, roller) {
   return [svg('line', { class: 'held', x1: x0, x2: x1, y1: y, y2: y }), ...ticks];
 }
 
-/** @param {import('../types.js').Job} job @param {Outline | null} upper @param {Scale} scale */
-function load(job, upper, scale) {
+/** @param {[number, number][]} places */
+const middleOf = (places) => (places[0][0] + places[places.length - 1][0]) / 2;
+
+/** @param {import('../types.js').Job} job @param {Outline | null} upper @param {Scale} scale @param {number} middle of the places that touch */
+function load(job, upper, scale, middle) {
   if (!upper) return [];
-  const [x, y] = scale(0, -upper.base);
-  const units = unitsOf(job);
-  const kind = loadOf(job.load);
-  const value = job.load?.[kind];
-  const quantity = kind.startsWith('approach') ? 'length' : forceOf(job);
-  /** @type {number[]} */
-  const list = [value].flat().filter((one) => Number.isFinite(one));
-  const range = list.length > 1 ? `${plain(Math.min(...list))}–${plain(Math.max(...list))}` : exact(list[0]);
-  const figures = kind === 'history' ? historyWords(value) : range;
-  const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
-  const text =
-    kind === 'onset' || kind === 'target'
-      ? `P = ? (${kind === 'onset' ? 'first yield' : wanted})`
-      : `${kind.startsWith('approach') ? 'α' : 'P'} = ${figures} ${unit(quantity, units)}`;
+  const [x, y] = scale(middle, -upper.base);
+  const text = loadLine(job);
   return [
     svg('path', { class: 'arrow', d: `M${x} ${y - 20}v16m-3.500 -5l3.500 5l3.500 -5` }),
     svg('text', { x: Math.max(4, Math.min(x + 8, WIDTH - 4 - BOLD * text.length)), y: y - 9, class: 'load' }, text),
   ];
 }
 
-/** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale */
-function contact(job, hertz, scale) {
+/** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
+function loadLine(job) {
+  const kind = loadOf(job.load);
+  const value = job.load?.[kind];
+  if (kind === 'onset' || kind === 'target') {
+    const wanted = TARGETS[targetOf(job.load)].label.toLowerCase();
+    return `P = ? (${kind === 'onset' ? 'first yield' : wanted})`;
+  }
+  const [force, approach] = [unit(forceOf(job), unitsOf(job)), unit('length', unitsOf(job))];
+  if (kind === 'history') {
+    const words = [undefined, 0].map((few) => historyWords(value, { force, approach }, { is: ' = ', few }));
+    return words.find((one) => BOLD * one.length < WIDTH - 8) ?? `${value.length} loads`;
+  }
+  /** @type {number[]} */
+  const list = [value].flat().filter((one) => Number.isFinite(one));
+  const [letter, name] = kind.startsWith('approach') ? ['α', approach] : ['P', force];
+  return `${letter} = ${list.length > 1 ? sweepWords(list) : exact(list[0])} ${name}`;
+}
+
+/** @param {import('../types.js').Job} job @param {Hertz | null} hertz @param {Scale} scale @param {[number, number][]} places where the bodies touch */
+function contact(job, hertz, scale, places) {
   const width = Math.max(0, ...(hertz?.steps ?? []).map((step) => step.half_width));
-  const [x, y] = scale(0, 0);
-  if (width === 0) return [svg('circle', { class: 'contact', cx: x, cy: y, r: 2.5 })];
-  const half = Math.max(1.5, scale(width, 0)[0] - x);
+  const [[x, y], ...others] = places.map((place) => scale(...place));
+  if (width === 0) return [[x, y], ...others].map(([cx, cy]) => svg('circle', { class: 'contact', cx, cy, r: 2.5 }));
+  const half = Math.max(1.5, scale(width, 0)[0] - scale(0, 0)[0]);
   return [
     svg('line', { class: 'contact', x1: x - half, x2: x + half, y1: y, y2: y }),
     svg('path', { class: 'leader', d: `M${x + half + 2} ${y}H${WIDTH - 88}` }),

@@ -83,6 +83,24 @@ service.test('figures of a tiny contact stand whole in their cards, and in units
   assert.match(cards[3], /^0\.00010000mN$/);
 });
 
+service.test('loads of many digits are told in the sketch without leaving it', async (page) => {
+  for (const [history, words] of /** @type {[object[], string][]} */ ([
+    [[{ approach: 0.01 }, { force: 800 }, { force: 0 }], 'α = 0.01 mm → P = 800 → 0 N/mm'],
+    [[612.610612345678, 0, 612.123456789].map((force) => ({ force })), 'P = 612.610612346 → 0 → 612.123456789 N/mm'],
+    [[{ force: 612.610612345678 }, { approach: 0.0212345678912 }, { force: 0 }], '3 loads'],
+  ])) {
+    await shown(page, { load: { history }, solver: { theory: 'flow' } });
+    await page.locator('#sketch').getByText(words, { exact: true }).waitFor();
+    const [right, end] = await page
+      .locator('#sketch')
+      .evaluate((sketch) =>
+        ['.load', 'svg'].map((part) => sketch.querySelector(part)?.getBoundingClientRect().right ?? 0),
+      );
+    // Around letters there is a rim.
+    assert.ok(right > 0 && right <= end + 2, `${right} of ${end}`);
+  }
+});
+
 service.test('a history of thirty loads is told in the sketch without leaving it', async (page) => {
   const history = Array.from({ length: 30 }, (_, k) => ({ force: k % 2 ? 0 : 300 + 10 * k }));
   await shown(page, { load: { history }, solver: { theory: 'flow' } });

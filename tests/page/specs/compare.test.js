@@ -178,3 +178,26 @@ service.test('loads of different kinds have their own letters and units in names
   assert.deepEqual(await page.locator(`${ROWS} td`).allTextContents(), ['Load', ...texts]);
   assert.deepEqual((await page.locator('#panel-differences thead th').allTextContents()).slice(1), texts);
 });
+
+service.test('a yield stress that not all jobs have is in the colours of those that have it', async (page) => {
+  const lower = (/** @type {object} */ plasticity) => ({
+    shape: { type: 'cylinder', radius: 20 },
+    material: { young_modulus: 210000, poisson_ratio: 0.3, ...plasticity },
+  });
+  const law = { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 };
+  const graded = { ...law, over_depth: [[0, 1.8], [0.5, 1.6], [1.5, 1]] }; // prettier-ignore
+  const ids = [];
+  for (const body of [lower({ plasticity: graded }), lower({ plasticity: law })])
+    ids.push(await solved(page, { load: { force: 300 }, lower: body }));
+  await follow(page, `job=${ids[0]}&with=${ids[1]}`);
+  await page.locator(ROWS).first().waitFor();
+  const legend = page.locator('#panel-depth .legend');
+  await legend.getByText(': yield stress').waitFor();
+  await page.locator('#report').click();
+  const colours = await page.locator('#sheet .sheet-drawings svg', { hasText: 'depth' }).evaluate((drawing) => {
+    const [one] = [...drawing.querySelectorAll('text')].filter((text) => /^yield 500/.test(text.textContent ?? ''));
+    const curves = [...drawing.querySelectorAll('g[clip-path] path')].map((path) => path.getAttribute('stroke'));
+    return { mark: one?.getAttribute('fill'), curves };
+  });
+  assert.ok(colours.curves.includes(colours.mark ?? ''), JSON.stringify(colours));
+});

@@ -100,6 +100,58 @@ service.test('the least and the largest value of what has a sign are marked, eac
   }
 });
 
+service.test('an extreme that is not in the picture has no word there', async (page) => {
+  await shown(page, { ...FIELDS, load: { force: 612 } });
+  await drawn(page);
+  await drawnWords(page);
+  const over = page.locator('.stage .over');
+  await over.focus();
+  await page.keyboard.press('ArrowLeft');
+  const words = (/** @type {string} */ word) =>
+    page.evaluate(
+      (word) => /** @type {any} */ (globalThis).drawnWords.filter((/** @type {string} */ one) => one.startsWith(word)),
+      word,
+    );
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawnWords.length > 0);
+  assert.ok((await words('max ')).length > 0);
+  for (let k = 0; k < 12; k++) await page.keyboard.press('+');
+  for (let k = 0; k < 20; k++) await page.keyboard.press('ArrowLeft');
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.evaluate(() => {
+    /** @type {any} */ (globalThis).drawnWords.length = 0;
+  });
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawnWords.length > 0);
+  assert.deepEqual(await words('max '), []);
+});
+
+service.test('there are isolines where values change, and none where they are the same', async (page) => {
+  const elastic = { young_modulus: 210e3, poisson_ratio: 0.3 };
+  const body = { shape: { type: 'cylinder', radius: 20 }, material: elastic };
+  const history = [{ force: 300 }, { force: 0 }];
+  await shown(page, { ...FIELDS, upper: body, lower: body, load: { history }, solver: { theory: 'flow' } });
+  await drawn(page);
+  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
+  await labelled(page, /^Field of σx/);
+  const stage = page.locator('.stage');
+  const both = async () => {
+    const pictures = [];
+    for (const on of [false, true]) {
+      await page.getByLabel('Isolines').setChecked(on);
+      await page.mouse.move(1, 1);
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+      pictures.push((await stage.screenshot()).toString('base64'));
+    }
+    return pictures;
+  };
+  const [plain, lined] = await both();
+  assert.equal(lined, plain, 'without load there is no stress that changes');
+  await page.locator('.steps input').fill('0');
+  await labelled(page, /^Field of σx, from −\d\d\d/);
+  const [before, after] = await both();
+  assert.notEqual(after, before);
+});
+
 service.test('limits of the colours are taken as they are written, or refused in words', async (page) => {
   await shown(page, { ...FIELDS, load: { force: 612 } });
   await drawn(page);

@@ -26,6 +26,18 @@ service.test('a history of loads is typed, brought back to 0 and undone', async 
   assert.equal((await draft(page)).load.force, 612.6106);
 });
 
+service.test('nothing is said of the highest force before it is known', async (page) => {
+  await page.getByLabel('Given').selectOption('history');
+  const loads = page.getByLabel('Loads in turn');
+  const check = page.locator('#check');
+  await loads.fill('150 50 0');
+  await check.getByText('Elastic: 68.5 % of the force of first yield').waitFor();
+  await loads.fill('150 α0.05 0');
+  await check.locator('.verdict').waitFor({ state: 'detached' });
+  await check.getByText('first yield at').waitFor();
+  assert.equal(await check.getByText('peak pressure').count(), 0);
+});
+
 service.test('unloading leaves a dent, a loop and residual stresses', async (page) => {
   await page.getByText('Mesh, solver, output, tags').click();
   await page.getByLabel('Elements per half-width', { exact: true }).fill('8');
@@ -74,6 +86,100 @@ service.test(
     for (const point of points(dashed)) assert.ok(points(solid).includes(point), point);
   },
 );
+
+/** Points of the chart over the load: place, force and figure. @param {import('playwright-core').Page} page */
+const points = (page) =>
+  page.locator('#panel-sweep .plot svg circle').evaluateAll((all) =>
+    all.map((one) => {
+      const { x, y, label } = /** @type {SVGElement} */ (one).dataset;
+      return { x: Number(x), y: Number(y), label };
+    }),
+  );
+
+service.test(
+  'what a history has over its load is drawn at every increment, from the first loading on',
+  async (page) => {
+    const history = [{ force: 600 }, { force: 0 }, { force: 900 }, { force: 0 }];
+    const id = await shown(page, { load: { history }, solver: { theory: 'flow' } });
+    const report = await page.evaluate(async (id) => (await fetch(`v1/jobs/${id}/result`)).json(), id);
+    const solved = report.steps.flatMap((/** @type {any} */ { flow: { increments } }) =>
+      increments.force.map((/** @type {number} */ force, /** @type {number} */ k) => ({ force, k, increments })),
+    );
+    const panel = page.locator('#panel-sweep');
+    for (const [choice, key] of [
+      ['Peak', 'peak_pressure'],
+      ['Half-width', 'half_width'],
+    ]) {
+      await panel.getByRole('radio', { name: choice, exact: true }).check();
+      const [rest, ...drawn] = await points(page);
+      assert.deepEqual([rest.x, rest.y], [0, 0]);
+      assert.equal(drawn.length, solved.length);
+      for (const [k, { force, increments, k: at }] of solved.entries()) {
+        assert.ok(Math.abs(drawn[k].x - force) <= 1e-9 * 900, `${drawn[k].x} instead of ${force}`);
+        const value = increments[key][at];
+        assert.ok(
+          Math.abs(drawn[k].y - value) <= 1e-6 * Math.abs(value),
+          `${choice} at ${force}: ${drawn[k].y}, ${value}`,
+        );
+      }
+      await panel.locator('.legend').getByText(', nothing solved between').waitFor();
+    }
+    await panel.getByRole('radio', { name: 'dP/dα', exact: true }).check();
+    const slopes = await points(page);
+    const ends = report.steps.map((/** @type {any} */ { contact, contact_stiffness: slope }) => [contact.force, slope]);
+    for (const [force, slope] of ends)
+      assert.ok(
+        slopes.some(({ x, y }) => x === force && y === slope),
+        `${force} ${slope}`,
+      );
+    assert.ok(slopes.length > ends.length + 5, `${slopes.length} points`);
+    // Of increments the result has no strain.
+    await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
+    assert.equal((await points(page)).length, 1 + history.length);
+    await panel.locator('.legend').getByText('plastic strain, known at the ends of loads alone').waitFor();
+  },
+);
+
+service.test('what is not solved has dots of its own, the same there and back', async (page) => {
+  const history = [{ force: 600 }, { force: 0 }, { force: 600 }, { force: 0 }];
+  await shown(page, { load: { history }, solver: { theory: 'flow' } });
+  const panel = page.locator('#panel-sweep');
+  for (const choice of ['Approach', 'Peak']) {
+    await panel.getByRole('radio', { name: choice, exact: true }).check();
+    await panel.locator('.legend').getByText(', nothing solved between').waitFor();
+    const between = panel.locator('.plot g[clip-path] path').nth(1);
+    const pieces = ((await between.getAttribute('d')) ?? '').split('M').filter(Boolean);
+    assert.ok(pieces.length >= 3, `${pieces.length} pieces`);
+    for (const piece of pieces) {
+      const [[x0, y0], [x1, y1]] = piece.split('L').map((point) => point.split(' ').map(Number));
+      assert.ok(choice === 'Approach' ? y0 > y1 : x0 < x1, `${piece} begins at its lower force`);
+    }
+  }
+  const dash = await panel.locator('.plot g[clip-path] path').nth(1).getAttribute('stroke-dasharray');
+  const main = await (await page.request.get(`${service.url}/web/main.js`)).text();
+  const dashes = JSON.parse(`[${/DASHES = \[undefined, (.*)\];/.exec(main)?.[1]}]`);
+  assert.equal(dashes.length, 5);
+  assert.ok(!dashes.some((/** @type {number[]} */ one) => one.join(' ') === dash), `${dash}`);
+});
+
+service.test('figures at the ends of the axes and points on the frame are drawn whole', async (page) => {
+  const history = [{ force: 5000 }, { force: 0 }];
+  await shown(page, { analysis: 'axisymmetric', load: { history }, solver: { theory: 'flow' } });
+  const panel = page.locator('#panel-sweep');
+  for (const choice of ['Approach', 'Peak', 'Half-width', 'Strain', 'dP/dα']) {
+    await panel.getByRole('radio', { name: choice, exact: true }).check();
+    const drawing = panel.locator('.plot svg');
+    const cut = await drawing.evaluate((one) => {
+      const { left, right } = one.getBoundingClientRect();
+      return [...one.querySelectorAll('text, circle')].flatMap((part) => {
+        const box = part.getBoundingClientRect();
+        const clipped = part.closest('[clip-path]') !== null;
+        return clipped || box.left < left || box.right > right ? [part.textContent || part.outerHTML] : [];
+      });
+    });
+    assert.deepEqual(cut, [], choice);
+  }
+});
 
 service.test('bodies that stay elastic have no loop of force over approach', async (page) => {
   const history = [{ force: 150 }, { force: 50 }, { force: 0 }];

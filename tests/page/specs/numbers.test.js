@@ -4,8 +4,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { readNumber } from '../../../web/lib/number.js';
 import { readTable } from '../../../web/lib/table.js';
-import { readHistory } from '../../../web/setup/history.js';
-import { readList } from '../../../web/setup/list.js';
+import { differences, writeWhole } from '../../../web/jobs/names.js';
+import { historyWords, readHistory } from '../../../web/setup/history.js';
+import { readList, sweepWords } from '../../../web/setup/list.js';
 import { suite } from '../browser.js';
 import { allFields } from '../../../web/setup/fields.js';
 import { described as ofTable, inWords } from '../../../web/setup/words.js';
@@ -40,6 +41,8 @@ test('a list is read as it is meant, or refused', () => {
     ['100\u00a0200\u00a0300', /can be one number or several: put plain spaces/],
     ['100\u00a0200\u00a0300 N/mm', /can be one number or several: put plain spaces/],
     ['10\u00a020\u00a030', [10, 20, 30]],
+    ['100\u202f200\u202f300', /can be one number or several: put plain spaces/],
+    ['100\u2009200 N/mm', /can be one number or several: put plain spaces/],
     ['100 N/mm; 200 N/mm', [100, 200]],
     ['0.1 0.2 0.3 kN/mm', [100, 200, 300]],
     ['100…600/6', [100, 200, 300, 400, 500, 600]],
@@ -77,12 +80,54 @@ test('loads in turn are read as they are meant, or refused', () => {
     ['0.6 0 kN/mm α10 α20 µm', [{ force: 600 }, { force: 0 }, { approach: 0.01 }, { approach: 0.02 }]],
     ['600,0', /^“600,0” can be one number or two: write 600\.0, or 600 0$/],
     ['100,200,300', /can be one number or several/],
+    ['600\u202f000\u202f0', /can be one number or several: put plain spaces/],
     ['600 0 x', /^load 2: “x” is no unit known here/],
   ])) {
     const result = readHistory(text, 'line_force', 'mm_N_MPa');
     if (read instanceof RegExp) assert.match('problem' in result ? result.problem : JSON.stringify(result), read, text);
     else assert.deepEqual(result, { loads: read }, text);
   }
+});
+
+const UNITS = { force: 'N/mm', approach: 'mm' };
+
+test('loads in turn are written with their letters, units and digits', () => {
+  const forces = (/** @type {number[]} */ ...all) => all.map((force) => ({ force }));
+  for (const [history, words] of /** @type {[object[], string][]} */ ([
+    [forces(600, 0, 600.123456789), 'P 600 → 0 → 600.123456789 N/mm'],
+    [[{ approach: 0.01 }, ...forces(800, 0)], 'α 0.01 mm → P 800 → 0 N/mm'],
+    [[...forces(612.610612345678), { approach: 0.0212345678912 }], 'P 612.610612346 N/mm → α 0.0212345678912 mm'],
+    [[1, 2, 1, 2, 1].map((k) => ({ approach: k / 100 })), 'α 5 loads up to 0.02 mm'],
+    [[...forces(800, 200, 1200, 300), { approach: 0.05 }], '5 loads, P up to 1200 N/mm, α up to 0.05 mm'],
+    [forces(1, 0, 2, 0, 3), 'P 5 loads up to 3 N/mm'],
+  ]))
+    assert.equal(historyWords(history, UNITS), words);
+  assert.equal(historyWords(forces(600, 0), UNITS, { is: ' = ' }), 'P = 600 → 0 N/mm');
+});
+
+test('a sweep is told by its ends where it goes from one to the other', () => {
+  for (const [values, words] of /** @type {[number[], string][]} */ ([
+    [[300], '300'],
+    [[100, 300, 1000.12345678], '100 … 1000.12345678'],
+    [[1000, 300, 100], '1000 … 100'],
+    [[100, 1000, 300], '100, 1000, 300'],
+    [[100, 1000, 300, 200, 500], '5 values, 100 … 1000'],
+  ]))
+    assert.equal(sweepWords(values), words);
+});
+
+test('rows of figures are written in the order of their columns, and are the same whatever the order of their keys', () => {
+  const turned = [
+    { sigma_z: -123, sigma_x: -200, depth: 0 },
+    { sigma_z: 0, sigma_x: 0, depth: 0.3 },
+  ];
+  const straight = turned.map(({ depth, sigma_x, sigma_z }) => ({ depth, sigma_x, sigma_z }));
+  assert.equal(writeWhole(turned), '0 −200 −123; 0.3 0 0');
+  assert.equal(writeWhole([{ rate: 0.123456789, modulus: 20000.12345678 }]), '20000.1234568, 0.123456789');
+  const job = (/** @type {object[]} */ rows) => ({ lower: { material: { initial_stress: rows } }, load: { force: 1 } });
+  assert.deepEqual(differences([job(turned), job(straight)]), []);
+  const [found] = differences([job(turned), job([straight[0], { ...straight[1], sigma_x: 1 }])]);
+  assert.deepEqual(found.texts, ['0 −200 −123; 0.3 0 0', '0 −200 −123; 0.3 1 0']);
 });
 
 test('cells of a table have their units, or those of the header', () => {
@@ -191,6 +236,42 @@ test('a unit in the header of a table is converted, or refused where it is not k
   ])) {
     const result = readTable(`${header}\n1;5`, [...heights], 'mm_N_MPa');
     assert.match('problem' in result ? result.problem : JSON.stringify(result), problem, header);
+  }
+});
+
+test('a factor in the header of a table is refused, and so is a unit that stands alone and is none of its column', () => {
+  for (const header of [
+    'eps x1000\tsigma',
+    'strain*1e3\tstress',
+    'strain × 1000\tstress',
+    'ε_p · 10³\tq',
+    'ε_p [10⁻³]\tq [MPa]',
+    '10^3 strain\tstress',
+    'strain (x1000)\tstress',
+  ]) {
+    const result = readTable(`${header}\n0\t500\n1\t600`, ['strain', 'stress'], 'mm_N_MPa', ['ε_p', 'q']);
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), /^line 1/, header);
+  }
+  const spaced = readTable('eps x1000 sigma\n0 500\n1 600', ['strain', 'stress'], 'mm_N_MPa');
+  assert.match('problem' in spaced ? spaced.problem : '', /^line 1: “eps x1000 sigma” has a factor: write the figures/);
+  const factors = readTable('z\t%\n0\t180\n1\t100', ['length', 'number'], 'mm_N_MPa', ['z', 'factor']);
+  assert.match('problem' in factors ? factors.problem : '', /^line 1, column 2: “%” is no unit known here/);
+  for (const header of ['x1\ty1', 'x10\tx20', '# lens x50', 'x\t-', 'Sample 1\tSample 2']) {
+    const result = readTable(`${header}\n1\t5`, ['length', 'length'], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [[1, 5]], header);
+  }
+});
+
+test('every hyphen before a digit is a minus, and no line of figures is taken for a header', () => {
+  for (const minus of ['-', '−', '–', '\u2010', '\u2011', '\u2012', '\ufe63', '\uff0d']) {
+    const result = readTable(`${minus}10\t${minus}2.5\n0\t0`, ['length', 'length'], 'mm_N_MPa');
+    assert.deepEqual('points' in result ? result.points : result, [[-10, -2.5], [0, 0]], minus); // prettier-ignore
+    assert.deepEqual(readList(`${minus}10 5 ${minus}2`, undefined, 'mm_N_MPa'), { values: [-10, 5, -2] }, minus);
+    assert.deepEqual(readNumber(`${minus}1.5e${minus}2`), { value: -0.015 }, minus);
+  }
+  for (const sign of ['\u2014', '\u2015', '~', '±', '<']) {
+    const result = readTable(`${sign}10\t${sign}2.5\n0\t0`, ['length', 'length'], 'mm_N_MPa');
+    assert.match('problem' in result ? result.problem : JSON.stringify(result), /^line 1: “.10” is not a number/, sign);
   }
 });
 

@@ -212,6 +212,13 @@ service.test('a job that did not converge has no error bars', async (page) => {
   assert.match(await page.title(), /^Not converged/);
 });
 
+service.test('a sweep with one answer has no curve', async (page) => {
+  await shown(page, { load: { forces: [1, 612] }, solver: { max_iterations: 2, tolerance: 1e-9 } });
+  const states = await page.locator('#panel-figures tbody tr').allTextContents();
+  assert.equal(states.filter((row) => !row.includes('not converged')).length, 1, states.join(' | '));
+  assert.equal(await page.locator('#panel-sweep').isVisible(), false);
+});
+
 service.test('an elastic job has no axis for plastic strain', async (page) => {
   await shown(page, { load: { force: 100 } });
   await page.locator('#panel-depth .legend').getByText('von Mises', { exact: true }).waitFor();
@@ -287,6 +294,8 @@ service.test('initial stresses in the chart have the unit of its axis', async (p
   });
   await follow(page, `job=${id}`);
   await page.locator('#panel-depth .legend').getByText('σx before the load').waitFor();
+  // What the closed form leaves out is said.
+  await page.locator('#panel-depth .legend').getByText('von Mises, Hertz alone').waitFor();
   await page.getByText('Units shown').click();
   await page.getByLabel('Unit of stress').selectOption('GPa');
   await page.keyboard.press('Escape');
@@ -305,10 +314,11 @@ service.test('what a sweep has over its load follows the order of a history', as
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const panel = page.locator('#panel-sweep');
   await panel.getByRole('radio', { name: 'Strain', exact: true }).check();
-  const places = await panel
+  const [rest, ...places] = await panel
     .locator('.plot svg circle')
     .evaluateAll((all) => all.map((one) => [Number(one.getAttribute('cx')), Number(one.getAttribute('cy'))]));
   assert.equal(places.length, 4);
+  assert.equal(rest[0], places[1][0], 'from the bodies at rest on');
   assert.ok(places[1][0] < places[3][0] && places[3][0] < places[0][0] && places[0][0] < places[2][0], 'in turn');
   // Plastic strain never falls: upward is a smaller place.
   for (let k = 1; k < 4; k++) assert.ok(places[k][1] <= places[k - 1][1] + 1e-6, JSON.stringify(places));
@@ -378,6 +388,27 @@ service.test('the loop of a history is read out point by point, and a radius beg
     .locator('.legend')
     .getByText(/^[\d.]+ N$/)
     .waitFor();
+});
+
+service.test('places on the surface of a hole are said to be along its arc', async (page) => {
+  await shown(page, {
+    upper: { shape: { type: 'cylinder', radius: 10 }, material: { rigid: true } },
+    lower: {
+      shape: { type: 'hole', radius: 10.05, outer_radius: 40 },
+      material: {
+        young_modulus: 210e3,
+        poisson_ratio: 0.3,
+        plasticity: { law: 'bilinear', yield_stress: 300, tangent_modulus: 2100 },
+      },
+    },
+    load: { history: [{ force: 1500 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+  });
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('#panel-dent').getByText('SVG', { exact: true }).click(),
+  ]);
+  assert.match(await readFile(await file.path(), 'utf8'), />along the arc {2}\[mm\]</);
 });
 
 service.test('files of figures in other units have names of their own', async (page) => {
