@@ -33,7 +33,10 @@ export function frameOf(job, name, mesh) {
 function raised(shape, { nodes }) {
   let top = -Infinity;
   for (let k = 1; k < nodes.length; k += 2) top = Math.max(top, nodes[k]);
-  return top + (outline(shape)?.base ?? -top);
+  // Heights of results count from the highest place of a profile.
+  const highest =
+    shape.type === 'profile' ? Math.max(...shape.points.map((/** @type {Point} */ [, height]) => height)) : 0;
+  return top + (outline(shape)?.base ?? -top) - highest;
 }
 
 /** @param {number} height of depth 0 @param {1 | -1} up @returns {Frame} */

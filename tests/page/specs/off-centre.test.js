@@ -91,7 +91,6 @@ const raised = (height) => {
 service.test('the field begins at the contact, and so does a cut', async (page) => {
   for (const height of [0, 5]) {
     const { upper, lower, ...rest } = raised(height);
-    // Of the lower body the heights are those of the section.
     const id = await shown(page, height ? { upper: lower, lower: upper, ...rest } : { upper, lower, ...rest });
     await drawn(page);
     const { patches } = await contactOf(page, id);

@@ -177,7 +177,13 @@ fn loop_curves(points: &[(f64, f64)]) -> Vec<Curve> {
     let dashed = points.windows(2).filter(|pair| is_far(&pair[0], &pair[1]));
     let mut curves: Vec<Curve> = solid.map(|run| curve("", run.to_vec(), Stroke::Solid)).collect();
     let count = curves.len();
-    curves.extend(dashed.map(|pair| curve("", pair.to_vec(), Stroke::Dashed)));
+    // All from their lower end, so that two on one line have their dashes at the same places.
+    let from_below = |pair: &[(f64, f64)]| {
+        let mut pair = pair.to_vec();
+        pair.sort_by(|a, b| a.1.total_cmp(&b.1));
+        pair
+    };
+    curves.extend(dashed.map(|pair| curve("", from_below(pair), Stroke::Dashed)));
     // One entry of each kind in the legend.
     let (solid, dashed) = curves.split_at_mut(count);
     for (kind, name) in [(solid, "this contact"), (dashed, "nothing solved between")] {
