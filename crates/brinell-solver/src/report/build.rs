@@ -197,7 +197,7 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     let copies = if symmetric { 2.0 } else { 1.0 };
     let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
     for point in solution.stress.points.iter().flatten() {
-        if point.yielded {
+        if plastic_zone::has_yielded(point) {
             yielded = true;
             area += point.area;
         }
