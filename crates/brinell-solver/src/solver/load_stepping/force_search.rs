@@ -175,13 +175,15 @@ impl ForceSearch<'_> {
                         return Err(self.unreachable(force, trial.ratio, UnreachableReason::Insensitive));
                     }
                 }
-                Ok(_) => {
-                    bracket.limit(force);
-                    reason = UnreachableReason::Limit("the iteration does not converge".to_owned());
+                Ok(trial) => {
+                    if bracket.limit(force) {
+                        reason = UnreachableReason::Limit(trial.why_not_converged().to_owned());
+                    }
                 }
                 Err(why) => {
-                    bracket.limit(force);
-                    reason = UnreachableReason::Limit(why);
+                    if bracket.limit(force) {
+                        reason = UnreachableReason::Limit(why);
+                    }
                 }
             }
             if let Some(near) = near.or_else(|| bracket.jump()) {
@@ -350,7 +352,7 @@ impl ForceSearch<'_> {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {
-            return Ok(Err("a body collapses: its plastic strain grows without bound".to_owned()));
+            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
         }
         let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
         Ok(Ok(Trial { ratio, steps }))
@@ -436,6 +438,14 @@ impl ForceSearch<'_> {
 impl Trial {
     fn is_converged(&self) -> bool {
         self.steps.iter().all(|step| step.status == SolveStatus::Converged)
+    }
+
+    fn why_not_converged(&self) -> &'static str {
+        if self.steps.iter().any(|step| step.reaches_edge) {
+            "the contact is wider than what can be meshed"
+        } else {
+            "the iteration does not converge"
+        }
     }
 
     fn deviation(&self) -> f64 {
