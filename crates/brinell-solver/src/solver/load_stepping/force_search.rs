@@ -20,7 +20,7 @@ use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{BodySolution, Solution, StepSolution};
-use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
+use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Error at least of the force under which yield begins, over h/a; where it begins at an end of the contact, 0.51 on 10 elements and 0.4
 /// on 20 and 40.
@@ -336,7 +336,7 @@ impl ForceSearch<'_> {
             Some(stepper) => {
                 stepper.step(loads[0], Some(loads[0]), solution, observer).map(|step| steps.push(step))
             }
-            None => sequence.solve(&loads, solution, observer, &mut |step, _| steps.push(step)),
+            None => sequence.solve(&loads, solution, observer, &mut steps),
         };
         match solved {
             Ok(()) => {}
@@ -348,7 +348,9 @@ impl ForceSearch<'_> {
             Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
             Err(error) => return Err(error),
         }
-        if let Some(interrupt) = solution.interrupted.take().or_else(|| steps.iter().find_map(stopped)) {
+        if let Some(interrupt) =
+            solution.interrupted.take().or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
+        {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {
@@ -464,14 +466,6 @@ pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
         TargetFigure::MeanPressure => step.mean_pressure(),
         TargetFigure::HalfWidth => step.half_width(),
         TargetFigure::MaxPlasticStrain => largest(BodySolution::max_plastic_strain),
-    }
-}
-
-fn stopped(step: &StepSolution) -> Option<Interrupt> {
-    match step.status {
-        SolveStatus::Cancelled => Some(Interrupt::Cancelled),
-        SolveStatus::TimedOut => Some(Interrupt::TimedOut),
-        SolveStatus::Converged | SolveStatus::NotConverged => None,
     }
 }
 
