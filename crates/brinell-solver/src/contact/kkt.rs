@@ -42,22 +42,63 @@ impl KktReport {
     }
 }
 
+/// What the conditions are relative to.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ContactScales {
+    /// `R°` \[N/mm\].
+    pub force: f64,
+    /// `u°` \[mm\].
+    pub displacement: f64,
+}
+
+impl ContactScales {
+    /// The larger of each.
+    #[must_use]
+    pub fn larger(self, other: Self) -> Self {
+        Self { force: self.force.max(other.force), displacement: self.displacement.max(other.displacement) }
+    }
+}
+
+/// The scales of some forces.
+pub fn scales(problem: &ContactProblem<'_>, force: &[f64]) -> ContactScales {
+    let displacement = displacement(problem, force);
+    ContactScales {
+        force: largest(force.iter().copied()),
+        displacement: largest(displacement.iter().copied()),
+    }
+}
+
+/// `F R`.
+fn displacement(problem: &ContactProblem<'_>, force: &[f64]) -> Vec<f64> {
+    let n = force.len();
+    (0..n).map(|i| (0..n).map(|j| problem.flexibility[(i, j)] * force[j]).sum()).collect()
+}
+
 /// Judges forces and approach.
 ///
 /// Lists of different lengths give infinities, figures that are not finite give NaN; neither passes.
 pub fn check(problem: &ContactProblem, force: &[f64], approach: f64) -> KktReport {
+    check_beside(problem, force, approach, ContactScales::default())
+}
+
+/// The same with scales at least as large as those of earlier loads: what these have left in the bodies has the rounding error of them.
+pub fn check_beside(
+    problem: &ContactProblem,
+    force: &[f64],
+    approach: f64,
+    least: ContactScales,
+) -> KktReport {
     let n = problem.initial_gap.len();
     if force.len() != n || problem.closing.len() != n || problem.flexibility.len() != n {
         let never = f64::INFINITY;
         return KktReport { penetration: never, tension: never, complementarity: never, equilibrium: never };
     }
-    let displacement: Vec<f64> =
-        (0..n).map(|i| (0..n).map(|j| problem.flexibility[(i, j)] * force[j]).sum()).collect();
+    let displacement = displacement(problem, force);
     let gap: Vec<f64> =
         (0..n).map(|k| problem.initial_gap[k] + displacement[k] - problem.closing[k] * approach).collect();
 
-    let force_scale = largest(force.iter().copied());
-    let mut gap_scale = largest(displacement.iter().copied());
+    let force_scale = worse(largest(force.iter().copied()), least.force);
+    let mut gap_scale = worse(largest(displacement.iter().copied()), least.displacement);
     if gap_scale == 0.0 {
         gap_scale = largest(problem.initial_gap.iter().copied().chain([approach]));
     }

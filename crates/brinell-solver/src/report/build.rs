@@ -49,6 +49,11 @@ impl<'a> ReportBuilder<'a> {
         }
     }
 
+    /// Gives up the steps so far, but for the time they took.
+    pub(super) fn begin_anew(&mut self) {
+        *self = Self { time: self.time, ..Self::new(self.job) };
+    }
+
     /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
     pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
         let start = observer.elapsed();
@@ -70,8 +75,11 @@ impl<'a> ReportBuilder<'a> {
                 }
             }
         }
-        let enlargements = self.mesh.enlargements + step.enlargements;
-        self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
+        // What is kept of a coarser mesh comes after the steps of the mesh that was asked for.
+        if !step.is_preliminary() || self.mesh.nodes == 0 {
+            let enlargements = self.mesh.enlargements + step.enlargements;
+            self.mesh = MeshReport { enlargements, ..mesh_report(step, self.write) };
+        }
         let report = step_report(self.job, step, fields, self.write);
         self.target.see(self.job, step, &report);
         self.time += observer.elapsed().saturating_sub(start);
@@ -197,7 +205,7 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     let copies = if symmetric { 2.0 } else { 1.0 };
     let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
     for point in solution.stress.points.iter().flatten() {
-        if point.yielded {
+        if plastic_zone::has_yielded(point) {
             yielded = true;
             area += point.area;
         }

@@ -15,6 +15,7 @@
 use std::collections::BTreeMap;
 
 use crate::analytical::Stress;
+use crate::fem::assembly::GaussPoint;
 use crate::solver::BodySolution;
 use crate::solver::recovery::{Recovery, Values};
 
@@ -24,6 +25,9 @@ const MAX_POINTS: usize = 400;
 const MAX_POLYGONS: usize = 8;
 /// Area of a polygon over that of the largest below which it is dropped as noise.
 const NOISE: f64 = 1e-3;
+
+/// Equivalent plastic strain that rounding leaves.
+const ROUNDING: f64 = 1e-13;
 
 /// Where a body is beyond yield.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -37,6 +41,11 @@ pub(super) struct PlasticZone {
 
 /// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a mirror image.
 type Corner = (u32, u32, bool);
+
+/// Whether a point has yielded by more than rounding leaves at the verge of yield.
+pub(super) fn has_yielded(point: &GaussPoint) -> bool {
+    point.yielded && point.equivalent_plastic_strain > ROUNDING
+}
 
 /// Outlines the zone of a body.
 pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {
@@ -124,7 +133,7 @@ impl Excess {
 fn elements_near_yield(solution: &BodySolution, recovery: &Recovery<'_>) -> Vec<usize> {
     let mut near = vec![false; solution.mesh.elements.len()];
     for (nodes, points) in solution.mesh.elements.iter().zip(&solution.stress.points) {
-        if points.iter().any(|point| point.yielded) {
+        if points.iter().any(has_yielded) {
             for &element in nodes.iter().flat_map(|&node| recovery.elements_of(node)) {
                 near[element as usize] = true;
             }

@@ -10,9 +10,10 @@ use super::build::{ReportBuilder, in_units};
 use super::units::UnitConverter;
 use super::{Report, StepReport, target};
 use crate::fem::mesh::MeshError;
-use crate::job::{FieldError, Job, Load, Material, Named as _, Shape};
+use crate::job::{FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
-    self, Estimate, Interrupt, IterationRecord, Observer, Options, SolveError, StepSolution, Unreachable,
+    self, Estimate, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver, StepSolution,
+    Unreachable,
 };
 
 /// Why a job gave no report.
@@ -213,8 +214,8 @@ pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) ->
     Ok(Report { steps, ..report })
 }
 
-/// [`run_with`] that hands over the report of each step as soon as the step is finished. The report that is returned has
-/// no steps.
+/// [`run_with`] that hands over the report of each step as soon as the step is finished, those of a history of loads at its end. The
+/// report that is returned has no steps.
 ///
 /// # Errors
 /// As [`run`].
@@ -225,11 +226,36 @@ pub fn run_each(
     on_step: &mut dyn FnMut(StepReport),
 ) -> Result<Report, RunError> {
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
-    let mut builder = ReportBuilder::new(job);
-    let mut report_step = |step: StepSolution, observer: &mut dyn Observer| {
-        on_step(builder.step(step, observer));
-    };
-    let solution = solver::run_each(job, options, observer, &mut report_step)
-        .map_err(|error| RunError::of(job, &error))?;
+    let may_begin_anew = options.model.is_some() || job.solver.theory == Theory::Flow;
+    let mut reports = Reports { builder: ReportBuilder::new(job), may_begin_anew, held: Vec::new(), on_step };
+    let solution =
+        solver::run_each(job, options, observer, &mut reports).map_err(|error| RunError::of(job, &error))?;
+    let Reports { builder, held, on_step, .. } = reports;
+    held.into_iter().for_each(on_step);
     Ok(builder.finish(&solution, observer))
+}
+
+/// Reports on each step as it is finished, so that it is reported whatever becomes of the steps after it.
+struct Reports<'a> {
+    builder: ReportBuilder<'a>,
+    /// Whether steps may be given up again, so that reports are held until the end.
+    may_begin_anew: bool,
+    held: Vec<StepReport>,
+    on_step: &'a mut dyn FnMut(StepReport),
+}
+
+impl StepReceiver for Reports<'_> {
+    fn step(&mut self, step: StepSolution, observer: &mut dyn Observer) {
+        let report = self.builder.step(step, observer);
+        if self.may_begin_anew {
+            self.held.push(report);
+        } else {
+            (self.on_step)(report);
+        }
+    }
+
+    fn begin_anew(&mut self) {
+        self.held.clear();
+        self.builder.begin_anew();
+    }
 }

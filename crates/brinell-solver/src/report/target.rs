@@ -8,8 +8,10 @@ use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
 
-/// Largest force that was solved over that of the largest figure, beyond which the figure is said to have stopped rising.
+/// Largest force that was solved over that of the largest figure, beyond which the figure is said to have stopped rising; where larger
+/// forces cannot be solved, that is said from the first difference that is seen in a message.
 const RISING: f64 = 1.1;
+const SEEN: f64 = 1.001;
 
 /// The force under which a figure of the contact has the value that a job asked for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -114,7 +116,8 @@ pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
             } else {
                 format!("no force that is solved, up to {force}, gives any {name}")
             };
-            let bound = if found.largest_force > RISING * found.force {
+            let is_limit = matches!(found.reason, UnreachableReason::Limit(_));
+            let bound = if found.largest_force > if is_limit { SEEN } else { RISING } * found.force {
                 format!("{bound}; up to {} it rises no more", write.force_text(found.largest_force))
             } else {
                 bound
@@ -124,5 +127,31 @@ pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
                 _ => bound,
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Analysis, PositiveF64, Units};
+
+    /// What comes after the largest figure and what no larger force can be solved for are two things.
+    #[test]
+    fn a_limit_is_told_of_the_force_at_which_it_is() {
+        let value = PositiveF64::new(5000.0).unwrap();
+        let found = |largest_force: f64| Unreachable {
+            target: Some(Target { figure: TargetFigure::PeakPressure, value }),
+            nearest: 3000.0,
+            force: 90.0,
+            largest_force,
+            reason: UnreachableReason::Limit("the iteration does not converge".to_owned()),
+        };
+        let told = |found: &Unreachable| {
+            unreachable(found, UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain))
+        };
+        assert!(
+            told(&found(95.0)).contains("up to 95 N/mm it rises no more; under a larger one the iteration")
+        );
+        assert!(told(&found(90.0)).contains("under a force of 90 N/mm; under a larger one the iteration"));
     }
 }

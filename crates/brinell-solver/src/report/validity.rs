@@ -8,7 +8,9 @@ use super::strength;
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Units};
-use crate::solver::{MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution, TIP_ELEMENTS};
+use crate::solver::{
+    LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution, TIP_ELEMENTS,
+};
 
 /// One remark on the validity of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -203,7 +205,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     let coarse = coarse_mesh(step, half_width);
-    if !coarse.is_empty() {
+    if !coarse.is_empty() && !step.is_preliminary() {
         say("coarse_mesh", coarse.join(" "));
     }
     for (code, message) in strength::remarks(job, step) {
@@ -327,12 +329,20 @@ fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'sta
     match step.status {
         SolveStatus::Converged => None,
         SolveStatus::NotConverged => Some(("not_converged", not_converged(step, settings))),
-        SolveStatus::Cancelled => {
-            Some(("cancelled", "Stopped on request; the figures are those of the last iteration.".into()))
-        }
-        SolveStatus::TimedOut => {
-            Some(("timed_out", "The deadline passed; the figures are those of the last iteration.".into()))
-        }
+        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step))),
+        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step))),
+    }
+}
+
+/// What is said of a step that was stopped.
+fn stopped(why: &str, step: &StepSolution) -> String {
+    if step.is_preliminary() {
+        format!(
+            "{why} before the mesh that was asked for had come to this load: the figures are those of the mesh of half the density on \
+             which increments are chosen, and there are no stresses and no error bars."
+        )
+    } else {
+        format!("{why}; the figures are those of the last iteration.")
     }
 }
 
@@ -340,15 +350,20 @@ fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'sta
 fn strain_remark(step: &StepSolution, strain: f64) -> Option<(&'static str, String)> {
     let percent = 100.0 * strain;
     if step.has_collapsed {
-        let advice = if step.energy.is_some() {
-            "The history ends here, with the increment that brought it about."
+        let message = if step.energy.is_some() {
+            let LastIncrement { from, size, .. } = step.last_increment;
+            format!(
+                "Plastic strain reaches {percent:.0} %: after {} of the load another increment of {} of it, the smallest that is tried, \
+                 does not end with small strains. Approach and strains are no answer. The history ends here, with that increment.",
+                share(from),
+                share(size)
+            )
         } else {
-            "Reduce the load."
+            format!(
+                "Plastic strain reaches {percent:.0} %: the bodies do not bear this load with small strains. It is at or \
+                 beyond their limit load, and approach and strains are no answer. Reduce the load."
+            )
         };
-        let message = format!(
-            "Plastic strain reaches {percent:.0} %: the bodies do not bear this load with small strains. It is at or \
-             beyond their limit load, and approach and strains are no answer. {advice}"
-        );
         return Some(("collapse", message));
     }
     let message = if strain > VERY_LARGE_STRAIN {
@@ -429,9 +444,15 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
         "There is no answer with small strains; see `collapse`.".into()
     } else if step.reaches_edge && is_balanced {
         "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
-    } else if step.energy.is_some() && is_balanced {
+    } else if step.last_increment.inherits_error && is_balanced {
         format!(
             "An increment before it in this history has not converged, and this step inherits its error.{other}"
+        )
+    } else if step.energy.is_some() && is_balanced {
+        format!(
+            "The iteration has converged, but over the whole bodies forces are off balance by {} of the contact force: do not use the \
+             figures.",
+            share(residual)
         )
     } else {
         let advice = if !other.is_empty() {

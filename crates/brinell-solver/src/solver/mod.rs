@@ -33,6 +33,7 @@ pub use error::{SolveError, Unreachable, UnreachableReason};
 pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};
+pub use load_stepping::steps::StepReceiver;
 pub(crate) use load_stepping::utilization::highest_utilization;
 pub use mesh_sizing::estimate::{Estimate, estimate};
 pub use observer::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
@@ -41,6 +42,6 @@ pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
 pub use solution::{
-    BodySolution, CoarseFigures, Energy, IncrementRecord, NarrowEdge, PairState, RoundedTip, Solution,
-    StepSolution,
+    BodySolution, CoarseFigures, Energy, IncrementRecord, LastIncrement, NarrowEdge, PairState, RoundedTip,
+    Solution, StepMesh, StepSolution,
 };

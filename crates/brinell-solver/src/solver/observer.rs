@@ -48,7 +48,16 @@ impl Named for SolveStatus {
 impl SolveStatus {
     /// Whether the observer ended it.
     pub fn is_stopped(self) -> bool {
-        matches!(self, Self::Cancelled | Self::TimedOut)
+        self.interrupt().is_some()
+    }
+
+    /// Why the observer ended it, if it did.
+    pub fn interrupt(self) -> Option<Interrupt> {
+        match self {
+            Self::Cancelled => Some(Interrupt::Cancelled),
+            Self::TimedOut => Some(Interrupt::TimedOut),
+            Self::Converged | Self::NotConverged => None,
+        }
     }
 }
 

@@ -28,7 +28,7 @@ pub struct Solution {
     pub phases: PhaseTimes,
     /// Mesh passes made.
     pub passes: usize,
-    /// Why loads at the end are missing.
+    /// Why loads at the end are missing, or have but what a coarser mesh has found of them.
     pub interrupted: Option<Interrupt>,
     /// Of a force that was sought: relative change of the figure by which it was, over that of the force.
     pub sensitivity: Option<f64>,
@@ -83,6 +83,10 @@ pub struct StepSolution {
     pub reaches_edge: bool,
     /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
     pub has_collapsed: bool,
+    /// On which mesh it was found.
+    pub mesh: StepMesh,
+    /// The last increment of a history.
+    pub last_increment: LastIncrement,
     /// Element size that surfaces given by points would need, where it is smaller than that of the mesh \[mm\].
     pub unresolved: Option<f64>,
     /// The rounded edge of a punch, where elements are too large for the contact on it.
@@ -108,6 +112,27 @@ pub struct StepSolution {
     pub unloading_stiffness: f64,
     /// Where the work of the force has gone, for bodies with a memory.
     pub energy: Option<Energy>,
+}
+
+/// The mesh that a step was found on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum StepMesh {
+    /// The one that was asked for.
+    #[default]
+    Asked,
+    /// The coarser one of a history that was stopped before the other one came so far.
+    Coarse,
+}
+
+/// Where the last increment of a history begins, and what it follows.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct LastIncrement {
+    /// Where it begins, over the larger of the loads at both ends of the way to this load.
+    pub from: f64,
+    /// Its size over the same.
+    pub size: f64,
+    /// Whether an increment before it has not converged.
+    pub inherits_error: bool,
 }
 
 /// A rounded edge on which the contact is narrow beside the elements.
@@ -209,6 +234,11 @@ pub struct BodySolution {
 }
 
 impl StepSolution {
+    /// Whether it is what a coarser mesh has found of a load that the mesh that was asked for did not come to.
+    pub fn is_preliminary(&self) -> bool {
+        self.mesh == StepMesh::Coarse
+    }
+
     /// Whether the meshed half stands for two: a plane half model, not a body of revolution.
     pub fn is_mirrored(&self) -> bool {
         self.symmetric && self.stress_state != StressState::Axisymmetric

@@ -333,7 +333,8 @@ fn a_history_ends_where_a_body_collapses() {
     let says = |code: &str| report.steps[2].validity.iter().any(|note| note.code == code);
     assert!(says("collapse") && says("not_converged"));
     let iterations: usize = report.steps.iter().map(|step| step.history.len()).sum();
-    assert!(iterations <= 300, "{iterations} iterations");
+    // Those of five increments that are tried in vain among them.
+    assert!(iterations <= 600, "{iterations} iterations");
 }
 
 /// Whatever the analysis: no force leaves no contact, and every figure is finite.

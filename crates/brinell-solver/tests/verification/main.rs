@@ -15,6 +15,7 @@ mod contact_stiffness;
 mod contacts;
 mod error_bars;
 mod factor_cache;
+mod flow_increments;
 mod flow_references;
 mod flow_theory;
 mod indenters;

@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
-use brinell_solver::report;
+use brinell_solver::report::{self, StepReport};
 use brinell_solver::solver::{
-    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, run,
+    IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved, run,
 };
 use serde_json::{Value, json};
 
@@ -76,6 +76,89 @@ fn a_sweep_that_is_stopped_keeps_the_steps_before() {
         }
     }
     assert!(stopped > 50, "stopped at {stopped} places");
+}
+
+/// Up, nearly to nothing, farther up than before, and back.
+fn history() -> Job {
+    let cylinder = json!({"shape": {"type": "cylinder", "radius": 20.0},
+        "material": {"young_modulus": 210_000.0, "poisson_ratio": 0.3,
+                     "plasticity": {"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 10_500.0}}});
+    let job: Value = json!({
+        "analysis": "plane_strain", "upper": cylinder, "lower": cylinder,
+        "load": {"history": [{"force": 500}, {"force": 100}, {"force": 600}, {"force": 0}]},
+        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow", "increments": 3},
+    });
+    Job::from_json(job.to_string().as_bytes()).unwrap()
+}
+
+/// How many questions are asked while a job is solved.
+fn questions(solve: impl FnOnce(&mut StopSweepAt)) -> usize {
+    let mut whole = StopSweepAt(usize::MAX);
+    solve(&mut whole);
+    usize::MAX - whole.0
+}
+
+/// Loads that are finished stay answers with stresses; of the others there is what the coarse mesh has found.
+#[test]
+fn a_history_that_is_stopped_keeps_the_loads_that_are_finished() {
+    let job = history();
+    let whole = run(&job, &mut Unobserved).unwrap();
+    let asked = questions(|observer| drop(run(&job, observer).unwrap()));
+    let (mut most, mut most_converged, mut preliminary) = (0, 0, 0);
+    for questions in (0..asked).step_by(asked / 150 + 1) {
+        let steps = match run(&job, &mut StopSweepAt(questions)) {
+            Ok(solution) => solution.steps,
+            Err(SolveError::Interrupted(Interrupt::Cancelled)) => Vec::new(),
+            Err(error) => panic!("stopped at question {questions}: {error}"),
+        };
+        let converged = steps.iter().take_while(|step| step.status == SolveStatus::Converged).count();
+        assert!(steps.len() >= most && converged >= most_converged, "question {questions}");
+        (most, most_converged) = (steps.len(), converged);
+        for (k, (step, expected)) in steps.iter().zip(&whole.steps).enumerate() {
+            let has_stresses = step.bodies.iter().flatten().all(|body| !body.stress.points.is_empty());
+            assert_eq!(has_stresses, k < converged, "question {questions}");
+            if k < converged {
+                assert_eq!((step.peak_pressure, step.approach), (expected.peak_pressure, expected.approach));
+            } else {
+                assert_eq!(step.status, SolveStatus::Cancelled);
+                assert!(step.is_preliminary() || k == converged, "one load at most is iterated");
+            }
+            if step.is_preliminary() {
+                preliminary += 1;
+                assert_eq!(step.load, expected.load);
+                assert!((step.approach - expected.approach).abs() < 0.1 * whole.steps[2].approach);
+                assert!(step.coarse.is_none() && step.contact_stiffness == 0.0);
+            }
+        }
+    }
+    assert!(most == 4 && most_converged >= 3 && preliminary > 100, "{most} {most_converged} {preliminary}");
+}
+
+/// So it is in the report, and each step says what it is.
+#[test]
+fn the_report_of_a_history_that_is_stopped_has_the_loads_that_are_finished() {
+    let job = history();
+    let asked = questions(|observer| drop(report::run(&job, observer).unwrap()));
+    let says = |step: &StepReport, words: &str| {
+        step.validity.iter().any(|note| note.code == "cancelled" && note.message.contains(words))
+    };
+    let mut seen = [false; 2];
+    for questions in (asked / 3..asked).step_by(asked / 40 + 1) {
+        let Ok(stopped) = report::run(&job, &mut StopSweepAt(questions)) else { continue };
+        assert_eq!(stopped.status, SolveStatus::Cancelled);
+        for step in &stopped.steps {
+            let is_converged = step.status == SolveStatus::Converged;
+            let has_stresses = step.plasticity.upper.is_some() && step.subsurface.is_some();
+            assert_eq!(has_stresses, is_converged, "question {questions}");
+            assert_eq!(is_converged, !says(step, "Stopped on request"));
+            seen[0] |= is_converged;
+            if says(step, "mesh of half the density") {
+                seen[1] = true;
+                assert!(step.estimated_error.is_none());
+            }
+        }
+    }
+    assert_eq!(seen, [true; 2]);
 }
 
 /// Says stop from the n-th question on.

@@ -12,7 +12,8 @@ use edge_contact::EdgeContact;
 
 use std::f64::consts::PI;
 
-use crate::contact::{ContactLoad, KktReport, kkt};
+use crate::contact::kkt::{self, ContactScales};
+use crate::contact::{ContactLoad, ContactSolution, KktReport};
 use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
@@ -22,7 +23,9 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::phases::{Phase, PhaseTimes};
 use crate::solver::problem::Problem;
-use crate::solver::solution::{BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepSolution};
+use crate::solver::solution::{
+    BodySolution, Energy, LastIncrement, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
+};
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
 const RESIDUAL_SLACK: f64 = 1.5;
@@ -56,6 +59,21 @@ pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
     })
 }
 
+/// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct LeastScales {
+    /// `‖R‖` \[N/mm\].
+    pub residual: f64,
+    /// Of the contact conditions.
+    pub contact: ContactScales,
+}
+
+/// The scales of the contact conditions in a state.
+pub(crate) fn contact_scales(pass: &MeshSolve, load: ContactLoad) -> ContactScales {
+    let (system, force) = (&pass.system, &pass.outcome.state.response.contact.force);
+    kkt::scales(&system.contact_problem(&system.initial_gap, system.part_of(load)), force)
+}
+
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
 /// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
@@ -63,7 +81,7 @@ pub(crate) fn finish(
     pass: &mut MeshSolve,
     load: ContactLoad,
     tolerance: f64,
-    force_scale: f64,
+    least: LeastScales,
     phases: &mut PhaseTimes,
     observer: &mut dyn Observer,
 ) -> StepSolution {
@@ -84,13 +102,13 @@ pub(crate) fn finish(
         }
     };
     phases.time_observed(Phase::Output, observer, |observer| {
-        let evidence = from_fields(pass, force_scale, observer).unwrap_or_else(|interrupt| {
+        let evidence = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
             pass.outcome.status = interrupt.into();
             from_iteration(pass)
         });
         let is_stopped = pass.outcome.status.is_stopped();
         let contact_stiffness = if is_stopped { ContactStiffness::default() } else { contact_stiffness };
-        let mut step = judge(pass, evidence, contact_stiffness, load, tolerance);
+        let mut step = judge(pass, evidence, contact_stiffness, load, tolerance, least.contact);
         step.rounded_edge = unresolved_edge(problem, &step);
         step.rounded_tip = unresolved_tip(problem, &step);
         step
@@ -152,6 +170,11 @@ fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
         StressState::Axisymmetric => 0.5 * (exponent + 1.0) / rest * force / (PI * half_width * half_width),
         StressState::PlaneStrain | StressState::PlaneStress => exponent / rest * force / (PI * half_width),
     }
+}
+
+/// The last iteration as it is, without stresses and stiffness.
+pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -> StepSolution {
+    judge(pass, from_iteration(pass), ContactStiffness::default(), load, tolerance, ContactScales::default())
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
@@ -270,12 +293,12 @@ fn judge(
     contact_stiffness: ContactStiffness,
     load: ContactLoad,
     tolerance: f64,
+    least: ContactScales,
 ) -> StepSolution {
     let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies } = evidence;
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
-    let contact_check =
-        check_contact(system, &unloaded_gap, &contact.force, contact.approach, system.part_of(load));
+    let contact_check = check_contact(system, &unloaded_gap, contact, system.part_of(load), least);
     let sound =
         contact_check.is_sound() && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
     let status = match outcome.status {
@@ -306,6 +329,8 @@ fn judge(
         loaded_corners: system.loaded_corners(&contact.force),
         reaches_edge: pass.reaches_edge,
         has_collapsed,
+        mesh: StepMesh::Asked,
+        last_increment: LastIncrement::default(),
         unresolved: None,
         rounded_edge: None,
         rounded_tip: None,
@@ -331,15 +356,16 @@ fn peak_position(pairs: &[PairState]) -> f64 {
 fn check_contact(
     system: &System,
     unloaded_gap: &[f64],
-    force: &[f64],
-    approach: f64,
+    contact: &ContactSolution,
     load: ContactLoad,
+    least: ContactScales,
 ) -> KktReport {
+    let force = &contact.force;
     let elastic = (0..force.len())
         .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
     let equivalent: Vec<f64> =
         unloaded_gap.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
-    kkt::check(&system.contact_problem(&equivalent, load), force, approach)
+    kkt::check_beside(&system.contact_problem(&equivalent, load), force, contact.approach, least)
 }
 
 fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {

@@ -101,9 +101,13 @@ impl Bracket {
         }
     }
 
-    /// A force could not be solved, because it is too large.
-    pub fn limit(&mut self, force: f64) {
-        self.limit = Some(self.limit.map_or(force.ln(), |limit| limit.min(force.ln())));
+    /// A force could not be solved, because it is too large. Whether it is the smallest of those.
+    pub fn limit(&mut self, force: f64) -> bool {
+        let is_smallest = self.limit.is_none_or(|limit| force.ln() <= limit);
+        if is_smallest {
+            self.limit = Some(force.ln());
+        }
+        is_smallest
     }
 
     /// The force to try next.
@@ -195,6 +199,12 @@ mod tests {
             assert_eq!(end, Next::AtLimit);
             assert!(trials <= 25, "{start}: {trials}");
         }
+    }
+
+    #[test]
+    fn the_smallest_limit_counts() {
+        let mut bracket = Bracket::new(1.0);
+        assert!(bracket.limit(5.0) && !bracket.limit(7.0) && bracket.limit(4.0));
     }
 
     #[test]

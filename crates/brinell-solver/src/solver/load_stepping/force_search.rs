@@ -20,7 +20,7 @@ use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
 use crate::solver::solution::{BodySolution, Solution, StepSolution};
-use crate::solver::{Interrupt, Observer, SolveError, SolveStatus};
+use crate::solver::{Observer, SolveError, SolveStatus};
 
 /// Error at least of the force under which yield begins, over h/a; where it begins at an end of the contact, 0.51 on 10 elements and 0.4
 /// on 20 and 40.
@@ -175,13 +175,15 @@ impl ForceSearch<'_> {
                         return Err(self.unreachable(force, trial.ratio, UnreachableReason::Insensitive));
                     }
                 }
-                Ok(_) => {
-                    bracket.limit(force);
-                    reason = UnreachableReason::Limit("the iteration does not converge".to_owned());
+                Ok(trial) => {
+                    if bracket.limit(force) {
+                        reason = UnreachableReason::Limit(trial.why_not_converged().to_owned());
+                    }
                 }
                 Err(why) => {
-                    bracket.limit(force);
-                    reason = UnreachableReason::Limit(why);
+                    if bracket.limit(force) {
+                        reason = UnreachableReason::Limit(why);
+                    }
                 }
             }
             if let Some(near) = near.or_else(|| bracket.jump()) {
@@ -334,7 +336,7 @@ impl ForceSearch<'_> {
             Some(stepper) => {
                 stepper.step(loads[0], Some(loads[0]), solution, observer).map(|step| steps.push(step))
             }
-            None => sequence.solve(&loads, solution, observer, &mut |step, _| steps.push(step)),
+            None => sequence.solve(&loads, solution, observer, &mut steps),
         };
         match solved {
             Ok(()) => {}
@@ -346,11 +348,13 @@ impl ForceSearch<'_> {
             Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
             Err(error) => return Err(error),
         }
-        if let Some(interrupt) = solution.interrupted.take().or_else(|| steps.iter().find_map(stopped)) {
+        if let Some(interrupt) =
+            solution.interrupted.take().or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
+        {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {
-            return Ok(Err("a body collapses: its plastic strain grows without bound".to_owned()));
+            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
         }
         let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
         Ok(Ok(Trial { ratio, steps }))
@@ -438,6 +442,14 @@ impl Trial {
         self.steps.iter().all(|step| step.status == SolveStatus::Converged)
     }
 
+    fn why_not_converged(&self) -> &'static str {
+        if self.steps.iter().any(|step| step.reaches_edge) {
+            "the contact is wider than what can be meshed"
+        } else {
+            "the iteration does not converge"
+        }
+    }
+
     fn deviation(&self) -> f64 {
         (self.ratio - 1.0).abs()
     }
@@ -454,14 +466,6 @@ pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
         TargetFigure::MeanPressure => step.mean_pressure(),
         TargetFigure::HalfWidth => step.half_width(),
         TargetFigure::MaxPlasticStrain => largest(BodySolution::max_plastic_strain),
-    }
-}
-
-fn stopped(step: &StepSolution) -> Option<Interrupt> {
-    match step.status {
-        SolveStatus::Cancelled => Some(Interrupt::Cancelled),
-        SolveStatus::TimedOut => Some(Interrupt::TimedOut),
-        SolveStatus::Converged | SolveStatus::NotConverged => None,
     }
 }
 

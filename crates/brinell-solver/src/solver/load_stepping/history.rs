@@ -6,26 +6,31 @@
 //!           small
 //! fine:     the mesh that was asked for through the whole history, with these increments
 //!   each increment   moduli after the change that the coarse mesh has found; iterate from the accepted states;
-//!                    look for yield outside of the plastic region; accept
+//!                    look for yield outside of the plastic region; accept, or repeat in halves
 //! ```
 //!
 //! One mesh serves for all of a history, because states are never carried from one mesh to another.
 //!
-//! A history ends with the increment under which a body collapses: what is reported of its load is that increment.
+//! An increment that comes to no end, or ends with strains that are not small, is repeated in halves, and these as well, five times at
+//! most. A history ends with the increment under which a body collapses all the same: what is reported of its load is that increment.
 
 use std::sync::Arc;
 
-use super::increments::{Division, Leg, exponent};
+use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
+use super::increments::{Division, IncrementEnds, Leg, exponent};
 use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
+use super::path::Path;
+use super::progress::Progress;
+use super::steps::StepReceiver;
 use crate::contact::{ContactLoad, ContactSolver};
-use crate::fem::assembly::GaussPoint;
-use crate::fem::mesh::{ContactZone, Mesh, MeshError};
+use crate::fem::mesh::{ContactZone, MeshError};
 use crate::job::{Job, PositiveF64};
 use crate::material::ReferenceModuli;
-use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
-use crate::solver::body_system::system::{BlockVector, Design, System};
+use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::body_system::system::{Design, System};
 use crate::solver::body_system::transfer::NodalField;
-use crate::solver::couplings::iteration::{InitialState, Scales, norm};
+use crate::solver::couplings::iteration::{InitialState, Outcome};
+use crate::solver::final_check::LeastScales;
 use crate::solver::loads::largest_loads;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::mesh_solve::{
@@ -34,8 +39,8 @@ use crate::solver::mesh_solve::{
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::{CoarseFigures, IncrementRecord, Solution, StepSolution};
-use crate::solver::{IncrementNumber, Observer, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::solution::{CoarseFigures, IncrementRecord, LastIncrement, Solution, StepSolution};
+use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, SolveStatus, couplings, final_check};
 
 /// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
 /// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
@@ -68,11 +73,15 @@ pub(super) struct HistoryRequest<'a> {
     pub increments: Option<u32>,
 }
 
-/// Solves the history; each load becomes a step of the solution.
+/// Solves the history; each load becomes a step.
+///
+/// Where the observer stops it, loads that are finished keep their steps, the one that is iterated has its last iteration, and of the
+/// others there is what the coarse mesh has found.
 pub(super) fn run(
     request: HistoryRequest<'_>,
     solution: &mut Solution,
     observer: &mut dyn Observer,
+    receiver: &mut dyn StepReceiver,
 ) -> Result<(), SolveError> {
     let candidates = largest_loads(request.loads);
     let mut widest: Option<ContactSizeEstimate> = None;
@@ -87,24 +96,33 @@ pub(super) fn run(
     };
     let elements = request.job.mesh.elements_per_half_width as usize;
     let mesh = request.sizing.request(largest, size, (elements / 2).max(2), 1.0, auxiliary());
-    let (coarse, division, errors) = {
+    let mut preliminary = Vec::new();
+    let chosen = {
         let mut silent = SilentObserver { inner: &mut *observer };
-        choose_increments(&request, mesh, size, solution, &mut silent)?
+        choose_increments(&request, mesh, size, &mut preliminary, solution, &mut silent)
+    };
+    let (coarse, division, errors) = match chosen {
+        Err(SolveError::Interrupted(interrupt)) => {
+            return keep_preliminary(preliminary, 0, interrupt, receiver, solution, observer);
+        }
+        chosen => chosen?,
     };
     size = coarse.size;
     let mut mesh = request.sizing.request(largest, size, elements, 1.0, request.job.solver);
     mesh.contact = request.contact;
     let guide = couplings::of(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
     let run = MeshHistory { request: &request, mesh, size, division, guide };
-    let result =
-        run.solve(Some(&Estimates { coarse: &coarse.figures, increments: &errors }), solution, observer);
-    match result {
-        // The steps that are done are worth keeping.
-        Err(SolveError::Interrupted(interrupt)) if !solution.steps.is_empty() => {
-            solution.interrupted = Some(interrupt);
-            Ok(())
-        }
-        result => result.map(drop),
+    let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
+    let mut steps = HistorySteps::new(estimates, &mut *receiver);
+    let interrupt = match run.solve(&mut steps, solution, observer) {
+        Ok(found) => found.interrupted,
+        Err(SolveError::Interrupted(interrupt)) => Some(interrupt),
+        Err(error) => return Err(error),
+    };
+    let done = steps.done();
+    match interrupt {
+        Some(interrupt) => keep_preliminary(preliminary, done, interrupt, receiver, solution, observer),
+        None => Ok(()),
     }
 }
 
@@ -118,6 +136,8 @@ struct Found {
     figures: Vec<Option<CoarseFigures>>,
     /// Whether a body collapsed, so that the loads after `figures` were not applied.
     has_collapsed: bool,
+    /// Why it ended early.
+    interrupted: Option<Interrupt>,
 }
 
 /// What was found on a zone or, if the contact goes beyond it, a wider one.
@@ -130,6 +150,7 @@ fn choose_increments(
     request: &HistoryRequest<'_>,
     mut mesh: MeshSolveRequest<'_>,
     size: ContactSizeEstimate,
+    preliminary: &mut Vec<StepSolution>,
     solution: &mut Solution,
     observer: &mut dyn Observer,
 ) -> Result<(Found, Division, Vec<Option<CoarseFigures>>), SolveError> {
@@ -139,7 +160,7 @@ fn choose_increments(
     loop {
         let guide = last.as_ref().map(|last| &last.path);
         let run = MeshHistory { request, mesh: mesh.clone(), size, division, guide };
-        let now = run.solve(None, solution, observer)?;
+        let now = run.solve(&mut HistorySteps::Preliminary(preliminary), solution, observer)?;
         mesh.zone = now.mesh.clone();
         // Finer increments do not help a body that does not bear the load.
         if now.has_collapsed {
@@ -192,51 +213,6 @@ fn differences(
     (pairs.collect(), worst)
 }
 
-/// What the coarse mesh says of the errors of each step.
-struct Estimates<'a> {
-    coarse: &'a [Option<CoarseFigures>],
-    increments: &'a [Option<CoarseFigures>],
-}
-
-/// The displacements of a history on one mesh, linear between the ends of its increments.
-#[derive(Default)]
-struct Path {
-    meshes: Vec<Arc<Mesh>>,
-    /// Number of the load plus the part of it that is done, and the displacements of all nodes of each model.
-    points: Vec<(f64, Vec<Vec<[f64; 2]>>)>,
-}
-
-impl Path {
-    /// By how much the displacements change from one time to another.
-    fn change(&self, from: f64, to: f64) -> Vec<Vec<[f64; 2]>> {
-        let (mut change, start) = (self.at(to), self.at(from));
-        for (to, from) in change.iter_mut().flatten().zip(start.iter().flatten()) {
-            *to = [to[0] - from[0], to[1] - from[1]];
-        }
-        change
-    }
-
-    fn at(&self, time: f64) -> Vec<Vec<[f64; 2]>> {
-        let after = self.points.partition_point(|(t, _)| *t < time);
-        let rest = || self.meshes.iter().map(|mesh| vec![[0.0; 2]; mesh.nodes.len()]).collect();
-        let Some((t1, end)) = self.points.get(after) else {
-            return self.points.last().map_or_else(rest, |(_, last)| last.clone());
-        };
-        let before = after.checked_sub(1).map(|k| &self.points[k]);
-        let t0 = before.map_or(0.0, |(t, _)| *t);
-        let part = (time - t0) / (t1 - t0);
-        let mut now = end.clone();
-        let start = before.map(|(_, start)| start);
-        for (k, nodes) in now.iter_mut().enumerate() {
-            for (n, value) in nodes.iter_mut().enumerate() {
-                let from = start.map_or([0.0; 2], |start| start[k][n]);
-                *value = [from[0] + part * (value[0] - from[0]), from[1] + part * (value[1] - from[1])];
-            }
-        }
-        now
-    }
-}
-
 /// A history on one mesh.
 struct MeshHistory<'a> {
     request: &'a HistoryRequest<'a>,
@@ -247,46 +223,23 @@ struct MeshHistory<'a> {
     guide: Option<&'a Path>,
 }
 
-/// Where a history is.
-struct Progress {
-    /// Displacements on the active equations at the last accepted increment, and those of all nodes.
-    accepted: BlockVector,
-    whole: BlockVector,
-    /// Displacements one increment before, and the load measure then.
-    before: Option<(BlockVector, f64)>,
-    time: f64,
-    number: IncrementNumber,
-    force: f64,
-    approach: f64,
-    /// Largest force and approach so far.
-    reached: [f64; 2],
-    scales: Scales,
-    plastic: RadialEnvelope,
-    /// Whether the load falls.
-    is_falling: bool,
-    /// Largest peak pressure so far, and its x.
-    peak: [f64; 2],
-    /// What the points of each model have been through.
-    points: Vec<Vec<PointHistory>>,
-}
-
-/// What a point has been through, beyond the state of its law.
-#[derive(Debug, Clone, Copy, Default)]
-struct PointHistory {
-    /// Equivalent plastic strain.
-    accumulated: f64,
-    /// What of it came since the load last began to fall.
-    reverse: f64,
-    /// Largest von Mises stress \[MPa\].
-    von_mises: f64,
+/// The end of a load.
+struct LoadEnd {
+    number: usize,
+    /// What was asked for, and what was applied of it.
+    load: ContactLoad,
+    target: ContactLoad,
+    /// Largest half-width of the history so far \[mm\].
+    widest: f64,
+    last_increment: LastIncrement,
+    increments: Vec<IncrementRecord>,
 }
 
 impl MeshHistory<'_> {
-    /// Solves all loads, on wider and wider meshes while the contact reaches the edge of the zone. With estimates the steps
-    /// are handed over to the solution.
+    /// Solves all loads, on wider and wider meshes while the contact reaches the edge of the zone.
     fn solve(
         &self,
-        estimates: Option<&Estimates<'_>>,
+        steps: &mut HistorySteps<'_>,
         solution: &mut Solution,
         observer: &mut dyn Observer,
     ) -> Result<Found, SolveError> {
@@ -294,11 +247,10 @@ impl MeshHistory<'_> {
         let (mut enlargements, mut narrowings) = (0, 0);
         let most_columns = mesh_solve::most_columns(&mesh.zone);
         loop {
-            let steps = solution.steps.len();
             let run = MeshHistory { mesh: mesh.clone(), ..*self };
             let can_enlarge = narrowings == 0 && enlargements < MAX_ENLARGEMENTS;
             let most_columns = can_enlarge.then_some(most_columns);
-            match run.solve_on_zone(estimates, enlargements, most_columns, solution, observer) {
+            match run.solve_on_zone(steps, enlargements, most_columns, solution, observer) {
                 Ok(Ok(mut found)) => {
                     solution.passes += 1;
                     found.mesh = mesh.zone;
@@ -306,7 +258,7 @@ impl MeshHistory<'_> {
                 }
                 Ok(Err(wider)) => {
                     solution.passes += 1;
-                    solution.steps.truncate(steps);
+                    steps.begin_anew();
                     mesh.zone = wider;
                     enlargements += 1;
                 }
@@ -323,7 +275,7 @@ impl MeshHistory<'_> {
     /// Ends early on a zone that is too narrow, if that may become wider and have so many columns.
     fn solve_on_zone(
         &self,
-        estimates: Option<&Estimates<'_>>,
+        steps: &mut HistorySteps<'_>,
         enlargements: usize,
         most_columns: Option<usize>,
         solution: &mut Solution,
@@ -332,13 +284,7 @@ impl MeshHistory<'_> {
         let problem = self.request.problem;
         let MeshSolveRequest { refinement, cache, .. } = self.mesh;
         let zone = &self.mesh.zone;
-        let search_region = match self.mesh.search_region {
-            PlasticSearchRegion::WholeBody => PlasticSearchRegion::WholeBody,
-            PlasticSearchRegion::Within(_) => {
-                PlasticSearchRegion::Within(self.size.plastic.scaled(PLASTIC_MARGIN))
-            }
-        };
-        let design = Design { zone, refinement, search_region, cache };
+        let design = Design { zone, refinement, search_region: self.search_region(), cache };
         let (mut system, _) = System::build(problem, design, None, &mut solution.phases, observer)?;
         let mut found = Found {
             mesh: zone.clone(),
@@ -349,6 +295,7 @@ impl MeshHistory<'_> {
             },
             figures: Vec::new(),
             has_collapsed: false,
+            interrupted: None,
         };
         let mut progress = Progress::at_rest(system.zeros());
         let mut widest = 0.0;
@@ -357,30 +304,38 @@ impl MeshHistory<'_> {
         for (number, &load) in self.request.loads.iter().enumerate() {
             let leg = self.leg(load, &progress);
             progress.begin(&leg);
-            let ends = leg.ends(self.division);
-            let (count, mut history, mut increments) = (ends.len(), Vec::new(), Vec::new());
-            for (k, &end) in ends.iter().enumerate() {
-                let range = leg.to - leg.from;
-                let part = if range.abs() > 0.0 { (end - leg.from) / range } else { 1.0 };
-                let time = number as f64 + if k + 1 == count { 1.0 } else { part };
-                let target = match load {
-                    ContactLoad::Force(_) => ContactLoad::Force(end),
-                    ContactLoad::Approach(_) => ContactLoad::Approach(end),
-                };
-                let loads = self.request.loads.len();
+            let mut ends = IncrementEnds::of(&leg, self.division);
+            let (mut history, mut increments) = (Vec::new(), Vec::new());
+            let mut k = 0;
+            while k < ends.count() {
+                let (count, end) = (ends.count(), ends.measure(k));
+                let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
+                let (target, loads) = (leg.load(end), self.request.loads.len());
                 progress.number = IncrementNumber { number: k + 1, count, load: number + 1, loads };
                 let mut solve =
                     self.increment(system, target, time, &leg, &mut progress, solution, observer)?;
                 solve.enlargements = enlargements;
+                let interrupted = solve.outcome.status.interrupt();
                 if let Some(most_columns) = most_columns
                     && solve.reaches_edge
-                    && !solve.outcome.status.is_stopped()
+                    && interrupted.is_none()
                     && let Some(wider) = mesh_solve::enlarged(problem, zone, solve.meets, most_columns)
                 {
                     return Ok(Err(wider));
                 }
-                status = worse(status, solve.outcome.status);
                 history.append(&mut solve.outcome.history.clone());
+                let start = progress.reached_measure(&leg);
+                if status == SolveStatus::Converged && self.fails(&solve) && ends.halve(k, start) {
+                    system = solve.system;
+                    continue;
+                }
+                // A state that another coupling has left without an answer says nothing of the bodies.
+                let inherits_error = status != SolveStatus::Converged;
+                solve.outcome.is_conclusive &= !inherits_error || self.is_accelerated();
+                status = worse(status, solve.outcome.status);
+                if interrupted.is_none() {
+                    progress.accept(&mut solve, target, time, &leg);
+                }
                 increments.push(increment_record(&solve));
                 let half_width = solve.patch.map_or(0.0, |patch| patch.half_width());
                 if half_width > widest {
@@ -389,9 +344,13 @@ impl MeshHistory<'_> {
                 }
                 found.size.plastic = progress.plastic;
                 found.has_collapsed = final_check::has_collapsed(&solve);
-                let is_end = k + 1 == count || solve.outcome.status.is_stopped() || found.has_collapsed;
+                found.interrupted = interrupted;
+                if let (false, Some(interrupt)) = (steps.are_final(), interrupted) {
+                    return Err(SolveError::Interrupted(interrupt));
+                }
+                let is_end = k + 1 == count || interrupted.is_some() || found.has_collapsed;
                 let displacement = std::mem::take(&mut solve.outcome.state.response.displacement);
-                if estimates.is_none() {
+                if !steps.are_final() {
                     let nodal = solve.fields.iter().map(|field| field.nodal.clone()).collect();
                     found.path.points.push((time, nodal));
                 }
@@ -399,30 +358,61 @@ impl MeshHistory<'_> {
                     found.figures.push(Some(solve.all_figures()));
                 }
                 solve.outcome.state.response.displacement = displacement;
-                if let (true, Some(estimates)) = (is_end, estimates) {
+                if is_end {
                     solve.outcome.history = std::mem::take(&mut history);
                     solve.outcome.status = status;
-                    let mut step = self.step(&mut solve, target, &mut progress, solution, observer);
-                    step.load = load;
-                    step.reached = [progress.reached[1], widest];
-                    step.coarse = estimates.coarse.get(number).copied().flatten();
-                    step.increment_error = estimates.increments.get(number).copied().flatten();
-                    step.increments = std::mem::take(&mut increments);
-                    let is_stopped = step.status.is_stopped();
-                    solution.steps.push(step);
-                    if is_stopped {
+                    let increments = std::mem::take(&mut increments);
+                    let last_increment = leg.increment(start, end, inherits_error);
+                    let end = LoadEnd { number, load, target, widest, last_increment, increments };
+                    found.interrupted =
+                        self.end_load(end, &mut solve, &mut progress, steps, solution, observer);
+                    if found.interrupted.is_some() {
                         return Ok(Ok(found));
                     }
                 }
                 if found.has_collapsed {
+                    steps.end_before(number);
                     return Ok(Ok(found));
                 }
                 solve.system.commit(&solve.outcome.state.response.displacement);
                 progress.accepted = solve.outcome.state.response.displacement;
                 system = solve.system;
+                k += 1;
             }
         }
         Ok(Ok(found))
+    }
+
+    /// How far plastic flow is looked for at first.
+    fn search_region(&self) -> PlasticSearchRegion {
+        match self.mesh.search_region {
+            PlasticSearchRegion::WholeBody => PlasticSearchRegion::WholeBody,
+            PlasticSearchRegion::Within(_) => {
+                PlasticSearchRegion::Within(self.size.plastic.scaled(PLASTIC_MARGIN))
+            }
+        }
+    }
+
+    /// Makes a step of the end of a load. It may be stopped while its fields are formed.
+    fn end_load(
+        &self,
+        end: LoadEnd,
+        solve: &mut MeshSolve,
+        progress: &mut Progress,
+        steps: &mut HistorySteps<'_>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Option<Interrupt> {
+        let LoadEnd { number, load, target, widest, last_increment, increments } = end;
+        let step = if steps.are_final() {
+            self.step(solve, target, progress, solution, observer)
+        } else {
+            final_check::as_iterated(solve, target, self.mesh.solver.tolerance.get())
+        };
+        let interrupted = step.status.interrupt();
+        let reached = [progress.reached[1], widest];
+        steps.take(number, StepSolution { load, last_increment, increments, reached, ..step }, observer);
+        interrupted
     }
 
     /// A load as a leg of the history, from where the bodies are.
@@ -451,6 +441,20 @@ impl MeshHistory<'_> {
             onset,
             exponent: exponent(problem.stress_state, load),
         }
+    }
+
+    fn is_accelerated(&self) -> bool {
+        couplings::of(self.mesh.solver.coupling).uses_tangent_moduli()
+    }
+
+    /// Whether smaller increments may come farther: strains are not small, or Newton's method has come to no end before it has made
+    /// as many iterations as the job allows. Couplings without it diverge in small increments as well.
+    fn fails(&self, solve: &MeshSolve) -> bool {
+        let Outcome { status, history, .. } = &solve.outcome;
+        let is_lost = *status == SolveStatus::NotConverged
+            && self.is_accelerated()
+            && history.len() < self.mesh.solver.max_iterations as usize;
+        is_lost || (!status.is_stopped() && final_check::has_collapsed(solve))
     }
 
     /// One increment, from the accepted states; nothing of the system but its stiffness and the extent of its plastic region
@@ -521,9 +525,6 @@ impl MeshHistory<'_> {
                 }
                 continue;
             }
-            if !is_stopped {
-                progress.accept(&mut solve, target, time, leg);
-            }
             return Ok(solve);
         }
     }
@@ -544,7 +545,7 @@ impl MeshHistory<'_> {
             solve,
             load,
             tolerance,
-            progress.scales.force,
+            LeastScales { residual: progress.scales.force, contact: progress.contact_scales },
             &mut solution.phases,
             observer,
         );
@@ -562,96 +563,6 @@ impl MeshHistory<'_> {
                 final_check::unloading_stiffness(solve, &mut solution.phases, observer);
         }
         step
-    }
-}
-
-impl Progress {
-    /// Before the first load; `zeros` are the displacements then.
-    fn at_rest(zeros: BlockVector) -> Self {
-        Self {
-            accepted: zeros,
-            whole: Vec::new(),
-            before: None,
-            time: 0.0,
-            number: IncrementNumber { number: 0, count: 0, load: 0, loads: 0 },
-            force: 0.0,
-            approach: 0.0,
-            reached: [0.0; 2],
-            scales: Scales::default(),
-            plastic: RadialEnvelope::NONE,
-            is_falling: false,
-            peak: [0.0; 2],
-            points: Vec::new(),
-        }
-    }
-
-    /// Turns to a load. What points gain while loads fall counts from where the first of them begins to fall.
-    fn begin(&mut self, leg: &Leg) {
-        if leg.falls() && !self.is_falling {
-            self.points.iter_mut().flatten().for_each(|point| point.reverse = 0.0);
-        }
-        self.is_falling = leg.falls();
-    }
-
-    /// Displacements at a load on the straight line through the last two increments of a leg.
-    fn extrapolated(&self, load: f64, leg: &Leg) -> BlockVector {
-        let Some((before, at)) = &self.before else { return self.accepted.clone() };
-        let last = self.reached_measure(leg);
-        if last - at <= f64::EPSILON * last.abs() || before.len() != self.accepted.len() {
-            return self.accepted.clone();
-        }
-        let part = ((load - last) / (last - at)).clamp(0.0, 1.5);
-        let lines = before.iter().zip(&self.accepted);
-        lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
-    }
-
-    fn reached_measure(&self, leg: &Leg) -> f64 {
-        if leg.is_force { self.force } else { self.approach }
-    }
-
-    /// Whether loads before this one were larger.
-    fn is_below_largest_load(&self) -> bool {
-        let [force, approach] = self.reached;
-        self.force < force && self.approach < approach
-    }
-
-    /// Takes over what an increment has found.
-    fn accept(&mut self, solve: &mut MeshSolve, target: ContactLoad, time: f64, leg: &Leg) {
-        let contact = &solve.outcome.state.response.contact;
-        self.before = (!leg.falls()).then(|| (self.accepted.clone(), self.reached_measure(leg)));
-        self.time = time;
-        self.force = match target {
-            ContactLoad::Force(force) => force,
-            ContactLoad::Approach(_) => contact.total_force * solve.system.symmetry_factor() as f64,
-        };
-        self.approach = contact.approach;
-        self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
-        self.scales.force = self.scales.force.max(norm(&contact.force));
-        self.scales.displacement =
-            self.scales.displacement.max(solve.system.norm(&solve.outcome.state.response.displacement));
-        self.plastic = self.plastic.joined(&solve.yielded_envelope());
-        self.whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
-        self.points.resize_with(solve.fields.len(), Vec::new);
-        for (field, histories) in solve.fields.iter_mut().zip(&mut self.points) {
-            let points = field.stress.points.as_flattened_mut();
-            histories.resize(points.len(), PointHistory::default());
-            for (point, history) in points.iter_mut().zip(histories) {
-                history.take(point, self.is_falling);
-            }
-        }
-    }
-}
-
-impl PointHistory {
-    /// Goes on to the end of an increment, and tells the point what it has been through.
-    fn take(&mut self, point: &mut GaussPoint, is_falling: bool) {
-        if is_falling {
-            self.reverse += point.equivalent_plastic_strain - self.accumulated;
-        }
-        self.accumulated = point.equivalent_plastic_strain;
-        self.von_mises = self.von_mises.max(point.largest_von_mises);
-        point.reverse_plastic_strain = self.reverse;
-        point.largest_von_mises = self.von_mises;
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
+use crate::solver::solution::LastIncrement;
 
 /// By how much the contact grows in one increment of the coarsest division, over what it grows to.
 const GROWTH: f64 = 0.12;
@@ -50,6 +51,23 @@ impl Leg {
         self.to < self.from
     }
 
+    /// The increment from one measure to another, as parts of the larger end of the leg.
+    pub fn increment(&self, from: f64, to: f64, inherits_error: bool) -> LastIncrement {
+        let whole = self.from.max(self.to).max(f64::MIN_POSITIVE);
+        LastIncrement { from: from / whole, size: (to - from).abs() / whole, inherits_error }
+    }
+
+    /// The part of it that is done at a measure.
+    pub fn part(&self, measure: f64) -> f64 {
+        let range = self.to - self.from;
+        if range.abs() > 0.0 { (measure - self.from) / range } else { 1.0 }
+    }
+
+    /// A measure as a load.
+    pub fn load(&self, measure: f64) -> ContactLoad {
+        if self.is_force { ContactLoad::Force(measure) } else { ContactLoad::Approach(measure) }
+    }
+
     /// The measures at the ends of the increments, the last of them the end of the leg.
     ///
     /// A leg that falls, and the part of one that rises to where the history or elasticity has been before, is one
@@ -82,6 +100,42 @@ impl Leg {
         }
         ends.push(self.to);
         ends
+    }
+}
+
+/// How often an increment is halved that comes to no end.
+const MAX_HALVINGS: u32 = 5;
+
+/// The ends of the increments of a leg, which become more where one is divided.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct IncrementEnds {
+    /// Measures, and how often their increments have been halved.
+    ends: Vec<(f64, u32)>,
+}
+
+impl IncrementEnds {
+    pub fn of(leg: &Leg, division: Division) -> Self {
+        Self { ends: leg.ends(division).into_iter().map(|end| (end, 0)).collect() }
+    }
+
+    pub fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The measure at the end of an increment.
+    pub fn measure(&self, k: usize) -> f64 {
+        self.ends[k].0
+    }
+
+    /// Divides an increment that begins at a measure in two, if it is not too small for that.
+    pub fn halve(&mut self, k: usize, from: f64) -> bool {
+        let (to, halvings) = self.ends[k];
+        if halvings >= MAX_HALVINGS {
+            return false;
+        }
+        self.ends[k].1 += 1;
+        self.ends.insert(k, (f64::midpoint(from, to), halvings + 1));
+        true
     }
 }
 
@@ -118,6 +172,20 @@ mod tests {
         assert_eq!(leg(0.0, 500.0, 500.0).ends(Division::Level(3)), [500.0]);
         assert_eq!(leg(0.0, 80.0, 0.0).ends(Division::Level(3)), [80.0]);
         assert_eq!(leg(0.0, 550.0, 500.0).ends(Division::Level(0)), [500.0, 550.0]);
+    }
+
+    #[test]
+    fn an_increment_is_halved_some_times() {
+        let mut ends = IncrementEnds::of(&leg(0.0, 320.0, 0.0), Division::Fixed(2));
+        let mut halvings = 0;
+        while ends.halve(1, 160.0) {
+            halvings += 1;
+        }
+        assert_eq!(halvings, MAX_HALVINGS);
+        let measures: Vec<_> = (0..ends.count()).map(|k| ends.measure(k)).collect();
+        assert_eq!(measures, [160.0, 165.0, 170.0, 180.0, 200.0, 240.0, 320.0]);
+        // What comes after it can still be halved, but for the smallest.
+        assert!(!ends.clone().halve(2, 165.0) && ends.halve(3, 170.0));
     }
 
     #[test]

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use super::history::{self, HistoryRequest};
 use super::load_stepper::LoadStepper;
+use super::steps::StepReceiver;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::job::Job;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::problem::Problem;
-use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::solution::Solution;
 use crate::solver::{Observer, SolveError};
 
 /// The bodies, and how loads on them are solved.
@@ -29,33 +30,28 @@ impl<'a> LoadSequence<'a> {
         self.with_memory.is_none().then(|| LoadStepper::new(self.problem, self.job, self.contact, self.cache))
     }
 
-    /// Solves loads in order and hands over each step as soon as it is final.
+    /// Solves loads in order and hands over each step as soon as it is finished.
     ///
-    /// Where the observer stops it, the steps that are done are kept and the solution says why the rest is missing; before the
-    /// first of them is done it is an error.
+    /// Where the observer stops it, the steps that are done are kept and the solution says so; before the first of them is done it
+    /// is an error.
     pub fn solve(
         &self,
         loads: &[ContactLoad],
         solution: &mut Solution,
         observer: &mut dyn Observer,
-        on_step: &mut dyn FnMut(StepSolution, &mut dyn Observer),
+        receiver: &mut dyn StepReceiver,
     ) -> Result<(), SolveError> {
         let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
         if let Some(problem) = self.with_memory {
             let (job, contact, increments) = (self.job, self.contact, self.job.solver.increments);
             let request = HistoryRequest { problem, sizing: &stepper, job, contact, loads, increments };
-            history::run(request, solution, observer)?;
-            // A wider mesh takes back what was found on a narrower one, so that steps are final only now.
-            for step in std::mem::take(&mut solution.steps) {
-                on_step(step, observer);
-            }
-            return Ok(());
+            return history::run(request, solution, observer, receiver);
         }
         for (k, &load) in loads.iter().enumerate() {
             match stepper.step(load, loads.get(k + 1).copied(), solution, observer) {
                 Ok(step) => {
                     let status = step.status;
-                    on_step(step, observer);
+                    receiver.step(step, observer);
                     if status.is_stopped() {
                         break;
                     }

@@ -122,7 +122,7 @@ impl<'a> LoadStepper<'a> {
             &mut pass,
             load,
             tolerance,
-            0.0,
+            final_check::LeastScales::default(),
             &mut solution.phases,
             observer,
         );

@@ -3,9 +3,13 @@
 mod bracket;
 pub(super) mod force_search;
 mod history;
+mod history_steps;
 mod increments;
 mod load_sequence;
 mod load_stepper;
+mod path;
+mod progress;
 pub(crate) mod run;
+pub(crate) mod steps;
 mod surface_stress;
 pub(super) mod utilization;

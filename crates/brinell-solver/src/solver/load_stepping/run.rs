@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::force_search;
 use super::load_sequence::LoadSequence;
+use super::steps::StepReceiver;
 use crate::contact::{ActiveSetSolver, ContactSolver, SimplexSolver};
 use crate::job::{ContactMethod, Job, Theory};
 use crate::solver::SolveError;
@@ -11,7 +12,7 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::observer::Observer;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
-use crate::solver::solution::{Solution, StepSolution};
+use crate::solver::solution::Solution;
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.
 #[derive(Clone, Copy)]
@@ -55,7 +56,7 @@ pub fn run_with(
     observer: &mut dyn Observer,
 ) -> Result<Solution, SolveError> {
     let mut steps = Vec::new();
-    let solution = run_each(job, options, observer, &mut |step, _| steps.push(step))?;
+    let solution = run_each(job, options, observer, &mut steps)?;
     Ok(Solution { steps, ..solution })
 }
 
@@ -68,7 +69,7 @@ pub fn run_each(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,
-    on_step: &mut dyn FnMut(StepSolution, &mut dyn Observer),
+    receiver: &mut dyn StepReceiver,
 ) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;
@@ -86,10 +87,10 @@ pub fn run_each(
     let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
     let mut solution = Solution::default();
     match loads(&job.load) {
-        Loads::Given(loads) => sequence.solve(&loads, &mut solution, observer, on_step)?,
+        Loads::Given(loads) => sequence.solve(&loads, &mut solution, observer, receiver)?,
         Loads::Sought(sought) => {
             for step in force_search::run(sought, &sequence, &mut solution, observer)? {
-                on_step(step, observer);
+                receiver.step(step, observer);
             }
         }
     }

@@ -1,0 +1,104 @@
+//! Where the steps of a history go.
+//!
+//! A job may be stopped at any time. Loads that are finished on the mesh that was asked for are answers, whatever comes of the
+//! rest. For the others there is what the coarse mesh has found, which is less: no stresses, no error bars.
+
+use super::steps::StepReceiver;
+use crate::solver::solution::{CoarseFigures, Solution, StepMesh, StepSolution};
+use crate::solver::{Interrupt, Observer, SolveError};
+
+/// What the coarse mesh says of the errors of each step.
+pub(super) struct Estimates<'a> {
+    pub coarse: &'a [Option<CoarseFigures>],
+    pub increments: &'a [Option<CoarseFigures>],
+}
+
+/// Takes the end of each load of a history on one mesh.
+pub(super) enum HistorySteps<'a> {
+    /// Of the coarse mesh, by their number; each takes the place of the one that larger increments have found.
+    Preliminary(&'a mut Vec<StepSolution>),
+    /// Of the mesh that was asked for.
+    Final {
+        estimates: Estimates<'a>,
+        receiver: &'a mut dyn StepReceiver,
+        /// How many it has received.
+        done: usize,
+    },
+}
+
+impl<'a> HistorySteps<'a> {
+    /// Of the mesh that was asked for.
+    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver) -> Self {
+        Self::Final { estimates, receiver, done: 0 }
+    }
+
+    /// How many steps of the mesh that was asked for have been handed over.
+    pub fn done(&self) -> usize {
+        match self {
+            Self::Preliminary(_) => 0,
+            Self::Final { done, .. } => *done,
+        }
+    }
+
+    pub fn are_final(&self) -> bool {
+        matches!(self, Self::Final { .. })
+    }
+
+    /// Takes the end of a load.
+    pub fn take(&mut self, number: usize, mut step: StepSolution, observer: &mut dyn Observer) {
+        match self {
+            Self::Preliminary(steps) => {
+                step.mesh = StepMesh::Coarse;
+                if let Some(before) = steps.get_mut(number) {
+                    *before = step;
+                } else {
+                    steps.push(step);
+                }
+            }
+            Self::Final { estimates, receiver, done } => {
+                step.coarse = estimates.coarse.get(number).copied().flatten();
+                step.increment_error = estimates.increments.get(number).copied().flatten();
+                receiver.step(step, observer);
+                *done += 1;
+            }
+        }
+    }
+
+    /// A body has collapsed under the load of this number: there are no answers from there on.
+    pub fn end_before(&mut self, number: usize) {
+        if let Self::Preliminary(steps) = self {
+            steps.truncate(number);
+        }
+    }
+
+    /// The history begins anew on a wider mesh.
+    pub fn begin_anew(&mut self) {
+        if let Self::Final { receiver, done, .. } = self {
+            receiver.begin_anew();
+            *done = 0;
+        }
+    }
+}
+
+/// Of a job that is stopped: hands over what the coarse mesh has found of the loads from the number `done` on.
+///
+/// # Errors
+/// [`SolveError::Interrupted`] where there is nothing to keep at all.
+pub(super) fn keep_preliminary(
+    steps: Vec<StepSolution>,
+    done: usize,
+    interrupt: Interrupt,
+    receiver: &mut dyn StepReceiver,
+    solution: &mut Solution,
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    if steps.len().max(done) == 0 {
+        return Err(SolveError::Interrupted(interrupt));
+    }
+    for mut step in steps.into_iter().skip(done) {
+        step.status = interrupt.into();
+        receiver.step(step, observer);
+    }
+    solution.interrupted = Some(interrupt);
+    Ok(())
+}
