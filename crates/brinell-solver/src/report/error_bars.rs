@@ -4,7 +4,8 @@
 //! peak pressure   max(|Δ|, 0.25 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge or tip
 //!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves, of a power
 //!                 below 2 0.1 h/a more; 0.2 (h/d)² with the distance d of the peak from the nearer end, where it is not in the middle;
-//!                 0.25 (h/l)² with the distance l of points that a surface is given by; in plane strain with flow 0.03 h/a; in plane stress
+//!                 0.25 (h/l)² with the distance l of points that a surface is given by; in plane strain with flow 0.03 h/a, of a body of revolution
+//!                 under flow theory 2 (h/a)²; in plane stress
 //!                 what it is above the plateau beside it; at a sharp corner two times what it is above the pairs beside it, 1 where
 //!                 it has no limit
 //! half-width      max(|Δ|, 0.5 h/a), 0.75 h/a where the pressure is highest next to an end, up to as much in plane stress with flow; on a
@@ -87,6 +88,8 @@ const UNBOUNDED: f64 = 1.0;
 
 /// Floor of the error of the peak pressure over h/a in plane strain where bodies flow: it follows the discrete half-width.
 const FLOW_PEAK_FLOOR: f64 = 0.03;
+/// The same over (h/a)² of a body of revolution under flow theory: what flows first next to the axis is known to few points.
+const REVOLUTION_FLOW_PEAK_FLOOR: f64 = 2.0;
 
 /// Floor of the error of the peak pressure over the square of the element size over the length within which the pressure falls from its peak.
 const BESIDE_PEAK_FLOOR: f64 = 0.2;
@@ -250,6 +253,9 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     let flows = flows(step);
     let flow_floor = match step.stress_state {
         StressState::PlaneStrain if flows => FLOW_PEAK_FLOOR * size,
+        StressState::Axisymmetric if flows && step.energy.is_some() => {
+            REVOLUTION_FLOW_PEAK_FLOOR * size * size
+        }
         StressState::PlaneStrain | StressState::PlaneStress | StressState::Axisymmetric => 0.0,
     };
     let between_points = size_between_points(job, step).powi(2);
