@@ -8,7 +8,7 @@ use jiff::Timestamp;
 
 use crate::subject::{Subject, ids, job, reported};
 
-async fn key(subject: &Subject, limits: KeyLimits) -> KeyId {
+pub async fn key(subject: &Subject, limits: KeyLimits) -> KeyId {
     let (key, _) = ApiKey::generate("press".to_owned(), Scope::Write, Timestamp::UNIX_EPOCH);
     let id = key.id;
     subject.store.add_key(ApiKey { limits, ..key }).await.unwrap();

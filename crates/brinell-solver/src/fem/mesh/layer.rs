@@ -22,7 +22,7 @@ const LEAST_ROWS: usize = 4;
 /// Depth of the ends of a layer over that of its middle at least: shallower ones end in wedges.
 const LEAST_WALL: f64 = 0.05;
 
-/// Depth over the width of a body up to which it may be meshed as a layer where rings fold.
+/// Depth over the width of a body up to which rings may fold below a contact of any size.
 const FLAT: f64 = 0.1;
 
 /// Whether a body is thin beside the contact.
@@ -36,7 +36,8 @@ pub(super) fn is_flat(outline: &Outline) -> bool {
     outline.depth() < FLAT * (right - left) && has_walls(outline)
 }
 
-fn has_walls(outline: &Outline) -> bool {
+/// Whether columns at its ends are no wedges, so that it may be meshed in columns where rings fold.
+pub(super) fn has_walls(outline: &Outline) -> bool {
     let depth = outline.depth();
     [1.0, -1.0].into_iter().all(|sign| outline.end(sign)[1] + depth > LEAST_WALL * depth)
 }

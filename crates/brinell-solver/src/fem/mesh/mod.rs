@@ -149,16 +149,14 @@ impl Mesh {
                 }
             }
         }
-        if layer::is_flat(outline) {
+        if let Some([x, slope]) = outline.steepest().filter(|[_, slope]| *slope > MESHED_SLOPE) {
+            return Err(MeshError::TooSteep { x, slope });
+        }
+        if layer::has_walls(outline) {
             let mesh = layer::generate(outline, zone, refinement)?;
             return quality::require_positive_jacobians(&mesh).map(|()| mesh);
         }
-        match (outcome, outline.steepest()) {
-            (Err(MeshError::Inverted { .. }), Some([x, slope])) if slope > MESHED_SLOPE => {
-                Err(MeshError::TooSteep { x, slope })
-            }
-            (outcome, _) => outcome,
-        }
+        outcome
     }
 
     /// Bytes held.
@@ -243,6 +241,14 @@ mod tests {
             groove,
             parabola,
         ]
+    }
+
+    /// Rings fold below the zone: columns take their place.
+    #[test]
+    fn a_shallow_groove_is_meshed() {
+        let outline = outline(r#"{"type": "groove", "radius": 10.5, "width": 20, "depth": 1}"#);
+        let zone = zone(&outline, 0.7757114197608099, 0.0, 4, false);
+        assert!(Mesh::generate(&outline, &zone, Refinement { growth: 1.5 }).is_ok());
     }
 
     proptest! {
