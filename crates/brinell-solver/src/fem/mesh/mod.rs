@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn a_shallow_groove_is_meshed() {
         let outline = outline(r#"{"type": "groove", "radius": 10.5, "width": 20, "depth": 1}"#);
-        let zone = zone(&outline, 0.7757114197608099, 0.0, 4, false);
+        let zone = zone(&outline, 0.775_711_419_760_809_9, 0.0, 4, false);
         assert!(Mesh::generate(&outline, &zone, Refinement { growth: 1.5 }).is_ok());
     }
 
