@@ -80,7 +80,12 @@ export const follow = (page, hash) =>
 /** Shows a job, solved from the reference problem with changes. @param {Page} page @param {object} [change] @returns {Promise<string>} its id */
 export async function shown(page, change) {
   const id = await solved(page, change);
+  // What is there of a job before is not taken for this one's.
+  await page.evaluate(() => {
+    for (const child of document.querySelectorAll('#headline > *')) child.setAttribute('data-before', '');
+  });
   await follow(page, `job=${id}`);
+  await page.locator('#headline > [data-before]').first().waitFor({ state: 'detached' });
   await page.locator('[data-status]:is([data-status=succeeded], [data-status=not_converged])').waitFor();
   await page.locator('#panel-figures tbody tr').first().waitFor();
   return id;
