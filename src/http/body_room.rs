@@ -1,7 +1,7 @@
 //! A bound on the memory of bodies, from their first byte until their jobs are in the store.
 //!
 //! A key may have as much as is free: alone half of the room, one of several an equal part, and there is always some left for the next
-//! one. That is the dynamic threshold of shared packet buffers (A. K. Choudhury, E. L. Hahne, *Dynamic queue length thresholds for
+//! one. Where there are no keys, all bodies share the whole. That is the dynamic threshold of shared packet buffers (A. K. Choudhury, E. L. Hahne, *Dynamic queue length thresholds for
 //! shared-memory packet switches*, IEEE/ACM Transactions on Networking 6 (1998) 130-140) with the factor 1.
 
 use std::collections::HashMap;
@@ -38,7 +38,9 @@ impl BodyRoom {
         let mut held = self.held();
         let taken: usize = held.values().sum();
         let own = held.get(&key).copied().unwrap_or_default() + more;
-        if own > self.bytes.saturating_sub(taken + more) {
+        // Without keys there is nobody to leave room for.
+        let needed = if key.is_some() { taken + more + own } else { taken + more };
+        if needed > self.bytes {
             return false;
         }
         held.insert(key, own);
@@ -128,10 +130,10 @@ mod tests {
         let text = body.finish();
         let part = text.slice(1..2);
         drop(text);
-        assert!(!room.open(None).extend(b"1"));
+        assert!(!room.open(None).extend(b"12345"));
         assert_eq!(part, "2");
         drop(part);
-        assert!(room.open(None).extend(b"1234"));
+        assert!(room.open(None).extend(b"12345678"));
         assert!(room.held().is_empty());
     }
 }

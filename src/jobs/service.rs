@@ -31,7 +31,7 @@ use brinell_solver::report::JobEstimate;
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Time between two looks at the key of a request that goes on.
-const KEY_INTERVAL: Duration = Duration::from_secs(2);
+const KEY_INTERVAL: Duration = Duration::from_secs(5);
 
 /// Large results that are decoded at the same time.
 const DECODERS: usize = 4;
@@ -313,10 +313,20 @@ impl JobService {
             yield_now().await;
         }
         drop(turn);
-        let jobs = checked.iter().flatten().cloned().collect();
+        let jobs: Vec<NewJob> = checked.iter().flatten().cloned().collect();
+        let submitters: Vec<Option<KeyId>> = jobs.iter().map(|job| job.submitter).collect();
         let turn = self.unless_closed(self.submissions.take(first)).await?;
         let store = Arc::clone(&self.store);
-        let mut taken = to_its_end(async move { store.enqueue_all(jobs, turn).await }).await?.into_iter();
+        let enqueue = async move {
+            let taken = store.enqueue_all(jobs, turn).await?;
+            for (taken, key) in taken.iter().zip(submitters) {
+                if let Ok(enqueued) = taken {
+                    log_queued(enqueued, key);
+                }
+            }
+            Ok(taken)
+        };
+        let mut taken = to_its_end(enqueue).await?.into_iter();
         let of = |job: Result<NewJob, SubmitError>| -> Result<Enqueued, SubmitError> {
             job?;
             let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
@@ -324,10 +334,8 @@ impl JobService {
         };
         let ended: Vec<_> = checked.into_iter().map(of).collect();
         for (ended, key) in ended.iter().zip(keys) {
-            match ended {
-                Ok(enqueued) => log_queued(enqueued, key),
-                Err(SubmitError::Store(error)) => self.refusals.note(key, error),
-                Err(_) => {}
+            if let Err(SubmitError::Store(error)) = ended {
+                self.refusals.note(key, error);
             }
         }
         Ok(ended)
@@ -463,9 +471,12 @@ impl JobService {
     /// [`StoreError`].
     pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
         let store = Arc::clone(&self.store);
-        let record = to_its_end(async move { store.cancel(id).await }).await?;
-        tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
-        Ok(record)
+        let cancel = async move {
+            let record = store.cancel(id).await?;
+            tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
+            Ok(record)
+        };
+        to_its_end(cancel).await
     }
 
     /// One page of jobs, newest first.
@@ -482,9 +493,12 @@ impl JobService {
     /// [`StoreError`].
     pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
         let store = Arc::clone(&self.store);
-        to_its_end(async move { store.delete(id).await }).await?;
-        tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
-        Ok(())
+        let delete = async move {
+            store.delete(id).await?;
+            tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
+            Ok(())
+        };
+        to_its_end(delete).await
     }
 
     /// Shows that the store can be written to. Anybody may ask, so that the store is written to once a second at most.

@@ -20,11 +20,12 @@ export const SI = {
   ),
 };
 
-const STEEL = {
+/** Steel that hardens by a straight line. @param {number} [yield_stress] @param {number} [tangent_modulus] */
+export const steel = (yield_stress = 500, tangent_modulus = 10500) => ({
   young_modulus: 210e3,
   poisson_ratio: 0.3,
-  plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
-};
+  plasticity: { law: 'bilinear', yield_stress, tangent_modulus },
+});
 
 /** What makes the reference problem one whose contact lies to the right of x = 0. */
 export const OFF_CENTRE = {
@@ -42,9 +43,9 @@ export const OFF_CENTRE = {
       depth: 30,
       interpolation: 'smooth',
     },
-    material: STEEL,
+    material: steel(),
   },
-  lower: { shape: { type: 'block', width: 60, depth: 30 }, material: STEEL },
+  lower: { shape: { type: 'block', width: 60, depth: 30 }, material: steel() },
 };
 
 /**

@@ -120,15 +120,19 @@ impl Fetch {
         let mut bytes = 0;
         while let Some(piece) = pieces.recv().await {
             bytes += piece.as_ref().map_or(0, Bytes::len);
-            let Some(waiting) = &mut held else {
-                let _ = self.sender.send(piece).await;
-                continue;
-            };
-            waiting.push(piece);
-            if bytes > HELD {
-                for piece in held.take().into_iter().flatten() {
-                    let _ = self.sender.send(piece).await;
+            let ready = match &mut held {
+                Some(waiting) => {
+                    waiting.push(piece);
+                    if bytes > HELD { held.take().unwrap_or_default() } else { Vec::new() }
                 }
+                None => vec![piece],
+            };
+            for piece in ready {
+                let _ = self.sender.send(piece).await;
+            }
+            if self.sender.is_closed() {
+                // Nobody reads what is not received here either.
+                break;
             }
         }
         held

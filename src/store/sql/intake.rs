@@ -126,7 +126,14 @@ macro_rules! intake {
             ) -> Result<Enqueued, StoreError> {
                 let submitter = job.submitter.map(|key| key.uuid());
                 // Before a name is taken: who waits for a name never holds up its owner.
-                let limits_of_key = self.lock_submitter(job.submitter, now).await?;
+                let limits_of_key = match job.submitter {
+                    Some(key) => self.lock_key(key, now).await?.or(limits.by_key),
+                    None if job.idempotency.is_some() => {
+                        self.lock_keyless_names().await?;
+                        KeyLimits::default()
+                    }
+                    None => KeyLimits::default(),
+                };
                 if let Some(name) = &job.idempotency
                     && let Some(job) = self.replay(job.id, submitter.unwrap_or_default(), name).await?
                 {
@@ -173,7 +180,6 @@ macro_rules! intake {
                 limits: StoreLimits,
                 key: KeyLimits,
             ) -> Result<bool, StoreError> {
-                let key = if job.submitter.is_some() { key.or(limits.by_key) } else { key };
                 let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES).bind(owner);
                 let places =
                     places.bind(job.interactive).bind(key.queued.is_some()).bind(key.stored_bytes.is_some());

@@ -109,13 +109,15 @@ fn limits_row(limits: KeyLimits) -> LimitsRow {
 pub(in crate::store) trait Keys: Send {
     fn add_key(&mut self, key: ApiKey) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn keys(&mut self, id: Option<KeyId>) -> impl Future<Output = Result<Vec<ApiKey>, StoreError>> + Send;
-    /// What a submitter may take by the row of his key. Until the end of the transaction nobody else submits under this key, or
-    /// without one, so that jobs are counted and names are taken one after the other.
-    fn lock_submitter(
+    /// What a submitter may take by the row of his key. Until the end of the transaction nobody else submits under this key, so that
+    /// jobs are counted and names are taken one after the other.
+    fn lock_key(
         &mut self,
-        key: Option<KeyId>,
+        key: KeyId,
         now: i64,
     ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
+    /// The same of names that are taken without a key.
+    fn lock_keyless_names(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn rotate_key(
         &mut self,
         id: KeyId,
@@ -162,17 +164,7 @@ macro_rules! keys {
                 rows.fetch_all(self).await?.into_iter().map(api_key).collect()
             }
 
-            async fn lock_submitter(
-                &mut self,
-                key: Option<KeyId>,
-                now: i64,
-            ) -> Result<KeyLimits, StoreError> {
-                let Some(key) = key else {
-                    if let Some(lock) = $lock_keyless {
-                        sqlx::query::<$database>(lock).execute(self).await?;
-                    }
-                    return Ok(KeyLimits::default());
-                };
+            async fn lock_key(&mut self, key: KeyId, now: i64) -> Result<KeyLimits, StoreError> {
                 let row = sqlx::query_as::<$database, SubmitterRow>($limits).bind(key.uuid());
                 let Some((limits, is_revoked, expires_at)) = row.fetch_optional(self).await?.map(split)
                 else {
@@ -182,6 +174,13 @@ macro_rules! keys {
                     return Err(StoreError::KeyEnded);
                 }
                 key_limits(limits)
+            }
+
+            async fn lock_keyless_names(&mut self) -> Result<(), StoreError> {
+                if let Some(lock) = $lock_keyless {
+                    sqlx::query::<$database>(lock).execute(self).await?;
+                }
+                Ok(())
             }
 
             async fn rotate_key(
@@ -229,7 +228,7 @@ macro_rules! limits_of_key {
     };
 }
 
-/// A lock of no row, for those who submit without a key; its number is that of nothing else.
+/// A lock of no row; its number is that of nothing else.
 const LOCK_KEYLESS: &str = "SELECT pg_advisory_xact_lock(4242001)";
 
 // Who writes to SQLite is alone.

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { PHONE, suite } from '../browser.js';
-import { OFF_CENTRE, drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, OFF_CENTRE, shown, solved, steel } from '../jobs.js';
 
 /** Elements that are drawn, both halves of both bodies. */
 const ELEMENTS = 40_000;
@@ -155,11 +155,7 @@ const SOCKET = {
   analysis: 'axisymmetric',
   lower: {
     shape: { type: 'hole', radius: 20.2, outer_radius: 60 },
-    material: {
-      young_modulus: 210e3,
-      poisson_ratio: 0.3,
-      plasticity: { law: 'bilinear', yield_stress: 500, tangent_modulus: 10500 },
-    },
+    material: steel(),
   },
   load: { force: 20000 },
 };
@@ -168,11 +164,7 @@ const PIN = {
   upper: { shape: { type: 'cylinder', radius: 10 }, material: { young_modulus: 210e3, poisson_ratio: 0.3 } },
   lower: {
     shape: { type: 'hole', radius: 10.02, outer_radius: 100 },
-    material: {
-      young_modulus: 210e3,
-      poisson_ratio: 0.3,
-      plasticity: { law: 'bilinear', yield_stress: 355, tangent_modulus: 2100 },
-    },
+    material: steel(355, 2100),
   },
   load: { force: 6000 },
 };

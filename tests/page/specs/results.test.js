@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, shown, solved, steel } from '../jobs.js';
 
 const service = suite();
 
@@ -395,11 +395,7 @@ service.test('places on the surface of a hole are said to be along its arc', asy
     upper: { shape: { type: 'cylinder', radius: 10 }, material: { rigid: true } },
     lower: {
       shape: { type: 'hole', radius: 10.05, outer_radius: 40 },
-      material: {
-        young_modulus: 210e3,
-        poisson_ratio: 0.3,
-        plasticity: { law: 'bilinear', yield_stress: 300, tangent_modulus: 2100 },
-      },
+      material: steel(300, 2100),
     },
     load: { history: [{ force: 1500 }, { force: 0 }] },
     solver: { theory: 'flow' },

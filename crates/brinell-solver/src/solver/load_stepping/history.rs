@@ -325,7 +325,8 @@ impl MeshHistory<'_> {
                 }
                 history.append(&mut solve.outcome.history.clone());
                 let start = progress.reached_measure(&leg);
-                if status == SolveStatus::Converged && self.fails(&solve) && ends.halve(k, start) {
+                let may_halve = status == SolveStatus::Converged && self.request.increments.is_none();
+                if may_halve && self.fails(&solve) && ends.halve(k, start) {
                     system = solve.system;
                     continue;
                 }
