@@ -55,6 +55,11 @@ fn main() {
         write_flow(&mut text).unwrap();
         return println!("{text}");
     }
+    if has("--designs") {
+        let mut text = String::new();
+        write_designs(&mut text).unwrap();
+        return println!("{text}");
+    }
     let meshes = if has("--quick") { &MESHES[..5] } else { &MESHES[..] };
     let mut text = HEAD.to_owned();
     write_floor(&mut text, meshes).unwrap();

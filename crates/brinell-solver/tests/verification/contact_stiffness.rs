@@ -23,6 +23,31 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
     (here, slope)
 }
 
+/// Meshes grow with the contact, and it ends at the same place between two nodes of each, so that load-approach curves of jobs of their
+/// own are smooth: differences of loads of ±1 % are the stiffness that each of them says.
+#[test]
+fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
+    let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
+    let swift = json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.002, "exponent": 0.15});
+    for (analysis, plasticity, forces) in [
+        ("plane_strain", law(10_000.0), [612.6106, 1089.0855, 1701.696]),
+        ("plane_strain", law(0.0), [612.6106, 1089.0855, 1400.0]),
+        ("plane_stress", law(10_000.0), [250.0, 400.0, 700.0]),
+        ("plane_stress", swift, [250.0, 400.0, 700.0]),
+        ("axisymmetric", law(10_000.0), [100.0, 400.0, 1500.0]),
+        ("axisymmetric", law(0.0), [100.0, 400.0, 1500.0]),
+    ] {
+        let body = json!({"shape": {"type": "cylinder", "radius": 20},
+            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}});
+        for force in forces {
+            let job = json!({"analysis": analysis, "upper": body, "lower": body, "load": {"force": force}});
+            let (step, slope) = step_and_slope(&job, 0.01);
+            let error = step.contact_stiffness / slope - 1.0;
+            assert!(error.abs() < 0.005, "{analysis} {plasticity} {force}: {error:+.4}");
+        }
+    }
+}
+
 /// A rigid punch of 3 mm with rounded edges on a block.
 fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f64) -> Value {
     json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 15},

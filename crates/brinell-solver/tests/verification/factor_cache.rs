@@ -53,29 +53,27 @@ fn a_kept_factor_gives_the_same_bits() {
     }
     let before = cache.stats();
     assert!(before.hits > before.misses, "{before:?}");
-    cached(&jobs[0], &cache);
+    let passes = cached(&jobs[0], &cache).passes as u64;
     let after = cache.stats();
-    assert_eq!((after.misses, after.hits), (before.misses, before.hits + 3), "sizing, coarse and fine mesh");
+    assert_eq!((after.misses, after.hits), (before.misses, before.hits + passes), "one for each mesh");
 }
 
 #[test]
-fn bodies_that_harden_differently_share_meshes() {
+fn bodies_with_equal_contacts_share_meshes() {
     let cache = Arc::new(FactorCache::new(256 << 20));
-    let mut jobs = 0;
+    let force = 100.0;
     for yield_stress in [440.0, 460.0, 480.0, 500.0, 520.0] {
-        for tangent_modulus in [4000.0, 6000.0, 8000.0, 10000.0] {
+        for tangent_modulus in [4000.0, 6000.0] {
+            // Nothing yields.
             let law = bilinear(yield_stress, tangent_modulus);
-            cached(&with_elements(two_cylinders("clamped", law, 612.6106), 10), &cache);
-            jobs += 1;
+            cached(&with_elements(two_cylinders("clamped", law, force), 10), &cache);
         }
     }
-    let figures = cache.stats();
-    assert_eq!(figures.hits + figures.misses, 3 * jobs);
-    // Other loads, materials and supports do not.
-    assert!(figures.misses <= jobs, "{figures:?}");
+    assert_eq!(cache.stats().misses, 3, "sizing, coarse and fine mesh");
+    // Other loads and supports do not.
     for job in [
-        two_cylinders("clamped", bilinear(500.0, 10000.0), 500.0),
-        two_cylinders("roller", bilinear(500.0, 10000.0), 612.6106),
+        two_cylinders("clamped", bilinear(500.0, 10000.0), 1.01 * force),
+        two_cylinders("roller", bilinear(500.0, 10000.0), force),
     ] {
         let misses = cache.stats().misses;
         cached(&with_elements(job, 10), &cache);

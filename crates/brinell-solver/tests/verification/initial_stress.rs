@@ -185,6 +185,7 @@ fn onset_of_yield_in_a_stressed_block() {
         job["lower"]["material"]["plasticity"] =
             json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 1000.0});
         job["load"] = json!({"onset": true});
+        job["mesh"] = json!({"elements_per_half_width": 30});
         let found = report(&job);
         let onset = step(&found).yield_onset.clone().unwrap();
         let highest = |peak: f64| {

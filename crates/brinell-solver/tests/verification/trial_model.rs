@@ -101,7 +101,7 @@ fn solve(model: ModelOf) -> Solution {
     let job = format!(
         r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body},
         "load": {{"history": [{{"force": 612.6106}}, {{"force": 0}}]}}, "mesh": {{"elements_per_half_width": 10}},
-        "solver": {{"theory": "flow", "increments": 2, "tolerance": 1e-8}}}}"#
+        "solver": {{"theory": "flow", "increments": 2, "tolerance": 1e-9}}}}"#
     );
     let job = Job::from_json(job.as_bytes()).unwrap();
     run_with(&job, Options { model: Some(model), ..Options::default() }, &mut Unobserved).unwrap()

@@ -10,7 +10,7 @@
 
 use super::bracket::{Bracket, Next};
 use super::load_sequence::LoadSequence;
-use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
+use super::load_stepper::{SilentObserver, auxiliary};
 use super::utilization::{highest_at_ends, highest_utilization};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
@@ -54,9 +54,8 @@ const MAX_FINE_OF_ONSET: usize = 8;
 const INSENSITIVE: f64 = 0.02;
 /// Deviation up to which such a figure is looked upon as having the value under any force.
 const FLAT: f64 = 0.03;
-/// Least change of a force, as a logarithm, over which a slope is read off two fine solves, and off two on one mesh.
+/// Least change of a force, as a logarithm, over which a slope is read off two fine solves.
 const SLOPE_SPAN: f64 = 0.02;
-const SLOPE_SPAN_ON_ONE_MESH: f64 = 1e-4;
 /// Change of a force that shows the slope where the first trial is near already.
 const NEIGHBOUR: f64 = 1.1;
 /// Largest change of the logarithm of the force on fine meshes.
@@ -164,7 +163,7 @@ impl ForceSearch<'_> {
         let mut reason = UnreachableReason::LargestForce;
         let mut near = None;
         for _ in 0..MAX_COARSE {
-            match self.trial(&sequence, None, force, solution, observer)? {
+            match self.trial(&sequence, force, solution, observer)? {
                 Ok(trial) if trial.is_converged() => {
                     bracket.record(force, trial.ratio);
                     if trial.deviation() <= NEAR {
@@ -221,16 +220,10 @@ impl ForceSearch<'_> {
             Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
             Sought::Target(_) => (TOLERANCE, MAX_FINE),
         };
-        // On one mesh the figure does not scatter from force to force. A target is left with the answer that its force has alone.
-        let mut stepper = match self.sought {
-            Sought::Onset => self.sequence.stepper(),
-            Sought::Target(_) => None,
-        };
-        let span = if stepper.is_some() { SLOPE_SPAN_ON_ONE_MESH } else { SLOPE_SPAN };
         let mut best: Option<Trial> = None;
         let mut last: Option<[f64; 2]> = None;
         for _ in 0..most {
-            let trial = match self.trial(&self.sequence, stepper.as_mut(), force, solution, observer)? {
+            let trial = match self.trial(&self.sequence, force, solution, observer)? {
                 Ok(trial) => trial,
                 Err(why) => {
                     let ratio = best.map_or(0.0, |best| best.ratio);
@@ -248,7 +241,7 @@ impl ForceSearch<'_> {
                 break;
             }
             if let Some(last) = last
-                && (at[0] - last[0]).abs() >= span
+                && (at[0] - last[0]).abs() >= SLOPE_SPAN
             {
                 let found = (at[1] - last[1]) / (at[0] - last[0]);
                 slope = found.clamp(0.5 * slope, 2.0 * slope);
@@ -287,7 +280,7 @@ impl ForceSearch<'_> {
         let job = self.coarser_job(half);
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
-        let trial = self.trial(&sequence, None, force, solution, &mut SilentObserver { inner: observer })?;
+        let trial = self.trial(&sequence, force, solution, &mut SilentObserver { inner: observer })?;
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
                 let at_ends = |trial: &Trial| {
@@ -318,11 +311,10 @@ impl ForceSearch<'_> {
         onset.map_or(0.0, |onset| force / onset - 1.0)
     }
 
-    /// Solves under one force, with a stepper on its meshes as long as they serve.
+    /// Solves under one force.
     fn trial(
         &self,
         sequence: &LoadSequence<'_>,
-        stepper: Option<&mut LoadStepper<'_>>,
         force: f64,
         solution: &mut Solution,
         observer: &mut dyn Observer,
@@ -332,13 +324,7 @@ impl ForceSearch<'_> {
             loads.push(ContactLoad::Force(0.0));
         }
         let mut steps = Vec::new();
-        let solved = match stepper {
-            Some(stepper) => {
-                stepper.step(loads[0], Some(loads[0]), solution, observer).map(|step| steps.push(step))
-            }
-            None => sequence.solve(&loads, solution, observer, &mut steps),
-        };
-        match solved {
+        match sequence.solve(&loads, solution, observer, &mut steps) {
             Ok(()) => {}
             Err(SolveError::TooWide { .. } | SolveError::TooFarRound { .. }) => {
                 return Ok(Err(

@@ -24,12 +24,7 @@ pub(super) struct LoadSequence<'a> {
     pub cache: Option<&'a Arc<FactorCache>>,
 }
 
-impl<'a> LoadSequence<'a> {
-    /// What solves one load after the other on the same meshes, where none depends on those before.
-    pub fn stepper(&self) -> Option<LoadStepper<'a>> {
-        self.with_memory.is_none().then(|| LoadStepper::new(self.problem, self.job, self.contact, self.cache))
-    }
-
+impl LoadSequence<'_> {
     /// Solves loads in order and hands over each step as soon as it is finished.
     ///
     /// Where the observer stops it, the steps that are done are kept and the solution says so; before the first of them is done it

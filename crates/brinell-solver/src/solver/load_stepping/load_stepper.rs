@@ -13,6 +13,7 @@ use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::couplings::iteration::Scales;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::mesh_sizing::end_of_contact::EndSearch;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
@@ -25,6 +26,8 @@ const SIZING_ELEMENTS: usize = 6;
 const AUXILIARY_TOLERANCE: f64 = 1e-4;
 /// Sizing passes at most; each is made on the answer of the one before.
 const SIZING_PASSES: usize = 5;
+/// Further ones at most that move the end of the contact between two nodes.
+const SETTLING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
 /// How far the plastic region is reusable, over how far plastic flow reached on the coarser mesh.
@@ -85,7 +88,9 @@ impl<'a> LoadStepper<'a> {
         let serves =
             matches!((&last, predicted), (Some(last), Some(extent)) if self.serves(last, load, extent));
         let made_for = last.as_ref().filter(|_| serves).map_or(load, |last| last.made_for);
-        let (extent, sizing) = match predicted {
+        // A smaller contact lies within what is known already; a larger one is looked for as that of a job of its own is.
+        let falls = last.as_ref().is_some_and(|last| load.magnitude() < last.load.magnitude());
+        let (extent, sizing) = match predicted.filter(|_| serves || falls) {
             Some(extent) => (extent, None),
             None => self.size(load, solution, observer)?,
         };
@@ -181,10 +186,13 @@ impl<'a> LoadStepper<'a> {
             let found = solution.phases.time(Phase::Output, observer, find);
             let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
             extent = found;
-            last = Some(pass);
             if is_confirmed {
+                let settled = self.settle(load, extent, pass, solution, observer)?;
+                extent = settled.0;
+                last = Some(settled.1);
                 break;
             }
+            last = Some(pass);
             // A contact of one or two elements is not yet known to be that small.
             extent = ContactSizeEstimate {
                 half_width: 1.5 * extent.half_width,
@@ -193,6 +201,30 @@ impl<'a> LoadStepper<'a> {
             };
         }
         Ok((extent, last))
+    }
+
+    /// Small meshes until the contact of bodies that yield ends between two nodes as it does at any other load.
+    fn settle(
+        &self,
+        load: ContactLoad,
+        mut extent: ContactSizeEstimate,
+        mut pass: MeshSolve,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+        let mut search = EndSearch::default();
+        for _ in 0..SETTLING_PASSES {
+            let next = pass.yields().then(|| search.next(&pass, extent.half_width, SIZING_ELEMENTS));
+            let Some(spacing) = next.flatten() else { break };
+            let previous = pass.nodal_fields();
+            let wanted = extent.with_spacing(spacing, SIZING_ELEMENTS);
+            let mut request = self.request(load, wanted, SIZING_ELEMENTS, 1.0, auxiliary());
+            request.search_region = PlasticSearchRegion::WholeBody;
+            request.previous = Some(&previous);
+            pass = self.solve_auxiliary(&request, None, solution, observer)?;
+            extent = solution.phases.time(Phase::Output, observer, || self.found(wanted, &pass));
+        }
+        Ok((extent, pass))
     }
 
     /// What a mesh has found of a contact, with elements as small as the surfaces need them; where a body has collapsed these

@@ -23,15 +23,15 @@ pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
+/// Step from one element size to the next, as the part of an element by which it moves the end of the contact.
+const SIZE_STEP: f64 = 0.002;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
 /// between two nodes if half-widths found on a coarser mesh were not a little low.
-const BEYOND_LAST: f64 = 0.4;
-/// Step from one element size to the next, as the part of an element by which it moves the end of the contact.
-const SIZE_STEP: f64 = 0.1;
+pub(super) const BEYOND_LAST: f64 = 0.4;
 /// Step from one place of an off-centre zone to the next, in elements.
-const CENTRE_STEP: f64 = 0.1;
+const CENTRE_STEP: f64 = 0.002;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
@@ -134,12 +134,9 @@ impl ContactSizeEstimate {
             ContactLoad::Approach(approach) => 0.5 * problem.opening(touch, a) >= approach,
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
-        let elastic = if problem.has_arcs() {
-            smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears)
-        } else {
-            let rough = smallest(limit, ROUGH_RATIO, ROUGH_STEPS, bears);
-            rough.map(|a| bisect(a / ROUGH_RATIO, a, bears))
-        };
+        let (ratio, steps) =
+            if problem.has_arcs() { (SEARCH_RATIO, SEARCH_STEPS) } else { (ROUGH_RATIO, ROUGH_STEPS) };
+        let elastic = smallest(limit, ratio, steps, bears).map(|a| bisect(a / ratio, a, bears));
         let plastic = match load {
             ContactLoad::Force(force) => plastic_half_width(problem, force, touch),
             ContactLoad::Approach(_) => 0.0,
@@ -388,6 +385,12 @@ impl ContactSizeEstimate {
         }
     }
 
+    /// This extent with elements of this size, so many over a half-width \[mm\].
+    pub fn with_spacing(self, spacing: f64, elements: usize) -> Self {
+        let half_width = spacing * (elements as f64 + BEYOND_LAST);
+        Self { half_width, smallest_part: half_width, ..self }
+    }
+
     /// This extent with all lengths scaled.
     pub fn scaled(self, factor: f64) -> Self {
         Self {
@@ -403,18 +406,17 @@ impl ContactSizeEstimate {
     /// Element size for so many elements over a half-width \[mm\], and a part of one more, so that the end of the
     /// contact falls between two nodes.
     ///
-    /// It is a member of a geometric series about the elastic contact, so that bodies which differ in their hardening
-    /// alone and touch over nearly the same width get the same mesh, and with it all that is known of it
-    /// ([`crate::solver::FactorCache`]).
+    /// It is a member of a geometric series about the elastic contact, so that jobs whose contacts differ by rounding alone get the same
+    /// mesh, and with it all that is known of it ([`crate::solver::FactorCache`]).
     pub fn spacing(&self, elements: usize) -> f64 {
-        let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
         let elements = elements as f64 + BEYOND_LAST;
-        let step = (SIZE_STEP / elements).ln_1p();
-        let steps = (resolved / self.hertz_half_width).ln() / step;
         if self.refinement > 1.0 {
             // Fine enough for the points of a trace, between which nothing is known: parts that it has are no reason more.
             return self.half_width / elements / self.refinement;
         }
+        let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
+        let step = (SIZE_STEP / elements).ln_1p();
+        let steps = (resolved / self.hertz_half_width).ln() / step;
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
 
@@ -464,7 +466,7 @@ fn smallest(largest: f64, ratio: f64, steps: i32, bears: impl Fn(f64) -> bool) -
 /// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
 const SEARCH_RATIO: f64 = 1.02;
 const SEARCH_STEPS: i32 = 700;
-/// The same where a force is an integral, and what is found is refined.
+/// The same where a force is an integral.
 const ROUGH_RATIO: f64 = 1.1;
 const ROUGH_STEPS: i32 = 145;
 
