@@ -34,6 +34,7 @@ macro_rules! contract {
             life old_jobs_are_swept_each_in_its_time;
             queue jobs_are_handed_out_in_order_and_only_once;
             queue a_full_queue_refuses_and_keeps_nothing;
+            queue those_who_come_at_once_do_not_overfill_the_queue;
             queue pages_are_newest_first_and_filtered;
             queue the_highest_priority_goes_first;
             queue jobs_are_handed_out_within_the_memory;
@@ -75,6 +76,7 @@ macro_rules! contract {
             deliveries many_at_once_never_get_the_same_announcement;
             deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
+            names batches_with_and_without_names_do_not_lock_each_other_out;
             dropped a_client_that_goes_leaves_no_job_behind;
             dropped a_client_that_means_to_come_again_finds_its_job;
             dropped what_is_changed_is_announced_although_its_client_has_gone;

@@ -1,5 +1,7 @@
 //! Submissions that come twice.
 
+use std::sync::Arc;
+
 use brinell::jobs::{Idempotency, KeyId, NewJob, StoreError, Turn};
 use brinell_solver::solver::SolveStatus;
 
@@ -75,4 +77,22 @@ pub async fn jobs_together_are_taken_in_or_refused_one_by_one(subject: &Subject)
     assert_eq!(subject.page(ALL).await.0.len(), QUEUE_CAPACITY);
     subject.claim_one().await;
     assert!(!subject.submit(named("e", 2)).await.unwrap().replayed, "a refused job does not take its name");
+}
+
+/// On a store without jobs the first batch also makes what the queue needs to know of its submitter.
+pub async fn batches_with_and_without_names_do_not_lock_each_other_out(subject: &Subject) {
+    let batches = (0..6u8).map(|k| {
+        let names = [0, 1].map(|n| named(&format!("{k}{n}"), 1));
+        let [nameless, others] = [job("x"), job("y")].map(|job| vec![job]);
+        let jobs =
+            if k % 2 == 0 { [nameless, names.to_vec(), others] } else { [names.to_vec(), nameless, others] };
+        let store = Arc::clone(&subject.store);
+        tokio::spawn(async move { store.enqueue_all(jobs.concat(), Turn::free()).await })
+    });
+    for batch in batches.collect::<Vec<_>>() {
+        for taken in batch.await.unwrap().unwrap() {
+            assert!(matches!(taken, Ok(_) | Err(StoreError::QueueFull { .. })), "{taken:?}");
+        }
+    }
+    assert_eq!(subject.page(ALL).await.0.len(), QUEUE_CAPACITY);
 }

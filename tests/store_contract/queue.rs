@@ -1,8 +1,11 @@
 //! Who is next.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
-use brinell::jobs::{ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, StoreError};
+use brinell::jobs::{
+    ApiKey, ClaimRequest, Clock, JobFilter, JobId, JobState, KeyId, NewJob, Scope, StoreError, Turn,
+};
 use jiff::SignedDuration;
 
 use crate::subject::{ALL, MEMORY, QUEUE_CAPACITY, Subject, ids as ids_of, job};
@@ -29,6 +32,25 @@ pub async fn a_full_queue_refuses_and_keeps_nothing(subject: &Subject) {
     assert!(matches!(subject.store.get(id).await, Err(StoreError::NotFound)));
     subject.claim_one().await;
     subject.submit(one_more.clone()).await.unwrap();
+}
+
+pub async fn those_who_come_at_once_do_not_overfill_the_queue(subject: &Subject) {
+    let mut keys = vec![None];
+    for name in ["one", "other"] {
+        let (key, _) = ApiKey::generate(name.to_owned(), Scope::Write, subject.clock.now());
+        keys.push(Some(key.id));
+        subject.store.add_key(key).await.unwrap();
+    }
+    let batches = (0..9).map(|k| {
+        let jobs = ["a", "b", "c"].map(|tag| NewJob { submitter: keys[k % 3], ..job(tag) }).to_vec();
+        let store = Arc::clone(&subject.store);
+        tokio::spawn(async move { store.enqueue_all(jobs, Turn::free()).await.unwrap() })
+    });
+    let mut taken = 0;
+    for batch in batches.collect::<Vec<_>>() {
+        taken += batch.await.unwrap().iter().filter(|taken| taken.is_ok()).count();
+    }
+    assert_eq!((taken, subject.page(ALL).await.0.len()), (QUEUE_CAPACITY, QUEUE_CAPACITY));
 }
 
 pub async fn pages_are_newest_first_and_filtered(subject: &Subject) {

@@ -48,6 +48,10 @@ const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
          FROM jobs WHERE finished_at IS NOT NULL) AS kept
      WHERE taken > $1 AND stored_bytes > 0 ORDER BY finished_at LIMIT $2)";
 
+/// Jobs that others may be taking in at the same time, of which nothing is seen: a batch on each connection of several servers. A queue
+/// that has room for no more than these counts them one transaction after the other.
+const ON_THEIR_WAY: usize = 4000;
+
 /// A place within a transaction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::store) enum Savepoint {
@@ -128,11 +132,10 @@ macro_rules! intake {
                 // Before a name is taken: who waits for a name never holds up its owner.
                 let limits_of_key = match job.submitter {
                     Some(key) => self.lock_key(key, now).await?.or(limits.by_key),
-                    None if job.idempotency.is_some() => {
-                        self.lock_keyless_names().await?;
+                    None => {
+                        self.lock_intake().await?;
                         KeyLimits::default()
                     }
-                    None => KeyLimits::default(),
                 };
                 if let Some(name) = &job.idempotency
                     && let Some(job) = self.replay(job.id, submitter.unwrap_or_default(), name).await?
@@ -180,10 +183,17 @@ macro_rules! intake {
                 limits: StoreLimits,
                 key: KeyLimits,
             ) -> Result<bool, StoreError> {
-                let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES).bind(owner);
-                let places =
-                    places.bind(job.interactive).bind(key.queued.is_some()).bind(key.stored_bytes.is_some());
-                let (queued, queued_by_key, used, has_flow) = places.fetch_one(&mut *self).await?;
+                let (by_count, by_size) = (key.queued.is_some(), key.stored_bytes.is_some());
+                let places = || {
+                    let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES);
+                    places.bind(owner).bind(job.interactive).bind(by_count).bind(by_size)
+                };
+                let mut found = places().fetch_one(&mut *self).await?;
+                if count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY) >= limits.queue_capacity {
+                    self.lock_intake().await?;
+                    found = places().fetch_one(&mut *self).await?;
+                }
+                let (queued, queued_by_key, used, has_flow) = found;
                 let queued: usize = count(queued)?;
                 if queued >= limits.queue_capacity {
                     return Err(StoreError::QueueFull { queued });

@@ -116,8 +116,9 @@ pub(in crate::store) trait Keys: Send {
         key: KeyId,
         now: i64,
     ) -> impl Future<Output = Result<KeyLimits, StoreError>> + Send;
-    /// The same of names that are taken without a key.
-    fn lock_keyless_names(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
+    /// The same without a key, and of all jobs that wait. The row of a key is locked before, never after; whoever has no key takes this
+    /// lock before all else.
+    fn lock_intake(&mut self) -> impl Future<Output = Result<(), StoreError>> + Send;
     fn rotate_key(
         &mut self,
         id: KeyId,
@@ -134,7 +135,7 @@ pub(in crate::store) trait Keys: Send {
 }
 
 macro_rules! keys {
-    ($database:ty, $connection:ty, $limits:expr, $lock_keyless:expr) => {
+    ($database:ty, $connection:ty, $limits:expr, $lock_intake:expr) => {
         impl Keys for $connection {
             async fn add_key(&mut self, key: ApiKey) -> Result<(), StoreError> {
                 let (queued, running, bytes, priority) = limits_row(key.limits);
@@ -176,8 +177,8 @@ macro_rules! keys {
                 key_limits(limits)
             }
 
-            async fn lock_keyless_names(&mut self) -> Result<(), StoreError> {
-                if let Some(lock) = $lock_keyless {
+            async fn lock_intake(&mut self) -> Result<(), StoreError> {
+                if let Some(lock) = $lock_intake {
                     sqlx::query::<$database>(lock).execute(self).await?;
                 }
                 Ok(())
@@ -229,8 +230,8 @@ macro_rules! limits_of_key {
 }
 
 /// A lock of no row; its number is that of nothing else.
-const LOCK_KEYLESS: &str = "SELECT pg_advisory_xact_lock(4242001)";
+const LOCK_INTAKE: &str = "SELECT pg_advisory_xact_lock(4242001)";
 
 // Who writes to SQLite is alone.
 keys!(Sqlite, SqliteConnection, limits_of_key!(""), None::<&str>);
-keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"), Some(LOCK_KEYLESS));
+keys!(Postgres, PgConnection, limits_of_key!(" FOR UPDATE"), Some(LOCK_INTAKE));
