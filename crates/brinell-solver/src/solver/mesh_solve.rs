@@ -47,17 +47,9 @@ pub(crate) struct ReusableMesh {
     pub system: System,
     /// Load and displacements of the whole models, the latest last; at most two.
     states: Vec<(f64, BlockVector)>,
-    /// Displacements of all nodes under the last load, for each model; empty where they are not needed again.
-    nodal: Vec<Vec<[f64; 2]>>,
 }
 
 impl ReusableMesh {
-    /// The last answer, to start from on another mesh.
-    pub fn fields(&self) -> Vec<NodalField<'_>> {
-        let fields = self.system.bodies.iter().zip(&self.nodal);
-        fields.map(|(body, displacement)| NodalField { mesh: &body.elastic.mesh, displacement }).collect()
-    }
-
     /// The system, its previous states, and where the load of a request starts; linearized there if the coupling wants it.
     fn resume(
         self,
@@ -66,7 +58,7 @@ impl ReusableMesh {
         observer: &mut dyn Observer,
     ) -> Result<Resumed, SolveError> {
         let mut start = self.start(request.load.magnitude());
-        let Self { mut system, states, .. } = self;
+        let Self { mut system, states } = self;
         phases.time(Phase::Plasticity, observer, || system.set_plastic_region(request.search_region));
         if let Some(previous) = request.previous {
             start = Some(system.linearize_by(previous, phases, observer)?);
@@ -201,13 +193,12 @@ impl MeshSolve {
 
     /// What the next load may start from.
     pub fn into_reusable(self, load: ContactLoad) -> ReusableMesh {
-        let (displacement, nodal) =
-            self.fields.into_iter().map(|field| (field.displacement, field.nodal)).unzip();
+        let displacement = self.fields.into_iter().map(|field| field.displacement).collect();
         let mut states = self.previous_states;
         states.push((load.magnitude(), displacement));
         let surplus = states.len().saturating_sub(2);
         states.drain(..surplus);
-        ReusableMesh { system: self.system, states, nodal }
+        ReusableMesh { system: self.system, states }
     }
 }
 

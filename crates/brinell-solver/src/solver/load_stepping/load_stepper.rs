@@ -94,17 +94,8 @@ impl<'a> LoadStepper<'a> {
             Some(extent) => (extent, None),
             None => self.size(load, solution, observer)?,
         };
-        let (coarse, fine, outgrown) = match last {
-            Some(last) if serves => (Some(last.coarse), Some(last.fine), None),
-            // Moduli of a larger load would be too soft.
-            Some(last) if load.magnitude() > last.load.magnitude() => (None, None, Some(last.coarse)),
-            _ => (None, None, None),
-        };
-        let previous = match (&sizing, &outgrown) {
-            (Some(pass), _) => pass.nodal_fields(),
-            (None, Some(reusable)) => reusable.fields(),
-            (None, None) => Vec::new(),
-        };
+        let (coarse, fine) = last.filter(|_| serves).map(|last| (last.coarse, last.fine)).unzip();
+        let previous = sizing.as_ref().map(MeshSolve::nodal_fields).unwrap_or_default();
         let elements = self.job.mesh.elements_per_half_width as usize;
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.previous = (!previous.is_empty()).then_some(&previous);
@@ -138,7 +129,7 @@ impl<'a> LoadStepper<'a> {
         let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
         self.last = solution.phases.time(Phase::Output, observer, move || {
-            drop((sizing, outgrown));
+            drop(sizing);
             let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
             // What has not converged is no place to start from.
             next.filter(|_| is_converged).map(|_| LastStep { load, made_for, extent, coarse, fine })
@@ -214,7 +205,9 @@ impl<'a> LoadStepper<'a> {
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let mut search = EndSearch::default();
         for _ in 0..SETTLING_PASSES {
-            let next = pass.yields().then(|| search.next(&pass, extent.half_width, SIZING_ELEMENTS));
+            // Elements that are small for the sake of a trace are not sized by the contact.
+            let is_sized = pass.yields() && extent.refinement <= 1.0;
+            let next = is_sized.then(|| search.next(&pass, extent.half_width, SIZING_ELEMENTS));
             let Some(spacing) = next.flatten() else { break };
             let previous = pass.nodal_fields();
             let wanted = extent.with_spacing(spacing, SIZING_ELEMENTS);
