@@ -189,7 +189,10 @@ macro_rules! intake {
                     places.bind(owner).bind(job.interactive).bind(by_count).bind(by_size)
                 };
                 let mut found = places().fetch_one(&mut *self).await?;
-                if count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY) >= limits.queue_capacity {
+                let is_nearly_full =
+                    count::<_, usize>(found.0)?.saturating_add(ON_THEIR_WAY) >= limits.queue_capacity;
+                // Whoever has no key has this lock.
+                if is_nearly_full && job.submitter.is_some() {
                     self.lock_intake().await?;
                     found = places().fetch_one(&mut *self).await?;
                 }

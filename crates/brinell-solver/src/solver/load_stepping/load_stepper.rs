@@ -30,6 +30,8 @@ const SIZING_PASSES: usize = 5;
 const SETTLING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
+/// How much larger a contact is taken to be where that is not so.
+const WIDENED: f64 = 1.5;
 /// How far the plastic region is reusable, over how far plastic flow reached on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.1;
 /// Least width of the zone over that of the contact for which a mesh is used again.
@@ -92,7 +94,7 @@ impl<'a> LoadStepper<'a> {
         let falls = last.as_ref().is_some_and(|last| load.magnitude() < last.load.magnitude());
         let (extent, sizing) = match predicted.filter(|_| serves || falls) {
             Some(extent) => (extent, None),
-            None => self.size(load, solution, observer)?,
+            None => self.size(load, solution, observer).map(|(extent, pass)| (extent, Some(pass)))?,
         };
         let (coarse, fine) = last.filter(|_| serves).map(|last| (last.coarse, last.fine)).unzip();
         let previous = sizing.as_ref().map(MeshSolve::nodal_fields).unwrap_or_default();
@@ -163,42 +165,39 @@ impl<'a> LoadStepper<'a> {
         load: ContactLoad,
         solution: &mut Solution,
         observer: &mut dyn Observer,
-    ) -> Result<(ContactSizeEstimate, Option<MeshSolve>), SolveError> {
+    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let expect =
             || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, load, elements);
         let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
-        let mut last = None;
-        for _ in 0..SIZING_PASSES {
-            let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
-            request.search_region = PlasticSearchRegion::WholeBody;
-            let pass = self.solve_auxiliary(&request, None, solution, observer)?;
-            let find = || self.found(extent, &pass);
-            let found = solution.phases.time(Phase::Output, observer, find);
-            let is_confirmed = found.half_width >= SIZING_TRUST * extent.half_width;
-            extent = found;
-            if is_confirmed {
-                let settled = self.settle(load, extent, pass, solution, observer)?;
-                extent = settled.0;
-                last = Some(settled.1);
+        let (mut found, mut pass) = self.small_mesh(load, extent, None, solution, observer)?;
+        for _ in 1..SIZING_PASSES {
+            if !has_answer(&pass) {
+                // Near a limit load a mesh now and then has none, and another one has.
+                let wider = extent.scaled(WIDENED);
+                let next = self.small_mesh(load, wider, None, solution, observer)?;
+                if !has_answer(&next.1) {
+                    return Ok((found, pass));
+                }
+                extent = wider;
+                (found, pass) = next;
+            }
+            if found.half_width >= SIZING_TRUST * extent.half_width {
                 break;
             }
-            last = Some(pass);
             // A contact of one or two elements is not yet known to be that small.
-            extent = ContactSizeEstimate {
-                half_width: 1.5 * extent.half_width,
-                smallest_part: extent.half_width,
-                ..extent
-            };
+            let smallest_part = found.half_width;
+            extent = ContactSizeEstimate { half_width: WIDENED * found.half_width, smallest_part, ..found };
+            (found, pass) = self.small_mesh(load, extent, None, solution, observer)?;
         }
-        Ok((extent, last))
+        self.settle(load, found, pass, solution, observer)
     }
 
     /// Small meshes until the contact of bodies that yield ends between two nodes as it does at any other load.
     fn settle(
         &self,
         load: ContactLoad,
-        mut extent: ContactSizeEstimate,
+        mut found: ContactSizeEstimate,
         mut pass: MeshSolve,
         solution: &mut Solution,
         observer: &mut dyn Observer,
@@ -206,18 +205,35 @@ impl<'a> LoadStepper<'a> {
         let mut search = EndSearch::default();
         for _ in 0..SETTLING_PASSES {
             // Elements that are small for the sake of a trace are not sized by the contact.
-            let is_sized = pass.yields() && extent.refinement <= 1.0;
-            let next = is_sized.then(|| search.next(&pass, extent.half_width, SIZING_ELEMENTS));
-            let Some(spacing) = next.flatten() else { break };
-            let previous = pass.nodal_fields();
-            let wanted = extent.with_spacing(spacing, SIZING_ELEMENTS);
-            let mut request = self.request(load, wanted, SIZING_ELEMENTS, 1.0, auxiliary());
-            request.search_region = PlasticSearchRegion::WholeBody;
-            request.previous = Some(&previous);
-            pass = self.solve_auxiliary(&request, None, solution, observer)?;
-            extent = solution.phases.time(Phase::Output, observer, || self.found(wanted, &pass));
+            let is_sized = pass.yields() && found.refinement <= 1.0;
+            let spacing = is_sized.then(|| search.next(&pass, found.half_width, SIZING_ELEMENTS));
+            let Some(spacing) = spacing.flatten() else { break };
+            let extent = found.with_spacing(spacing, SIZING_ELEMENTS);
+            let next = self.small_mesh(load, extent, Some(&pass), solution, observer)?;
+            if !has_answer(&next.1) {
+                break;
+            }
+            (found, pass) = next;
         }
-        Ok((extent, pass))
+        Ok((found, pass))
+    }
+
+    /// A small mesh for a contact of this extent, from an answer on another one, and what it finds of the contact.
+    fn small_mesh(
+        &self,
+        load: ContactLoad,
+        extent: ContactSizeEstimate,
+        previous: Option<&MeshSolve>,
+        solution: &mut Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
+        let previous = previous.map(MeshSolve::nodal_fields);
+        let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
+        request.search_region = PlasticSearchRegion::WholeBody;
+        request.previous = previous.as_deref();
+        let pass = self.solve_auxiliary(&request, None, solution, observer)?;
+        let found = solution.phases.time(Phase::Output, observer, || self.found(extent, &pass));
+        Ok((found, pass))
     }
 
     /// What a mesh has found of a contact, with elements as small as the surfaces need them; where a body has collapsed these
@@ -292,6 +308,11 @@ impl<'a> LoadStepper<'a> {
             increment: None,
         }
     }
+}
+
+/// Whether a mesh has found an answer of small strains.
+fn has_answer(pass: &MeshSolve) -> bool {
+    pass.outcome.status == SolveStatus::Converged && !final_check::has_collapsed(pass)
 }
 
 /// How the auxiliary passes are iterated, whatever the job asks for.
