@@ -5,7 +5,7 @@
 //! any kind prints the jobs whose bars do not hold or are more than 20 times too wide. Peaks that have no limit, which the answer says with
 //! `sharp_corner`, are counted apart.
 
-#![expect(clippy::print_stdout, reason = "printing is what it is for")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
 #[path = "../tests/support/random_job.rs"]
 mod random_job;
@@ -104,7 +104,9 @@ fn main() {
             }
         }
         jobs += 1;
+        eprint!("\r{jobs} of {count} jobs");
     }
+    eprintln!();
     println!(
         "| quantity | jobs | bars | hold | not 20 times too wide | median width |\n|---|---|---|---|---|---|"
     );

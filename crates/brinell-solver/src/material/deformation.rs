@@ -36,6 +36,10 @@ pub struct DeformationPlasticity {
     out_of_plane: OutOfPlane,
 }
 
+/// Trials of the secant modulus in plane stress; after the usual number every second one halves what is known of it.
+const USUAL_TRIALS: u32 = 10;
+const MOST_TRIALS: u32 = 130;
+
 /// How far from elastic a point is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Secant {
@@ -99,15 +103,17 @@ impl DeformationPlasticity {
     /// The ε_zz that leaves σ_zz = 0, and the state with it.
     ///
     /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`; the G_s that this strain
-    /// implies falls short of or exceeds the assumed one, and the two are made equal by the false-position method
-    /// of Illinois between 0 and G.
+    /// implies falls short of or exceeds the assumed one, and the two are made equal by the secant method between 0 and G.
+    #[inline(always)]
     fn in_plane_stress(&self, strain: [f64; 4]) -> ([f64; 4], Secant) {
         let ElasticModuli { bulk, shear: whole } = self.elastic;
-        let in_plane = strain[0] + strain[1];
+        let [x, y, _, shear_angle] = strain;
+        let (sum, squares) = (x + y, x * x + y * y + 0.5 * shear_angle * shear_angle);
         let completed = |shear: f64| {
-            let zz = -(bulk - 2.0 / 3.0 * shear) * in_plane / (bulk + 4.0 / 3.0 * shear);
-            let full = [strain[0], strain[1], zz, strain[3]];
-            (full, self.secant(equivalent_strain(deviator(full))))
+            let zz = -(bulk - 2.0 / 3.0 * shear) * sum / (bulk + 4.0 / 3.0 * shear);
+            // e:e = ε:ε - (tr ε)²/3
+            let square = squares + zz * zz - (sum + zz) * (sum + zz) / 3.0;
+            ([x, y, zz, shear_angle], self.secant((2.0 / 3.0 * square).sqrt()))
         };
         let mut answer = completed(whole);
         if answer.1.plastic_strain == 0.0 {
@@ -115,25 +121,26 @@ impl DeformationPlasticity {
         }
         // Implied minus assumed modulus: not negative at 0, not positive at G.
         let (mut low, mut high) = (0.0, whole);
-        let mut at_low = completed(low).1.shear;
-        let mut at_high = answer.1.shear - high;
-        let mut last_side = 0;
-        for _ in 0..60 {
-            let middle = (low * at_high - high * at_low) / (at_high - at_low);
-            answer = completed(middle);
-            let rest = answer.1.shear - middle;
+        let (mut last, mut last_rest) = (whole, answer.1.shear - whole);
+        let mut assumed = answer.1.shear;
+        for k in 0..MOST_TRIALS {
+            answer = completed(assumed);
+            let rest = answer.1.shear - assumed;
             if rest.abs() <= 1e-14 * whole {
                 break;
             }
             if rest > 0.0 {
-                (low, at_low) = (middle, rest);
-                at_high *= if last_side == 1 { 0.5 } else { 1.0 };
-                last_side = 1;
+                low = assumed;
             } else {
-                (high, at_high) = (middle, rest);
-                at_low *= if last_side == -1 { 0.5 } else { 1.0 };
-                last_side = -1;
+                high = assumed;
             }
+            let next = assumed - rest * (assumed - last) / (rest - last_rest);
+            (last, last_rest) = (assumed, rest);
+            assumed = if low < next && next < high && (k < USUAL_TRIALS || k % 2 == 0) {
+                next
+            } else {
+                0.5 * (low + high)
+            };
         }
         answer
     }

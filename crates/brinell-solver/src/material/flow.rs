@@ -202,7 +202,7 @@ impl<const N: usize> FlowPlasticity<N> {
                 self.flow_along_mean_normal(step, &mut now, &mut yield_stress, weight, k == parts);
             } else {
                 let before = now.accumulated;
-                self.flow(step, &mut now, &mut yield_stress, flow, k == parts);
+                self.flow(step, &mut now, &mut yield_stress, flow);
                 flow = now.accumulated - before;
             }
         }
@@ -240,11 +240,11 @@ impl<const N: usize> FlowPlasticity<N> {
         let across = (1.5 * product(trial, trial) - along * along).max(0.0) / (2.0 * *yield_stress);
         let radial = along + across * (1.0 + across / (2.0 * *yield_stress));
         let strain = radial / triple_shear + now.accumulated;
-        let q = if is_last { self.mapping.stress(strain) } else { self.mapping.nearby_stress(strain) };
+        let q = self.mapping.stress(strain);
         let excess = radial - q;
         if excess <= 0.0 {
             // Along the surface, which is crossed, if at all, by what was left of the step before.
-            return self.flow(change, now, yield_stress, 0.0, is_last);
+            return self.flow(change, now, yield_stress, 0.0);
         }
         let dp = excess / triple_shear;
         now.plastic_work += 0.5 * (equivalent_along(now.stress, mean, size) + along - excess) * dp;
@@ -257,23 +257,16 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One backward Euler step for an elastic change of the stress deviator, on the way or the last, from the yield stress
-    /// before to that after it; about as much flow is expected.
+    /// One backward Euler step for an elastic change of the stress deviator, from the yield stress before to that after it; about
+    /// as much flow is expected.
     #[inline]
-    fn flow(
-        &self,
-        change: [f64; 4],
-        now: &mut Flowing<N>,
-        yield_stress: &mut f64,
-        expected: f64,
-        is_last: bool,
-    ) {
+    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>, yield_stress: &mut f64, expected: f64) {
         let triple_shear = 3.0 * self.elastic.shear;
         let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
         if N == 0 {
             let q_trial = equivalent_stress(trial);
             let strain = q_trial / triple_shear + now.accumulated;
-            let q = if is_last { self.mapping.stress(strain) } else { self.mapping.nearby_stress(strain) };
+            let q = self.mapping.stress(strain);
             let dp = (q_trial - q) / triple_shear;
             if dp <= 0.0 {
                 now.stress = trial;

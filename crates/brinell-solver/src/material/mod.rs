@@ -11,6 +11,7 @@
 mod deformation;
 mod flow;
 mod inhomogeneous;
+mod interpolant;
 mod model;
 mod moduli;
 mod return_mapping;

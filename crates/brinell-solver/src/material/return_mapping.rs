@@ -7,13 +7,13 @@
 //! with the equivalent trial stress `q_tr` and the plastic strain `ε_p,n` before. Loaded from rest, ε is the equivalent
 //! strain, and the answer that of deformation theory.
 //!
-//! Piecewise linear laws have a closed form. For the others q(ε) is known beforehand at strains in geometric sequence:
-//! the cubic between two of them is right to about 1e-8, and one Newton step takes that to rounding. So an evaluation
-//! costs one power or exponential, wherever on the curve it is.
+//! Piecewise linear laws have a closed form. The others are solved for beforehand, at strains from which they are known
+//! everywhere to rounding ([`Interpolant`]). So an evaluation costs one polynomial, whatever the law.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use super::HardeningLaw;
+use super::interpolant::Interpolant;
 
 /// A hardening law beside an elastic shear modulus, prepared for evaluation.
 #[derive(Debug, Clone)]
@@ -30,28 +30,12 @@ enum Form {
     Line(f64),
     /// Corners `[ε, q]`, the last of them the end of hardening.
     Polyline(Vec<[f64; 2]>),
-    /// Anything else.
-    Curve(OnceLock<Vec<Cubic>>),
+    /// Anything else: q over `ε - σ_y/(3G)`.
+    Curve(Interpolant),
 }
 
-/// `q(x_0 + t) = Σ c_k t^k`.
-#[derive(Debug, Clone, Copy)]
-struct Cubic([f64; 4]);
-
-impl Cubic {
-    fn at(self, t: f64) -> f64 {
-        let [c0, c1, c2, c3] = self.0;
-        c0 + t * (c1 + t * (c2 + t * c3))
-    }
-}
-
-/// Pieces of the curve for each doubling of `ε - σ_y/(3G)`, as a power of two.
-const PIECES_LOG2: u32 = 4;
-/// Binary exponents of the smallest and largest of these strains; beyond them the equation is solved from scratch.
-const SMALLEST: i32 = -40;
-const LARGEST: i32 = 4;
 /// Newton step, relative to the unknown, behind which nothing but rounding is left.
-const LAST_STEP: f64 = 1e-7;
+const LAST_STEP: f64 = 1e-9;
 
 impl ReturnMapping {
     /// Prepares a law beside a shear modulus \[MPa\].
@@ -66,7 +50,7 @@ impl ReturnMapping {
             Some(corners) => {
                 Form::Polyline(corners.iter().map(|[p, q]| [q / triple_shear + p, *q]).collect())
             }
-            None => Form::Curve(OnceLock::new()),
+            None => Form::Curve(Interpolant::new()),
         };
         Self { law, triple_shear, yield_stress, form }
     }
@@ -103,28 +87,11 @@ impl ReturnMapping {
                 trial.min(self.yield_stress + slope * (strain - self.yield_stress / self.triple_shear))
             }
             Form::Polyline(corners) => along(corners, strain),
-            Form::Curve(pieces) => self.on_curve(pieces.get_or_init(|| self.pieces()), strain),
+            Form::Curve(curve) => {
+                let beyond = strain - self.yield_stress / self.triple_shear;
+                curve.at(beyond, || self.solver()).unwrap_or_else(|| self.solve(strain, None)).min(trial)
+            }
         }
-    }
-
-    /// As [`Self::stress`], right to about 1e-8: for steps on the way, whose errors do not add up, because what one of them
-    /// leaves of `q + 3G ε_p` the next one finds.
-    #[inline]
-    pub fn nearby_stress(&self, strain: f64) -> f64 {
-        if let Form::Curve(pieces) = &self.form
-            && let Some(pieces) = pieces.get()
-            && let Some((piece, t)) = find(pieces, strain - self.yield_stress / self.triple_shear)
-        {
-            return piece.at(t).min(self.triple_shear * strain);
-        }
-        self.stress(strain)
-    }
-
-    #[inline(never)]
-    fn on_curve(&self, pieces: &[Cubic], strain: f64) -> f64 {
-        let beyond = strain - self.yield_stress / self.triple_shear;
-        let Some((piece, t)) = find(pieces, beyond) else { return self.solve(strain, None) };
-        self.solve(strain, Some(piece.at(t)))
     }
 
     /// Newton's method from a stress nearby, if one is known.
@@ -140,20 +107,14 @@ impl ReturnMapping {
     }
 
     /// `f(q) = q/(3G) + ε_p(q) - ε` is convex and rising: started above the root Newton's method falls to it without
-    /// overshoot, and its first step from below leads there. Without a start it is the elastic answer that lies above; where
-    /// that is far above, half of it does until it no longer does.
+    /// overshoot, and its first step from below leads there. Without a start it is the lower of the elastic and the purely plastic
+    /// answer; both lie above.
     fn solve_for_stress(&self, strain: f64, near: Option<f64>) -> f64 {
         let excess = |q: f64| {
             let inverse = self.law.inverse(q)?;
             Some((q / self.triple_shear + inverse.plastic_strain - strain, inverse.slope))
         };
-        let mut q = near.unwrap_or_else(|| {
-            let mut q = self.triple_shear * strain;
-            while excess(0.5 * q).is_some_and(|(rest, _)| rest > 0.0) {
-                q *= 0.5;
-            }
-            q
-        });
+        let mut q = near.unwrap_or_else(|| self.law.stress(strain).min(self.triple_shear * strain));
         for _ in 0..60 {
             let Some((rest, slope)) = excess(q) else { break };
             let step = rest / (self.triple_shear.recip() + slope);
@@ -198,23 +159,16 @@ impl ReturnMapping {
         stress
     }
 
-    /// The curve between strains in geometric sequence, each piece with the right values and slopes at both ends.
-    fn pieces(&self) -> Vec<Cubic> {
+    /// q over `ε - σ_y/(3G)` for strains one after the other, each of which is a start for the next.
+    fn solver(&self) -> impl FnMut(f64) -> f64 {
         let onset = self.yield_stress / self.triple_shear;
-        let knots: Vec<[f64; 3]> = (0..=piece_count())
-            .map(|k| {
-                let beyond = knot(k);
-                let q = self.solve(onset + beyond, None);
-                [beyond, q, self.slope_at(onset + beyond, q)]
-            })
-            .collect();
-        let cubic = |pair: &[[f64; 3]]| {
-            let ([x, q, s], [next_x, next_q, next_s]) = (pair[0], pair[1]);
-            let h = next_x - x;
-            let secant = (next_q - q) / h;
-            Cubic([q, s, (3.0 * secant - 2.0 * s - next_s) / h, (s + next_s - 2.0 * secant) / (h * h)])
-        };
-        knots.windows(2).map(cubic).collect()
+        let mut last: Option<[f64; 3]> = None;
+        move |beyond| {
+            let near = last.map(|[before, q, slope]| q + slope * (beyond - before));
+            let q = self.solve(onset + beyond, near);
+            last = Some([beyond, q, self.slope_at(onset + beyond, q)]);
+            q
+        }
     }
 
     /// `dq/dε` where q is the answer for ε.
@@ -241,31 +195,28 @@ fn along(corners: &[[f64; 2]], strain: f64) -> f64 {
     }
 }
 
-/// Bits of a number that tell its piece: the exponent and the first digits of the fraction.
-const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - PIECES_LOG2;
-
-fn piece_count() -> u64 {
-    u64::from(LARGEST.abs_diff(SMALLEST)) << PIECES_LOG2
-}
-
-/// Where a piece begins.
-fn knot(k: u64) -> f64 {
-    f64::from_bits(((2f64.powi(SMALLEST).to_bits() >> SHIFT) + k) << SHIFT)
-}
-
-/// The piece that holds a strain, and how far into it that is.
-fn find(pieces: &[Cubic], beyond: f64) -> Option<(&Cubic, f64)> {
-    let k = (beyond.to_bits() >> SHIFT).checked_sub(2f64.powi(SMALLEST).to_bits() >> SHIFT)?;
-    Some((pieces.get(usize::try_from(k).ok()?)?, beyond - knot(k)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::job::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
+    use crate::job::{Hardening, Ludwik, PositiveF64, RambergOsgood};
 
     fn mapping(law: Arc<dyn HardeningLaw>) -> ReturnMapping {
         ReturnMapping::new(law, TRIPLE_SHEAR / 3.0)
+    }
+
+    fn positive(value: f64) -> PositiveF64 {
+        PositiveF64::new(value).unwrap()
+    }
+
+    fn ramberg_osgood(exponent: f64) -> Arc<dyn HardeningLaw> {
+        let (reference_stress, offset, exponent) = (positive(500.0), positive(0.3), positive(exponent));
+        Hardening::RambergOsgood(RambergOsgood { reference_stress, offset, exponent }).curve(YOUNG)
+    }
+
+    fn ludwik(exponent: f64) -> Arc<dyn HardeningLaw> {
+        let (yield_stress, coefficient, exponent) = (positive(500.0), positive(300.0), positive(exponent));
+        Hardening::Ludwik(Ludwik { yield_stress, coefficient, exponent }).curve(YOUNG)
     }
 
     #[test]
@@ -283,7 +234,8 @@ mod tests {
     /// At any strain, not only where a plastic strain is round.
     #[test]
     fn the_prepared_curve_is_the_solved_one() {
-        for law in laws() {
+        let sharp = [ramberg_osgood(200.0), ludwik(0.01)];
+        for law in laws().into_iter().chain(sharp) {
             let mapping = mapping(Arc::clone(&law));
             for k in 0..4000 {
                 let strain = 1e-13 * 1.01f64.powi(k);
@@ -325,15 +277,8 @@ mod tests {
     /// Extreme exponents: nearly linear, nearly perfectly plastic.
     #[test]
     fn sharp_and_flat_power_laws_are_met() {
-        use crate::job::{Hardening, PositiveF64, RambergOsgood};
-        let positive = |value| PositiveF64::new(value).unwrap();
         for exponent in [1.0, 1.5, 20.0, 200.0] {
-            let law = Hardening::RambergOsgood(RambergOsgood {
-                reference_stress: positive(500.0),
-                offset: positive(0.3),
-                exponent: positive(exponent),
-            })
-            .curve(YOUNG);
+            let law = ramberg_osgood(exponent);
             let mapping = mapping(law.clone());
             for q in [1.0, 100.0, 400.0, 499.0, 501.0, 520.0, 900.0_f64] {
                 let Some(inverse) = law.inverse(q) else { continue };

@@ -48,6 +48,34 @@ fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
     }
 }
 
+/// Contacts as wide as a body or as a layer is thick: the mesh moves with all of the contact, however close the sides and the support are.
+#[test]
+fn a_contact_wider_than_its_body_is_thick_is_as_stiff_as_loads_that_differ_tell() {
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+    let soft = json!({"young_modulus": 70_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 3000}});
+    let column =
+        |width: f64| json!({"type": "power", "scale": 2.5, "exponent": 4, "width": width, "depth": 20});
+    let layer = |depth: f64| json!({"type": "block", "width": 40, "depth": depth});
+    for (analysis, radius, shape, force) in [
+        ("plane_strain", 100, column(2.0), 180.0),
+        ("plane_strain", 100, column(1.5), 120.0),
+        ("plane_strain", 20, layer(0.2), 300.0),
+        ("plane_strain", 20, layer(0.5), 300.0),
+        ("plane_strain", 20, layer(1.0), 500.0),
+        ("plane_stress", 20, layer(0.5), 150.0),
+        ("axisymmetric", 20, layer(0.2), 300.0),
+        ("axisymmetric", 20, layer(2.0), 3000.0),
+    ] {
+        let job = json!({"analysis": analysis, "load": {"force": force},
+            "upper": {"shape": {"type": "cylinder", "radius": radius}, "material": steel},
+            "lower": {"shape": shape, "support": "roller", "material": soft}});
+        let (step, slope) = step_and_slope(&job, 0.01);
+        let error = step.contact_stiffness / slope - 1.0;
+        assert!(error.abs() < 0.01, "{analysis} {shape} {force}: {error:+.4}");
+    }
+}
+
 /// A rigid punch of 3 mm with rounded edges on a block.
 fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f64) -> Value {
     json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 15},

@@ -82,18 +82,6 @@ impl MeshMotion {
         ((x - self.still) / (self.end - self.still)).max(0.0)
     }
 
-    /// Part of it at a distance from the middle of the contact in a body of some extent.
-    fn fade(&self, distance: f64, extent: f64) -> f64 {
-        let (near, far) = (RIGID * self.half_width, STILL * extent);
-        if distance <= near.min(0.5 * far) {
-            1.0
-        } else if distance >= far {
-            0.0
-        } else {
-            (far / distance).ln() / (far / near.min(0.5 * far)).ln()
-        }
-    }
-
     /// g' of every pair.
     pub fn gap_rates(&self, problem: &Problem, system: &System) -> Vec<f64> {
         let step = STEP * system.zone.spacing();
@@ -138,17 +126,45 @@ impl MeshMotion {
     /// The mesh after a step of so much at the end of the contact.
     fn moved(&self, mesh: &Mesh, outline: &Outline, step: f64) -> Mesh {
         let (left, right) = outline.span();
-        let extent = outline.depth().min(right - self.centre).min(self.centre - left);
-        let middle = [self.centre, outline.height(self.centre)];
+        let width = (right - self.centre).min(self.centre - left);
+        let along = Fade::new(self.half_width, self.half_width, width);
+        let down = Fade::new(0.0, self.half_width, outline.depth());
         let mut mesh = mesh.clone();
         for node in &mut mesh.nodes {
             let [x, y] = *node;
-            let distance = (x - middle[0]).hypot(y - middle[1]);
-            let by = step * self.fade(distance, extent) * self.velocity(x);
+            let height = outline.height(x);
+            let fade = along.at((x - self.centre).abs()) * down.at((y - height).abs());
+            let by = step * fade * self.velocity(x);
             if by != 0.0 {
-                *node = [x + by, y + outline.height(x + by) - outline.height(x)];
+                *node = [x + by, y + outline.height(x + by) - height];
             }
         }
         mesh
+    }
+}
+
+/// The part of a motion that is left at a distance: all of it up to one, nothing from another one on.
+struct Fade {
+    near: f64,
+    far: f64,
+}
+
+impl Fade {
+    /// All of it within `least`, and where the body has room for it within twice the half-width of the contact; nothing at the
+    /// `extent` of the body, nor before it where there is room.
+    fn new(least: f64, half_width: f64, extent: f64) -> Self {
+        let room = STILL * extent;
+        let near = (RIGID * half_width).min(least.max(0.5 * room).max((least * extent).sqrt()));
+        Self { near, far: room.max((near * extent).sqrt()) }
+    }
+
+    fn at(&self, distance: f64) -> f64 {
+        if distance <= self.near {
+            1.0
+        } else if distance >= self.far {
+            0.0
+        } else {
+            (self.far / distance).ln() / (self.far / self.near).ln()
+        }
     }
 }

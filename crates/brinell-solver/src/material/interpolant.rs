@@ -1,0 +1,146 @@
+//! A smooth function of a positive argument, prepared so that a value costs a polynomial.
+//!
+//! Each octave, the arguments from a power of two to the next, is divided evenly into pieces, and on each of them the
+//! function is interpolated at the Chebyshev points of degree seven. What is left is about the last coefficient of the
+//! Chebyshev series over the factor by which one is smaller than the one before; an octave has as many pieces as it
+//! takes for that to be rounding. The binary digits of an argument tell its piece and its place there.
+//!
+//! # Reference
+//! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM 2013), theorem 8.2.
+
+use std::sync::OnceLock;
+
+use nalgebra::{SMatrix, SVector};
+
+const DEGREE: usize = 7;
+const POINTS: usize = DEGREE + 1;
+
+/// Binary exponent of the smallest argument; the largest are below 2⁴.
+const SMALLEST: i32 = -32;
+const OCTAVES: usize = 36;
+
+/// Pieces of an octave as powers of two: at least, and at most.
+const COARSEST: u32 = 4;
+const FINEST: u32 = 10;
+
+/// Last Chebyshev coefficient, relative to the function, of a piece that is fine enough.
+const LAST_COEFFICIENT: f64 = 1e-13;
+
+const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
+
+/// `f(x) = Σ c_k s^k` with s from -1 to 1 over the piece.
+#[derive(Debug, Clone)]
+struct Polynomial([f64; POINTS]);
+
+impl Polynomial {
+    #[inline]
+    fn at(&self, s: f64) -> f64 {
+        self.0.iter().rev().fold(0.0, |sum, c| c + s * sum)
+    }
+
+    fn is_fine_enough(&self) -> bool {
+        // T_7 = 64 s^7 - …
+        self.0[DEGREE].abs() / 64.0 <= LAST_COEFFICIENT * self.0[0].abs()
+    }
+}
+
+/// The pieces of an octave, 2^pieces_log2 of them.
+#[derive(Debug, Clone)]
+struct Octave {
+    pieces_log2: u32,
+    pieces: Vec<Polynomial>,
+}
+
+impl Octave {
+    fn new(begin: f64, f: &mut impl FnMut(f64) -> f64) -> Self {
+        let points = SVector::<f64, POINTS>::from_fn(|i, _| {
+            -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
+        });
+        let mut powers = SMatrix::<f64, POINTS, POINTS>::repeat(1.0);
+        for k in 1..POINTS {
+            powers.set_column(k, &powers.column(k - 1).component_mul(&points));
+        }
+        let coefficients = powers.try_inverse().unwrap_or_default();
+        let mut polynomial = |start: f64, width: f64| {
+            let values = points.map(|s| f(start + width * 0.5 * (1.0 + s)));
+            // Of the differences no digits are lost.
+            let middle = 0.5 * (values[DEGREE / 2] + values[DEGREE / 2 + 1]);
+            let mut polynomial = Polynomial((coefficients * values.add_scalar(-middle)).into());
+            polynomial.0[0] += middle;
+            polynomial
+        };
+        let mut divided = |pieces_log2: u32| {
+            let width = begin / f64::from(1 << pieces_log2);
+            let piece = |k: u32| polynomial(begin + f64::from(k) * width, width);
+            Self { pieces_log2, pieces: (0..1 << pieces_log2).map(piece).collect() }
+        };
+        let mut octave = divided(COARSEST);
+        while octave.pieces_log2 < FINEST && !octave.pieces.iter().all(Polynomial::is_fine_enough) {
+            octave = divided(octave.pieces_log2 + 1);
+        }
+        octave
+    }
+}
+
+/// The function, of which octaves are prepared when they are asked for.
+#[derive(Debug, Clone)]
+pub(super) struct Interpolant {
+    octaves: Vec<OnceLock<Octave>>,
+}
+
+impl Interpolant {
+    pub fn new() -> Self {
+        Self { octaves: vec![OnceLock::new(); OCTAVES] }
+    }
+
+    /// The value of the function f, which has to be the same one each time; `None` where the argument is too small or too large.
+    /// An octave is asked for in ascending order, starting anew with `function()`.
+    #[inline]
+    pub fn at<F: FnMut(f64) -> f64>(&self, x: f64, function: impl FnOnce() -> F) -> Option<f64> {
+        let bits = x.to_bits();
+        let octave = (bits >> FRACTION_BITS).checked_sub(2f64.powi(SMALLEST).to_bits() >> FRACTION_BITS)?;
+        let octave = self.octaves.get(usize::try_from(octave).ok()?)?;
+        let octave = octave.get_or_init(|| Octave::new(f64::from_bits(bits & !FRACTION), &mut function()));
+        let fraction = bits & FRACTION;
+        let piece = usize::try_from(fraction >> (FRACTION_BITS - octave.pieces_log2)).ok()?;
+        // The digits behind those of the piece, as a number from 1 to 2.
+        let rest = f64::from_bits(((fraction << octave.pieces_log2) & FRACTION) | 1f64.to_bits());
+        Some(octave.pieces.get(piece)?.at(2.0 * rest - 3.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_the_function_to_rounding() {
+        let smooth = |x: f64| x / (1.0 + x.powf(0.3));
+        // A bend over a hundredth of the argument.
+        let bent = |x: f64| 1.0 + x.min(0.01) - 1e-4 * ((0.01 - x).abs() / -1e-4).exp().ln_1p();
+        for (f, at_most) in [(&smooth as &dyn Fn(f64) -> f64, 600), (&bent, 4000)] {
+            let interpolant = Interpolant::new();
+            for k in 0..30_000 {
+                let x = 3e-10 * 1.0008f64.powi(k);
+                let found = interpolant.at(x, || f).unwrap();
+                assert!((found - f(x)).abs() < 3e-15 * f(x), "{found} for {} at {x}", f(x));
+            }
+            let pieces: usize =
+                interpolant.octaves.iter().filter_map(|octave| Some(octave.get()?.pieces.len())).sum();
+            assert!(pieces < at_most, "{pieces} pieces");
+        }
+    }
+
+    #[test]
+    fn beyond_its_range_it_has_no_value() {
+        let interpolant = Interpolant::new();
+        let at = |x: f64| interpolant.at(x, || |x| x);
+        for x in [0.0, -1.0, 1e-10, 16.0, f64::MAX, f64::INFINITY, f64::NAN, f64::MIN_POSITIVE] {
+            assert_eq!(at(x), None, "{x}");
+        }
+        for x in [2f64.powi(SMALLEST), 1.0, 16f64.next_down()] {
+            assert!((at(x).unwrap() / x - 1.0).abs() < 1e-15, "{x}");
+        }
+    }
+}
