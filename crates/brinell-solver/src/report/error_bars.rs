@@ -279,7 +279,7 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     // What an error of the force is on the curves over force.
     let onset = step.onset_error.unwrap_or(0.0);
     let contact_stiffness =
-        stiffness_bar(step, yields, size, difference).max(step.held_edge) + WITH_FORCE * onset;
+        stiffness_bar(step, yields, size, difference).max(step.edge_error) + WITH_FORCE * onset;
     let (approach, force) = match step.load {
         ContactLoad::Force(force) => {
             let compliance = step.contact_stiffness * step.approach;

@@ -19,7 +19,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::edge_contact::{EDGE_ELEMENT, EdgeContact};
+use super::edge_contact::EdgeContact;
 use super::mesh_motion::MeshMotion;
 use super::tangent::{ActivePairConstraint, Change, Correction, Tangent, add};
 use crate::solver::body_system::system::{BlockVector, System};
@@ -34,9 +34,8 @@ use sparse_cholesky::dense::DenseCholesky;
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ContactStiffness {
     pub slope: f64,
-    /// Part of it by which one pair more or less changes it, where the contact ends on an edge that is narrow beside an element, and
-    /// 0 elsewhere.
-    pub held_edge: f64,
+    /// Part of it that is not known, at least, where the contact ends on rounded edges with few elements; 0 elsewhere.
+    pub edge_error: f64,
 }
 
 /// The contact stiffness of an answer. The observer can stop it.
@@ -50,33 +49,59 @@ pub(crate) fn contact_stiffness(
     let tangent = Tangent::new(system, &state.response.displacement);
     let softening = |v: &BlockVector| tangent.softening(v);
     ask(observer)?;
-    if let Some(patch) = patch.filter(|patch| ends_on_narrow_edge(problem, solve, *patch)) {
+    let edge = patch.and_then(|patch| Some((patch, RoundedEdges::of(problem, solve, patch)?)));
+    let edge_error = edge.map_or(0.0, |(_, edge)| edge.least_error(solve.yields()));
+    if let Some((patch, _)) = edge.filter(|(_, edge)| edge.is_narrow && edge.elements < HELD_EDGE) {
         let slope = stiffness(system, state, None, &softening, observer)?;
         let active: Vec<usize> = state.response.contact.active_set.iter().collect();
-        return Ok(ContactStiffness {
-            slope,
-            held_edge: (edge_correction(system, &active, patch) - 1.0).abs(),
-        });
+        let one_pair = (edge_correction(system, &active, patch) - 1.0).abs();
+        return Ok(ContactStiffness { slope, edge_error: one_pair.max(edge_error) });
     }
     // Ends that go back, or forth again over material that has yielded, leave it as elastic as the rest.
     if solve.yields() && !solve.is_within_earlier_contact {
         let motions = MeshMotion::of(solve);
         if let Some(slope) = growing(problem, solve, &motions, &softening, observer)? {
-            return Ok(ContactStiffness { slope, held_edge: 0.0 });
+            return Ok(ContactStiffness { slope, edge_error });
         }
     }
     let slope = stiffness(system, state, *patch, &softening, observer)?;
-    Ok(ContactStiffness { slope, held_edge: 0.0 })
+    Ok(ContactStiffness { slope, edge_error })
 }
 
-/// Whether the contact ends on a rounded edge on which it has few elements. It does not grow there with the load as far as the mesh
-/// can tell.
-fn ends_on_narrow_edge(problem: &Problem, solve: &MeshSolve, patch: ContactPatch) -> bool {
-    let (spacing, force) = (solve.system.zone.spacing(), solve.all_figures().force);
-    let edge = EdgeContact::of(problem, patch, spacing, force);
-    edge.is_some_and(|edge| {
-        edge.is_narrow(spacing) && EDGE_ELEMENT * (patch.half_width() - edge.flat) < spacing
-    })
+/// Elements on a rounded edge below which the contact does not grow there with the load as far as the mesh can tell.
+const HELD_EDGE: f64 = 2.0;
+/// Elements on a rounded edge from which on its stiffness is as well known as that of any other contact.
+const RESOLVED_EDGE: f64 = 8.0;
+/// What is not known of the stiffness, as a part of it: for elastic bodies, and for those that yield times the number of elements.
+const ELASTIC_EDGE: f64 = 0.03;
+const YIELDING_EDGE: f64 = 0.6;
+
+/// The rounded edges of a flat punch on which a contact ends.
+#[derive(Debug, Clone, Copy)]
+struct RoundedEdges {
+    /// Over how many elements the contact reaches onto each of them.
+    elements: f64,
+    /// Whether elements are too large for them.
+    is_narrow: bool,
+}
+
+impl RoundedEdges {
+    fn of(problem: &Problem, solve: &MeshSolve, patch: ContactPatch) -> Option<Self> {
+        let (spacing, force) = (solve.system.zone.spacing(), solve.all_figures().force);
+        let edge = EdgeContact::of(problem, patch, spacing, force)?;
+        let elements = (patch.half_width() - edge.flat) / spacing;
+        Some(Self { elements, is_narrow: edge.is_narrow(spacing) })
+    }
+
+    /// What is not known of the stiffness at least, as a part of it. With less than one element on it an edge that yields is as
+    /// sharp as the mesh can tell.
+    fn least_error(self, yields: bool) -> f64 {
+        match self.elements {
+            elements if yields && (1.0..RESOLVED_EDGE).contains(&elements) => YIELDING_EDGE / elements,
+            elements if !yields && self.is_narrow && elements < HELD_EDGE => ELASTIC_EDGE / elements.max(1.0),
+            _ => 0.0,
+        }
+    }
 }
 
 /// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh; `None` where they do not or where

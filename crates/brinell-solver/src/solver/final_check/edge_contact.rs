@@ -6,7 +6,7 @@ use crate::solver::ContactPatch;
 use crate::solver::problem::Problem;
 
 /// Elements of a contact on a rounded edge over its width at most.
-pub(super) const EDGE_ELEMENT: f64 = 0.25;
+const EDGE_ELEMENT: f64 = 0.25;
 
 /// What elastic bodies have there in closed form.
 #[derive(Debug, Clone, Copy)]
