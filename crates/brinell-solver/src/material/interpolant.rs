@@ -1,9 +1,9 @@
 //! A smooth function of a positive argument, prepared so that a value costs a polynomial.
 //!
-//! Each octave, the arguments from a power of two to the next, is divided evenly into pieces, and on each of them the
-//! function is interpolated at the Chebyshev points of degree seven. What is left is about the last coefficient of the
-//! Chebyshev series over the factor by which one is smaller than the one before; an octave has as many pieces as it
-//! takes for that to be rounding. The binary digits of an argument tell its piece and its place there.
+//! Each octave, the arguments from a power of two to the next, is divided evenly into sixteen cells, and on each of them the
+//! function is interpolated at the Chebyshev points of degree seven, or on halves, quarters, … of a cell. What is left is about
+//! the last coefficient of the Chebyshev series over the factor by which one is smaller than the one before; a cell has as many
+//! pieces as it takes for that to be rounding. The binary digits of an argument tell its cell, its piece and its place there.
 //!
 //! # Reference
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM 2013), theorem 8.2.
@@ -19,15 +19,16 @@ const POINTS: usize = DEGREE + 1;
 const SMALLEST: i32 = -32;
 const OCTAVES: usize = 36;
 
-/// Pieces of an octave as powers of two: at least, and at most.
-const COARSEST: u32 = 4;
-const FINEST: u32 = 10;
+/// Cells of an octave and pieces of a cell at most, as powers of two.
+const CELLS_LOG2: u32 = 4;
+const MOST_PIECES_LOG2: u32 = 6;
 
 /// Last Chebyshev coefficient, relative to the function, of a piece that is fine enough.
-const LAST_COEFFICIENT: f64 = 1e-13;
+const LAST_COEFFICIENT: f64 = 1e-14;
 
-const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
-const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
+/// Digits of an argument behind those that tell its cell.
+const REST_BITS: u32 = f64::MANTISSA_DIGITS - 1 - CELLS_LOG2;
+const REST: u64 = (1 << REST_BITS) - 1;
 
 /// `f(x) = Σ c_k s^k` with s from -1 to 1 over the piece.
 #[derive(Debug, Clone)]
@@ -45,15 +46,15 @@ impl Polynomial {
     }
 }
 
-/// The pieces of an octave, 2^pieces_log2 of them.
+/// The pieces of a cell, 2^pieces_log2 of them.
 #[derive(Debug, Clone)]
-struct Octave {
+struct Cell {
     pieces_log2: u32,
     pieces: Vec<Polynomial>,
 }
 
-impl Octave {
-    fn new(begin: f64, f: &mut impl FnMut(f64) -> f64) -> Self {
+impl Cell {
+    fn new(begin: f64, end: f64, f: &mut impl FnMut(f64) -> f64) -> Self {
         let points = SVector::<f64, POINTS>::from_fn(|i, _| {
             -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
         });
@@ -71,42 +72,44 @@ impl Octave {
             polynomial
         };
         let mut divided = |pieces_log2: u32| {
-            let width = begin / f64::from(1 << pieces_log2);
+            let width = (end - begin) / f64::from(1 << pieces_log2);
             let piece = |k: u32| polynomial(begin + f64::from(k) * width, width);
             Self { pieces_log2, pieces: (0..1 << pieces_log2).map(piece).collect() }
         };
-        let mut octave = divided(COARSEST);
-        while octave.pieces_log2 < FINEST && !octave.pieces.iter().all(Polynomial::is_fine_enough) {
-            octave = divided(octave.pieces_log2 + 1);
+        let mut cell = divided(0);
+        while cell.pieces_log2 < MOST_PIECES_LOG2 && !cell.pieces.iter().all(Polynomial::is_fine_enough) {
+            cell = divided(cell.pieces_log2 + 1);
         }
-        octave
+        cell
     }
 }
 
-/// The function, of which octaves are prepared when they are asked for.
+/// The function, of which cells are prepared when they are asked for.
 #[derive(Debug, Clone)]
 pub(super) struct Interpolant {
-    octaves: Vec<OnceLock<Octave>>,
+    cells: Vec<OnceLock<Cell>>,
 }
 
 impl Interpolant {
     pub fn new() -> Self {
-        Self { octaves: vec![OnceLock::new(); OCTAVES] }
+        Self { cells: vec![OnceLock::new(); OCTAVES << CELLS_LOG2] }
     }
 
     /// The value of the function f, which has to be the same one each time; `None` where the argument is too small or too large.
-    /// An octave is asked for in ascending order, starting anew with `function()`.
+    /// To prepare a cell `function()` is asked for values at arguments that rise, mostly.
     #[inline]
     pub fn at<F: FnMut(f64) -> f64>(&self, x: f64, function: impl FnOnce() -> F) -> Option<f64> {
         let bits = x.to_bits();
-        let octave = (bits >> FRACTION_BITS).checked_sub(2f64.powi(SMALLEST).to_bits() >> FRACTION_BITS)?;
-        let octave = self.octaves.get(usize::try_from(octave).ok()?)?;
-        let octave = octave.get_or_init(|| Octave::new(f64::from_bits(bits & !FRACTION), &mut function()));
-        let fraction = bits & FRACTION;
-        let piece = usize::try_from(fraction >> (FRACTION_BITS - octave.pieces_log2)).ok()?;
+        let cell = (bits >> REST_BITS).checked_sub(2f64.powi(SMALLEST).to_bits() >> REST_BITS)?;
+        let cell = self.cells.get(usize::try_from(cell).ok()?)?.get_or_init(|| {
+            let (begin, end) = (bits & !REST, (bits & !REST) + REST + 1);
+            Cell::new(f64::from_bits(begin), f64::from_bits(end), &mut function())
+        });
+        let rest = bits & REST;
+        let piece = usize::try_from(rest >> (REST_BITS - cell.pieces_log2)).ok()?;
         // The digits behind those of the piece, as a number from 1 to 2.
-        let rest = f64::from_bits(((fraction << octave.pieces_log2) & FRACTION) | 1f64.to_bits());
-        Some(octave.pieces.get(piece)?.at(2.0 * rest - 3.0))
+        let place = ((rest << cell.pieces_log2) & REST) << CELLS_LOG2;
+        Some(cell.pieces.get(piece)?.at(2.0 * f64::from_bits(place | 1f64.to_bits()) - 3.0))
     }
 }
 
@@ -127,7 +130,7 @@ mod tests {
                 assert!((found - f(x)).abs() < 3e-15 * f(x), "{found} for {} at {x}", f(x));
             }
             let pieces: usize =
-                interpolant.octaves.iter().filter_map(|octave| Some(octave.get()?.pieces.len())).sum();
+                interpolant.cells.iter().filter_map(|cell| Some(cell.get()?.pieces.len())).sum();
             assert!(pieces < at_most, "{pieces} pieces");
         }
     }

@@ -129,6 +129,10 @@ impl ReturnMapping {
     /// `f(p) = q(p) + 3G p - 3G ε` is concave and rising. Newton's method in the bracket `[0, (3G ε - σ_y)/3G]`; a step that
     /// leaves it (an infinite slope at zero) is replaced by bisection.
     fn solve_for_strain(&self, trial: f64, near: Option<f64>) -> f64 {
+        // A steep curve bears all of it with a plastic strain below rounding.
+        if self.law.stress(f64::EPSILON * trial / self.triple_shear) >= trial {
+            return trial;
+        }
         let (mut low, mut high) = (0.0, (trial - self.yield_stress) / self.triple_shear);
         let mut strain: f64 = near.map_or(high, |near| near.min(high));
         let mut stress = trial;

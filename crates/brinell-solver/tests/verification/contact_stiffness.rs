@@ -76,6 +76,20 @@ fn a_contact_wider_than_its_body_is_thick_is_as_stiff_as_loads_that_differ_tell(
     }
 }
 
+/// An end of the contact close behind a corner of the surface, and another one far from it; between these forces the stiffness once had a
+/// pole.
+#[test]
+fn ends_on_both_sides_of_a_corner_move_each_by_what_is_beyond_it() {
+    let mut job: Value =
+        serde_json::from_slice(&std::fs::read("tests/cases/uneven_profile_on_a_layer.json").unwrap())
+            .unwrap();
+    for force in [537.0, 540.0, 542.8] {
+        job["load"] = json!({"force": force});
+        let (step, slope) = step_and_slope(&job, 0.03);
+        assert_within(step.contact_stiffness, slope, 0.03);
+    }
+}
+
 /// A rigid punch of 3 mm with rounded edges on a block.
 fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f64) -> Value {
     json!({"analysis": analysis, "load": {"force": force}, "mesh": {"elements_per_half_width": 15},

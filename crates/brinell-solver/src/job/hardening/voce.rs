@@ -54,8 +54,9 @@ impl HardeningLaw for Voce {
     }
 
     fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
-        let rest = (self.saturation_stress.get() - self.yield_stress.get())
-            * (-self.rate.get() * plastic_strain).exp();
-        (self.saturation_stress.get() - rest, self.rate.get() * rest)
+        // Without cancellation at small strains, however high the saturation stress.
+        let range = self.saturation_stress.get() - self.yield_stress.get();
+        let gained = -(-self.rate.get() * plastic_strain).exp_m1();
+        (self.yield_stress.get() + range * gained, self.rate.get() * range * (1.0 - gained))
     }
 }

@@ -14,8 +14,8 @@
 //! ```
 //!
 //! with one `a_j` for each end of the contact that moves, and ∂P/∂a_j the change of the load as the mesh moves with that end
-//! and the approach stays (`mesh_motion.rs`), which is nothing but the error of the mesh. The ends move so that the
-//! distribution of the force over the nodes keeps its first moments.
+//! and the approach stays (`mesh_motion.rs`), which is nothing but the error of the mesh. The ends move so that the force between
+//! each of them and the point that does not move keeps its second moment about that point.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -170,36 +170,28 @@ fn moved(
     Ok(change)
 }
 
-/// Moments of the contact force over the nodes: of one end that moves the second one about the point that does not, of two ends
-/// the first and the second one.
+/// How the contact force is spread between the ends of the contact that move and the points that do not: its second moment about
+/// each of these points, over the nodes from there to the end.
 struct Moments<'a> {
     force: &'a [f64],
-    /// Distance of each node from the origin of the moments \[mm\].
-    arm: Vec<f64>,
-    /// Exponents of the arm.
-    orders: &'static [i32],
+    /// Of each end, the distance of the nodes from the point that does not move, towards the end \[mm\].
+    arms: Vec<Vec<f64>>,
 }
 
 impl<'a> Moments<'a> {
     fn new(system: &System, force: &'a [f64], motions: &[MeshMotion]) -> Self {
-        let (origin, orders): (f64, &[i32]) = if let [motion] = motions {
-            (motion.still(), &[2])
-        } else {
-            let weighted = system.zone.abscissae().iter().zip(force).map(|(x, r)| x * r);
-            // The middle of the force would leave the first moment without a value to compare with.
-            (weighted.sum::<f64>() / force.iter().sum::<f64>() - system.zone.half_width(), &[1, 2])
-        };
-        let arm = system.zone.abscissae().iter().map(|x| x - origin).collect();
-        Self { force, arm, orders }
+        let arms =
+            |motion: &MeshMotion| system.zone.abscissae().iter().map(|&x| motion.arm(x).max(0.0)).collect();
+        Self { force, arms: motions.iter().map(arms).collect() }
     }
 
-    /// By how much the k-th moment over the force changes, relative to what it is.
+    /// By how much the k-th moment over the force there changes, relative to what it is.
     fn rate(&self, k: usize, change: &[f64]) -> f64 {
         let moment = |force: &[f64], order: i32| -> f64 {
-            force.iter().zip(&self.arm).map(|(r, arm)| r * arm.powi(order)).sum()
+            let beyond = force.iter().zip(&self.arms[k]).filter(|(_, arm)| **arm > 0.0);
+            beyond.map(|(r, arm)| r * arm.powi(order)).sum()
         };
-        let order = self.orders.get(k).copied().unwrap_or(0);
-        moment(change, order) / moment(self.force, order) - moment(change, 0) / moment(self.force, 0)
+        moment(change, 2) / moment(self.force, 2) - moment(change, 0) / moment(self.force, 0)
     }
 }
 

@@ -72,9 +72,9 @@ impl MeshMotion {
         motions
     }
 
-    /// Where surfaces do not move \[mm\].
-    pub fn still(&self) -> f64 {
-        self.still
+    /// Distance of an abscissa from where surfaces do not move, towards the end that does \[mm\].
+    pub fn arm(&self, x: f64) -> f64 {
+        (x - self.still) * (self.end - self.still).signum()
     }
 
     /// ẋ at an abscissa of the surface.
