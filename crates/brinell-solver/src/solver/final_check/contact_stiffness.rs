@@ -104,6 +104,9 @@ impl RoundedEdges {
     }
 }
 
+/// Stiffness of a contact that grows over that of its present pairs at most; growth mostly lowers it, and never by itself doubles it.
+const MOST_GROWTH: f64 = 2.0;
+
 /// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh; `None` where they do not or where
 /// that does not tell how fast they move.
 fn growing(
@@ -132,11 +135,13 @@ fn growing(
     let matrix = DMatrix::from_fn(columns.len(), columns.len(), |k, j| moments.rate(k, &columns[j].force));
     let right = DVector::from_fn(columns.len(), |k, _| -moments.rate(k, &press.force));
     let speeds = matrix.lu().solve(&right);
+    let held = elastic - energy;
     let stiffness = speeds.map(|speeds| {
         let growth = speeds.iter().zip(&columns).map(|(speed, column)| speed * column.load(system));
-        system.symmetry_factor() as f64 * (elastic - energy + growth.sum::<f64>())
+        held + growth.sum::<f64>()
     });
-    Ok(stiffness.filter(|stiffness| *stiffness > 0.0 && stiffness.is_finite()))
+    let is_told = |stiffness: &f64| *stiffness > 0.0 && *stiffness < MOST_GROWTH * held;
+    Ok(stiffness.filter(is_told).map(|stiffness| system.symmetry_factor() as f64 * stiffness))
 }
 
 /// The change of displacements and contact forces as the mesh moves and the approach stays.

@@ -15,11 +15,12 @@ use crate::solver::observer::ask;
 use crate::solver::problem::Problem;
 use crate::solver::{Interrupt, Observer};
 
-/// Distance from the middle of the contact up to which the mesh moves as its surface does, over the half-width.
+/// Distance from the middle of the contact, and from the surface, up to which the mesh moves as its surface does, over the half-width;
+/// where there is room.
 const RIGID: f64 = 2.0;
 /// Elements between a corner that does not move and the end of the contact that does, at least.
 const FEWEST_ELEMENTS: f64 = 4.0;
-/// Part of the smallest extent of a body beyond which nothing moves.
+/// Part of the extent of a body, along its surface and down from it, beyond which nothing moves; where there is room.
 const STILL: f64 = 0.5;
 /// Finite step of the mesh over the element size.
 const STEP: f64 = 1e-5;
