@@ -99,6 +99,22 @@ fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f6
                   "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}})
 }
 
+/// On edges that are narrow, but with two elements and more, it does.
+#[test]
+fn a_contact_on_two_elements_of_a_rounded_edge_grows() {
+    for (elements, tolerance) in [(12, 0.03), (14, 0.03), (20, 0.01)] {
+        let job = json!({"analysis": "axisymmetric", "load": {"force": 15_396.7},
+            "mesh": {"elements_per_half_width": elements},
+            "lower": {"shape": {"type": "punch", "width": 18.464, "edge_radius": 3.6928, "depth": 361.6},
+                      "material": {"rigid": true}},
+            "upper": {"shape": {"type": "block", "width": 1576, "depth": 637.6},
+                      "material": {"young_modulus": 58_962, "poisson_ratio": 0, "plasticity": {"law": "voce",
+                          "rate": 6.653, "saturation_stress": 71.978, "yield_stress": 27.293}}}});
+        // What 80 elements find.
+        assert_within(step_and_slope(&job, 0.01).0.contact_stiffness, 21_690.0, tolerance);
+    }
+}
+
 /// A contact that ends on an edge narrower than an element does not grow with the load, be the edge elastic or about to yield. The
 /// bar has what one pair more would change.
 #[test]
