@@ -8,7 +8,7 @@
 //! # Reference
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM 2013), theorem 8.2.
 
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 use nalgebra::{SMatrix, SVector};
 
@@ -29,6 +29,18 @@ const LAST_COEFFICIENT: f64 = 1e-14;
 /// Digits of an argument behind those that tell its cell.
 const REST_BITS: u32 = f64::MANTISSA_DIGITS - 1 - CELLS_LOG2;
 const REST: u64 = (1 << REST_BITS) - 1;
+
+/// The Chebyshev points from -1 to 1, and what makes coefficients of powers of the values there.
+static CHEBYSHEV: LazyLock<(SVector<f64, POINTS>, SMatrix<f64, POINTS, POINTS>)> = LazyLock::new(|| {
+    let points = SVector::<f64, POINTS>::from_fn(|i, _| {
+        -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
+    });
+    let mut powers = SMatrix::<f64, POINTS, POINTS>::repeat(1.0);
+    for k in 1..POINTS {
+        powers.set_column(k, &powers.column(k - 1).component_mul(&points));
+    }
+    (points, powers.try_inverse().unwrap_or_default())
+});
 
 /// `f(x) = Σ c_k s^k` with s from -1 to 1 over the piece.
 #[derive(Debug, Clone)]
@@ -55,14 +67,7 @@ struct Cell {
 
 impl Cell {
     fn new(begin: f64, end: f64, f: &mut impl FnMut(f64) -> f64) -> Self {
-        let points = SVector::<f64, POINTS>::from_fn(|i, _| {
-            -((2 * i + 1) as f64 * std::f64::consts::PI / (2 * POINTS) as f64).cos()
-        });
-        let mut powers = SMatrix::<f64, POINTS, POINTS>::repeat(1.0);
-        for k in 1..POINTS {
-            powers.set_column(k, &powers.column(k - 1).component_mul(&points));
-        }
-        let coefficients = powers.try_inverse().unwrap_or_default();
+        let (points, coefficients) = &*CHEBYSHEV;
         let mut polynomial = |start: f64, width: f64| {
             let values = points.map(|s| f(start + width * 0.5 * (1.0 + s)));
             // Of the differences no digits are lost.
