@@ -16,9 +16,9 @@
 //!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
 //!                 h/a of the widest contact
 //! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
-//!                 memory 0.12 + 1.5 h/a, below an earlier load 0.01 + 0.3 h/a; of those whose contact is in several parts, or in a
-//!                 hole, or in plane stress passes corners, 4 h/a; where it ends on a narrow edge at least what one pair more or
-//!                 less changes
+//!                 memory 0.12 + 1.5 h/a, in plane strain 0.03 + 0.6 h/a, below an earlier load 0.01 + 0.3 h/a; of those whose contact
+//!                 is in several parts, or in a hole, or in plane stress passes corners, 4 h/a; where it ends on a narrow edge at least
+//!                 what one pair more or less changes, and where the mesh does not tell how fast the contact grows 1
 //! force           0; of the onset of yield max(|Δ|, 0.2 h/a), at an end of the contact 0.6 h/a; under a prescribed approach
 //!                 max(|Δ|, floor of the approach · max(1, α/P dP/dα)), where that of a plastic body of revolution is 0.1 h/a
 //! ```
@@ -101,8 +101,9 @@ const RESIDUAL_FLOOR: f64 = 0.15;
 const STIFFNESS_FLOORS: [f64; 3] = [0.1, 0.3, 0.5];
 /// The part of it for bodies that yield that is so many times the difference of the approaches.
 const STIFFNESS_OVER_APPROACH: f64 = 3.0;
-/// The same with a memory, where the motion of the mesh leaves out that plastic strain stays with the material, which no mesh
-/// makes smaller; and its part over h/a.
+/// The same with a memory, where material that has just come under the contact is elastic at first, and its part over h/a: in plane
+/// strain, and elsewhere.
+const STIFFNESS_OF_STRIPS: [f64; 2] = [0.03, 0.6];
 const STIFFNESS_OF_HISTORIES: [f64; 2] = [0.12, 1.5];
 
 /// The same over h/a for a contact in several parts and a pin in its hole, where no mesh grows with the contact, and in plane stress
@@ -136,7 +137,11 @@ fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) ->
         STIFFNESS_OF_FIXED_ENDS * size
     } else if step.energy.is_some() {
         let is_below_largest = step.approach < step.reached[0];
-        let [bias, scatter] = if is_below_largest { STIFFNESS_BELOW_LARGEST } else { STIFFNESS_OF_HISTORIES };
+        let [bias, scatter] = match step.stress_state {
+            _ if is_below_largest => STIFFNESS_BELOW_LARGEST,
+            StressState::PlaneStrain => STIFFNESS_OF_STRIPS,
+            StressState::PlaneStress | StressState::Axisymmetric => STIFFNESS_OF_HISTORIES,
+        };
         bias + scatter * size
     } else {
         (floor * size).max(STIFFNESS_OVER_APPROACH * approach)
@@ -279,7 +284,7 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     // What an error of the force is on the curves over force.
     let onset = step.onset_error.unwrap_or(0.0);
     let contact_stiffness =
-        stiffness_bar(step, yields, size, difference).max(step.edge_error) + WITH_FORCE * onset;
+        stiffness_bar(step, yields, size, difference).max(step.stiffness_error) + WITH_FORCE * onset;
     let (approach, force) = match step.load {
         ContactLoad::Force(force) => {
             let compliance = step.contact_stiffness * step.approach;

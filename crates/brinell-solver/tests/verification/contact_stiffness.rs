@@ -137,6 +137,52 @@ fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
     }
 }
 
+/// Two equal cylinders or spheres that a history of loads presses together, with this part of the last one before it.
+fn rising_history(analysis: &str, plasticity: &Value, before: &[f64], force: f64) -> Value {
+    let body = json!({"shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}});
+    let history: Vec<Value> =
+        before.iter().chain([&1.0]).map(|part| json!({"force": part * force})).collect();
+    json!({"analysis": analysis, "solver": {"theory": "flow"}, "upper": body, "lower": body, "load": {"history": history}})
+}
+
+/// Where the contact grows over fresh material, plastic strain stays where it is while the mesh moves.
+#[test]
+fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
+    let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
+    let ludwik = json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
+    let kinematic = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0,
+        "backstress": [{"modulus": 30_000, "rate": 100}]});
+    for (analysis, plasticity, before, force, bound) in [
+        ("plane_strain", &law(10_500.0), &[][..], 1089.0, 0.012),
+        ("plane_strain", &law(0.0), &[0.5], 1089.0, 0.02),
+        ("plane_strain", &kinematic, &[0.5], 1089.0, 0.006),
+        ("plane_strain", &ludwik, &[0.6, 0.0], 1089.0, 0.005),
+        ("axisymmetric", &law(10_500.0), &[], 3500.0, 0.012),
+        ("axisymmetric", &ludwik, &[], 3500.0, 0.01),
+    ] {
+        let (step, slope) = step_and_slope(&rising_history(analysis, plasticity, before, force), 0.05);
+        let error = step.contact_stiffness / slope - 1.0;
+        assert!(error.abs() < bound, "{analysis} {plasticity} {before:?}: {error:+.4}");
+        let bar = step.estimated_error.unwrap().contact_stiffness;
+        let widest = if analysis == "plane_strain" { 0.065 } else { 0.2 };
+        assert!(bar > error.abs() && bar < widest, "{analysis} {plasticity}: {bar}");
+    }
+}
+
+/// Ten elements below a ball that does not harden: the stiffness of the pairs in contact is a quarter of what loads that differ tell,
+/// and that of a growing contact below zero.
+#[test]
+fn a_stiffness_that_the_mesh_does_not_tell_has_a_wide_bar() {
+    let law = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
+    let mut job = rising_history("axisymmetric", &law, &[2.0 / 3.0, 0.0], 2205.0);
+    job["upper"]["material"] = json!({"rigid": true});
+    job["mesh"] = json!({"elements_per_half_width": 10});
+    let (step, slope) = step_and_slope(&job, 0.1);
+    let bar = step.estimated_error.unwrap().contact_stiffness;
+    assert!((step.contact_stiffness / slope - 1.0).abs() < bar && bar >= 1.0, "{bar}");
+}
+
 /// Below the largest load of a history the ends of the contact go back, or forth again over what has yielded, and the bodies answer
 /// elastically.
 #[test]

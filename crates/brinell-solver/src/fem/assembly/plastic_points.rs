@@ -21,12 +21,13 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use super::carried_states::CarriedStates;
 use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
 use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{
-    ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, PointOrigin, ReferenceModuli,
+    ConstitutiveModel, ElasticModuli, HardeningLaw, OutOfPlane, PerPoint, PointOrigin, ReferenceModuli,
 };
 use sparse_cholesky::simd_dispatch;
 
@@ -164,6 +165,16 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from the last accepted
     /// increment; elements outside of the region are taken from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
+
+    /// The same where the nodes of the mesh have moved a little in the body and have kept their displacements, and states have stayed with
+    /// the material. In plane stress they move with the mesh: flow gathers in bands there that are as narrow as elements, and of
+    /// states that differ so much from one element to the next there is no gradient.
+    fn moved_stress_field(
+        &self,
+        unloaded: &Unloaded<'_>,
+        moved: &Mesh,
+        displacement: &[[f64; 2]],
+    ) -> StressField;
 }
 
 /// The region of one model.
@@ -297,17 +308,37 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
     }
 
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
-        let mut place = vec![None; unloaded.mesh.elements.len()];
-        for (k, element) in self.elements.iter().enumerate() {
-            place[element.index] = Some(k);
+        stress::evaluate(&*self.model, unloaded, displacement, self.states_by_element(unloaded))
+    }
+
+    fn moved_stress_field(
+        &self,
+        unloaded: &Unloaded<'_>,
+        moved: &Mesh,
+        displacement: &[[f64; 2]],
+    ) -> StressField {
+        let model = &*self.model;
+        let on_moved = Unloaded { mesh: moved, ..*unloaded };
+        if !model.has_memory() || model.out_of_plane() == OutOfPlane::PlaneStress {
+            return stress::evaluate(model, &on_moved, displacement, self.states_by_element(&on_moved));
         }
-        stress::evaluate(&*self.model, unloaded, displacement, |element| {
-            place[element].map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
-        })
+        let carried = CarriedStates::new(model, unloaded, self.states_by_element(unloaded));
+        stress::evaluate(model, &on_moved, displacement, |element| carried.at(element, moved))
     }
 }
 
 impl<M: ConstitutiveModel> Region<M> {
+    /// The states of the points of any element of the mesh; at rest outside of the region.
+    fn states_by_element(&self, unloaded: &Unloaded<'_>) -> impl Fn(usize) -> [M::State; QUADRATURE_POINTS] {
+        let mut place = vec![None; unloaded.mesh.elements.len()];
+        for (k, element) in self.elements.iter().enumerate() {
+            place[element.index] = Some(k);
+        }
+        move |element| {
+            place[element].map_or_else(|| unloaded.states(&*self.model, element), |k: usize| self.states[k])
+        }
+    }
+
     #[inline(always)]
     fn add_element(
         &self,

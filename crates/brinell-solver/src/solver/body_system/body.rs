@@ -175,19 +175,24 @@ impl BodyModel {
 
     /// Stresses in the whole body at displacements of all nodes.
     pub fn stress_field(&self, nodal: &[[f64; 2]]) -> StressField {
-        self.stress_field_of(&self.unloaded(), nodal)
+        let unloaded = self.unloaded();
+        match &self.plastic_region.points {
+            Some(points) => points.stress_field(&unloaded, nodal),
+            None => self.model.stress_field(&unloaded, nodal),
+        }
     }
 
     /// The body before any load.
-    pub fn unloaded(&self) -> Unloaded<'_> {
+    fn unloaded(&self) -> Unloaded<'_> {
         unloaded(&self.elastic, self.initial_stress.as_deref())
     }
 
-    /// Stresses in the whole body as it is meshed here, by elements that are the same as those of its own mesh.
-    pub fn stress_field_of(&self, unloaded: &Unloaded<'_>, nodal: &[[f64; 2]]) -> StressField {
+    /// The same where the nodes of the mesh have moved a little and have kept their displacements.
+    pub fn moved_stress_field(&self, moved: &Mesh, nodal: &[[f64; 2]]) -> StressField {
+        let unloaded = self.unloaded();
         match &self.plastic_region.points {
-            Some(points) => points.stress_field(unloaded, nodal),
-            None => self.model.stress_field(unloaded, nodal),
+            Some(points) => points.moved_stress_field(&unloaded, moved, nodal),
+            None => self.model.stress_field(&Unloaded { mesh: moved, ..unloaded }, nodal),
         }
     }
 

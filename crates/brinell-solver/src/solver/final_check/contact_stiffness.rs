@@ -34,8 +34,9 @@ use sparse_cholesky::dense::DenseCholesky;
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ContactStiffness {
     pub slope: f64,
-    /// Part of it that is not known, at least, where the contact ends on rounded edges with few elements; 0 elsewhere.
-    pub edge_error: f64,
+    /// Part of it that is not known, at least, where the contact ends on rounded edges with few elements or where the mesh does not tell
+    /// how fast it grows; 0 elsewhere.
+    pub least_error: f64,
 }
 
 /// The contact stiffness of an answer. The observer can stop it.
@@ -55,17 +56,19 @@ pub(crate) fn contact_stiffness(
         let slope = stiffness(system, state, None, &softening, observer)?;
         let active: Vec<usize> = state.response.contact.active_set.iter().collect();
         let one_pair = (edge_correction(system, &active, patch) - 1.0).abs();
-        return Ok(ContactStiffness { slope, edge_error: one_pair.max(edge_error) });
+        return Ok(ContactStiffness { slope, least_error: one_pair.max(edge_error) });
     }
+    let mut least_error = edge_error;
     // Ends that go back, or forth again over material that has yielded, leave it as elastic as the rest.
     if solve.yields() && !solve.is_within_earlier_contact {
-        let motions = MeshMotion::of(solve);
-        if let Some(slope) = growing(problem, solve, &motions, &softening, observer)? {
-            return Ok(ContactStiffness { slope, edge_error });
+        match growing(problem, solve, &MeshMotion::of(solve), &softening, observer)? {
+            Growth::Told(slope) => return Ok(ContactStiffness { slope, least_error }),
+            Growth::NotTold => least_error = least_error.max(NOT_TOLD),
+            Growth::None => {}
         }
     }
     let slope = stiffness(system, state, *patch, &softening, observer)?;
-    Ok(ContactStiffness { slope, edge_error })
+    Ok(ContactStiffness { slope, least_error })
 }
 
 /// Elements on a rounded edge below which the contact does not grow there with the load as far as the mesh can tell.
@@ -106,20 +109,30 @@ impl RoundedEdges {
 
 /// Stiffness of a contact that grows over that of its present pairs at most; growth mostly lowers it, and never by itself doubles it.
 const MOST_GROWTH: f64 = 2.0;
+/// What is not known of the stiffness, as a part of it, where that of a growing contact is not believed.
+const NOT_TOLD: f64 = 1.0;
 
-/// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh; `None` where they do not or where
-/// that does not tell how fast they move.
+/// What the ends of a contact say of its stiffness \[N/mm per mm, or N per mm\].
+enum Growth {
+    /// No end moves the mesh.
+    None,
+    /// They do, but how fast cannot be told.
+    NotTold,
+    Told(f64),
+}
+
+/// The stiffness with the tangent `K - softening` and a contact whose ends move the mesh.
 fn growing(
     problem: &Problem,
     solve: &MeshSolve,
     motions: &[MeshMotion],
     softening: &dyn Fn(&BlockVector) -> BlockVector,
     observer: &mut dyn Observer,
-) -> Result<Option<f64>, Interrupt> {
+) -> Result<Growth, Interrupt> {
     let MeshSolve { system, outcome, .. } = solve;
-    let Some(constraint) = ActivePairConstraint::new(system, &outcome.state) else { return Ok(None) };
+    let Some(constraint) = ActivePairConstraint::new(system, &outcome.state) else { return Ok(Growth::None) };
     if motions.is_empty() || constraint.active.len() <= motions.len() {
-        return Ok(None);
+        return Ok(Growth::None);
     }
     let mut press = constraint.close(|k| system.closing[k]);
     let elastic = press.load(system);
@@ -141,7 +154,8 @@ fn growing(
         held + growth.sum::<f64>()
     });
     let is_told = |stiffness: &f64| *stiffness > 0.0 && *stiffness < MOST_GROWTH * held;
-    Ok(stiffness.filter(is_told).map(|stiffness| system.symmetry_factor() as f64 * stiffness))
+    let sides = system.symmetry_factor() as f64;
+    Ok(stiffness.filter(is_told).map_or(Growth::NotTold, |stiffness| Growth::Told(sides * stiffness)))
 }
 
 /// The change of displacements and contact forces as the mesh moves and the approach stays.

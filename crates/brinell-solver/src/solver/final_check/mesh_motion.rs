@@ -7,7 +7,6 @@
 //! f' = d/dt ∫ Bᵀ σ(ε) dV,     g' = δ0'(x) ẋ
 //! ```
 
-use crate::fem::assembly::Unloaded;
 use crate::fem::mesh::{Mesh, Outline};
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::mesh_solve::MeshSolve;
@@ -107,8 +106,7 @@ impl MeshMotion {
                 let elastic = &body.elastic;
                 let mesh = self.moved(&elastic.mesh, &elastic.key.outline, step);
                 ask(observer)?;
-                let unloaded = Unloaded { mesh: &mesh, ..body.unloaded() };
-                let moved = body.stress_field_of(&unloaded, &field.nodal);
+                let moved = body.moved_stress_field(&mesh, &field.nodal);
                 let mut rates = elastic.zeros();
                 let forces = moved.internal_force.iter().zip(&field.stress.internal_force);
                 for (node, (then, now)) in (0u32..).zip(forces) {

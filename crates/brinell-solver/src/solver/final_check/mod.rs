@@ -321,7 +321,7 @@ fn judge(
         patch: pass.patch,
         parts: pass.parts(),
         contact_stiffness: contact_stiffness.slope,
-        edge_error: contact_stiffness.edge_error,
+        stiffness_error: contact_stiffness.least_error,
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
         history: outcome.history.clone(),
         contact_check,
