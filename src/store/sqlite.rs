@@ -111,7 +111,7 @@ struct SqliteDatabase {
     /// `None` in memory, where nothing survives anyway.
     wal: Option<WalSync>,
     space: Space,
-    _lock: Option<File>,
+    _lock: Option<DirectoryLock>,
 }
 
 /// What a database grows into.
@@ -171,7 +171,7 @@ async fn open(
     limits: StoreLimits,
     notifier: Arc<JobNotifier>,
     clock: Arc<dyn Clock>,
-    lock: Option<File>,
+    lock: Option<DirectoryLock>,
 ) -> Result<Arc<dyn Store>, SqliteError> {
     let path = directory.join(DATABASE);
     let backend = SqliteDatabase::open(&path, clock, lock, limits.min_free_bytes).await;
@@ -179,13 +179,23 @@ async fn open(
     Ok(Arc::new(SqlStore { backend, notifier, limits }))
 }
 
-/// Makes the directory and locks it. The lock ends with the process, however it ends.
-fn lock_directory(directory: &Path) -> Result<File, SqliteError> {
+/// The lock of a data directory. It ends with the process, however that ends.
+struct DirectoryLock(File);
+
+impl Drop for DirectoryLock {
+    fn drop(&mut self) {
+        // Closing the file is not enough: a child process that another thread is just starting still has it open.
+        drop(self.0.unlock());
+    }
+}
+
+/// Makes the directory and locks it.
+fn lock_directory(directory: &Path) -> Result<DirectoryLock, SqliteError> {
     let failed = |source| SqliteError::Directory { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(failed)?;
     let lock = File::create(directory.join("brinell.lock")).map_err(failed)?;
     match lock.try_lock() {
-        Ok(()) => Ok(lock),
+        Ok(()) => Ok(DirectoryLock(lock)),
         Err(TryLockError::WouldBlock) => Err(SqliteError::InUse(directory.to_owned())),
         Err(TryLockError::Error(source)) => Err(failed(source)),
     }
@@ -201,7 +211,7 @@ impl SqliteDatabase {
     async fn open(
         path: &Path,
         clock: Arc<dyn Clock>,
-        lock: Option<File>,
+        lock: Option<DirectoryLock>,
         min_free_bytes: u64,
     ) -> Result<Self, sqlx::Error> {
         let options = connect_options()
@@ -356,6 +366,19 @@ mod tests {
     use super::*;
     use crate::jobs::SystemClock;
     use crate::store::sql::SQLITE_HEADS;
+
+    /// As a child process has it until it becomes another program.
+    #[test]
+    fn a_lock_ends_although_its_file_is_open_elsewhere() {
+        let directory = std::env::temp_dir().join(format!("brinell-lock-{}", std::process::id()));
+        let lock = lock_directory(&directory).unwrap();
+        assert!(matches!(lock_directory(&directory), Err(SqliteError::InUse(_))));
+        let open = lock.0.try_clone().unwrap();
+        drop(lock);
+        assert!(lock_directory(&directory).is_ok());
+        drop(open);
+        fs::remove_dir_all(directory).unwrap();
+    }
 
     /// The writer waits for no claim however many jobs wait.
     #[tokio::test]
