@@ -183,6 +183,9 @@ impl Service {
             server.abort();
         }
         drop(self.background);
+        if timeout(CLOSE_TIMEOUT, self.state.jobs.close_store()).await.is_err() {
+            tracing::warn!("the store was still in use");
+        }
         Ok(())
     }
 }

@@ -223,6 +223,13 @@ impl JobDocument {
         Ok(Self { callback, ..Self::new(record, job.as_ref(), &state.settings.retention, prefix) })
     }
 
+    /// A job that has just been handed in; where the store cannot be asked any more, as it was taken in. With an error in its place it
+    /// would be handed in again.
+    pub async fn taken_in(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Self {
+        let known = Self::brief(record.clone(), &state.settings.retention, prefix);
+        Self::of(state, record, prefix).await.unwrap_or(known)
+    }
+
     fn new(record: JobRecord, job: Option<&Job>, retention: &Retention, prefix: &Prefix) -> Self {
         Self {
             id: record.id,

@@ -550,6 +550,11 @@ impl JobService {
         self.closed.cancel();
     }
 
+    /// Closes the store. Nothing can be asked any more.
+    pub async fn close_store(&self) {
+        self.store.close().await;
+    }
+
     /// Ends all waits with the present state of their jobs.
     pub fn end_waits(&self) {
         self.waits_end.cancel();

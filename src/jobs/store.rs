@@ -189,6 +189,9 @@ pub trait JobStore: Send + Sync + 'static {
     /// # Errors
     /// [`StoreError::Unavailable`], [`StoreError::DiskFull`].
     async fn ping(&self) -> Result<(), StoreError>;
+
+    /// Ends all connections, so that a store in a file has everything in it; nothing can be asked any more.
+    async fn close(&self);
 }
 
 /// Most work of a job that is short: several default jobs' worth, well under a second on one core.

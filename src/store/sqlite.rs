@@ -7,6 +7,7 @@
 //! directory, by a lock on a file in it; therefore whatever is marked as running at the start was interrupted, and runs
 //! again at once.
 
+mod own_file;
 mod restore;
 mod space;
 mod wal;
@@ -24,6 +25,7 @@ use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, S
 use sqlx::{Sqlite, SqliteConnection, SqlitePool};
 use thiserror::Error;
 
+use self::own_file::OwnFile;
 pub use self::restore::restore_sqlite;
 use self::space::FreeSpace;
 use self::wal::WalSync;
@@ -116,11 +118,13 @@ struct SqliteDatabase {
 
 /// What a database grows into.
 enum Space {
-    Disk(FreeSpace),
-    /// Memory, up to so many bytes.
-    Memory {
-        bytes: u64,
+    Disk {
+        disk: FreeSpace,
+        /// The database and its log.
+        files: [OwnFile; 2],
     },
+    /// Memory, up to so many bytes.
+    Memory { bytes: u64 },
 }
 
 /// Opens the store in a directory, making both if need be.
@@ -231,7 +235,9 @@ impl SqliteDatabase {
         let readers =
             pool().max_connections(READERS).connect_with(options.pragma("query_only", "on")).await?;
         let disk = FreeSpace::new(path, min_free_bytes);
-        Ok(Self { writer, readers, clock, wal: Some(wal), space: Space::Disk(disk), _lock: lock })
+        let own = |path: &Path| OwnFile::new(path).map_err(sqlx::Error::Io);
+        let files = [own(path)?, own(&wal::path(path))?];
+        Ok(Self { writer, readers, clock, wal: Some(wal), space: Space::Disk { disk, files }, _lock: lock })
     }
 
     async fn in_memory(bytes: u64, clock: Arc<dyn Clock>) -> Result<Self, sqlx::Error> {
@@ -299,7 +305,10 @@ impl Backend for SqliteDatabase {
         // Pages that removed jobs have left are used before the database grows.
         let reusable = async || self.pages("PRAGMA freelist_count").await;
         let is_low = match &self.space {
-            Space::Disk(disk) => disk.is_low(0) && disk.is_low(reusable().await?),
+            Space::Disk { disk, files } => {
+                files.iter().try_for_each(OwnFile::check).map_err(StoreError::unavailable)?;
+                disk.is_low(0) && disk.is_low(reusable().await?)
+            }
             Space::Memory { bytes } => {
                 let used = self.pages("PRAGMA page_count").await?.saturating_sub(reusable().await?);
                 used > bytes - bytes / MEMORY_RESERVE
@@ -324,6 +333,12 @@ impl Backend for SqliteDatabase {
         let mut connection = self.writer.acquire().await?;
         sqlx::query("VACUUM INTO $1").bind(name).execute(&mut *connection).await?;
         Ok(true)
+    }
+
+    async fn close(&self) {
+        self.readers.close().await;
+        // The last connection moves the log into the database and removes it.
+        self.writer.close().await;
     }
 
     fn announce(&self, _: &[Change]) {

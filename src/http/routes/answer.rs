@@ -7,7 +7,7 @@ use axum::response::{IntoResponse, Response};
 use crate::http::query::Granted;
 use crate::http::result_body::no_result;
 use crate::http::wire::{JobDocument, Prefix};
-use crate::http::{HttpState, Problem, result_body};
+use crate::http::{HttpState, Problem, ProblemType, result_body};
 use crate::jobs::JobRecord;
 
 const REPLAYED: HeaderName = HeaderName::from_static("idempotency-replayed");
@@ -37,11 +37,31 @@ pub(super) async fn finished(
     }
     let job = JobDocument::of(state, record, prefix).await?;
     let (done, address) = (job.done, job.links.job.clone());
-    Ok(submitted(with_result(state, job, headers).await?, done, &address))
+    Ok(addressed(with_result(state, job, headers).await?, done, &address))
 }
 
-/// The answer to a client that hands a job in: 200 if it is done, else 202.
-pub(super) fn submitted(mut response: Response, done: bool, address: &str) -> Response {
+/// The answer to a client that hands a job in.
+pub(super) fn submitted(job: JobDocument) -> Response {
+    let (done, address) = (job.done, job.links.job.clone());
+    addressed(job.into_response(), done, &address)
+}
+
+/// The answer to a client that has waited for a job; where the store is out of reach before the job is done, what was known of it as it was
+/// taken in. Told to try again, the client would hand it in twice.
+pub(super) fn unless_out_of_reach(
+    answer: Result<Response, Problem>,
+    known: JobDocument,
+) -> Result<Response, Problem> {
+    match answer {
+        Err(problem) if problem.kind() == ProblemType::StoreUnavailable && !known.done => {
+            Ok(submitted(known))
+        }
+        answer => answer,
+    }
+}
+
+/// 200 if the job is done, else 202, with its address.
+fn addressed(mut response: Response, done: bool, address: &str) -> Response {
     let header = if done { CONTENT_LOCATION } else { LOCATION };
     if !done {
         *response.status_mut() = StatusCode::ACCEPTED;

@@ -65,7 +65,7 @@ pub(in crate::http) async fn batch_submit(
             Some(refused) => refused,
             None => match taken.next() {
                 Some(Ok(enqueued)) => {
-                    let job = JobDocument::of(&state, enqueued.job, &prefix).await?;
+                    let job = JobDocument::taken_in(&state, enqueued.job, &prefix).await;
                     BatchItem::submitted(job, enqueued.replayed)
                 }
                 Some(Err(error)) => BatchItem::refused(None, error.into()),

@@ -7,7 +7,7 @@ use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::{IntoResponse, Response};
 
-use super::answer::{apply_preference, finished, mark_replayed, submitted};
+use super::answer::{apply_preference, finished, mark_replayed, submitted, unless_out_of_reach};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
 use crate::http::preference::IdempotencyKey;
@@ -75,12 +75,14 @@ pub(in crate::http) async fn post_job(
     };
     let enqueued = state.jobs.submit(submission).await?;
     let answer = if let Some(wait) = wait {
-        let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;
-        finished(&state, record, &prefix, &headers).await
+        let known = JobDocument::brief(enqueued.job.clone(), &state.settings.retention, &prefix);
+        let waited = async {
+            let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;
+            finished(&state, record, &prefix, &headers).await
+        };
+        unless_out_of_reach(waited.await, known)
     } else {
-        let job = JobDocument::of(&state, enqueued.job, &prefix).await?;
-        let (done, address) = (job.done, job.links.job.clone());
-        Ok(submitted(job.into_response(), done, &address))
+        Ok(submitted(JobDocument::taken_in(&state, enqueued.job, &prefix).await))
     };
     let mut response = answer.unwrap_or_else(IntoResponse::into_response);
     mark_replayed(&mut response, enqueued.replayed);

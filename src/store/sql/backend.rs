@@ -52,6 +52,9 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// Writes a copy to a new file; `false` if the database has means of its own for that.
     async fn backup(&self, file: &Path) -> Result<bool, StoreError>;
 
+    /// Closes all connections, so that a file holds all there is; nothing can be asked any more.
+    async fn close(&self) {}
+
     /// Tells other processes of changes that are committed.
     fn announce(&self, changes: &[Change]);
 }

@@ -302,4 +302,8 @@ impl<B: Backend> JobStore for SqlStore<B> {
     async fn sync(&self) -> Result<(), StoreError> {
         self.backend.sync().await
     }
+
+    async fn close(&self) {
+        self.backend.close().await;
+    }
 }

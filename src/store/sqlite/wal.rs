@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -22,11 +22,17 @@ pub(super) struct WalSync {
     synced: Mutex<u64>,
 }
 
+/// The log of the database at a path.
+pub(super) fn path(database: &Path) -> PathBuf {
+    let mut name = database.as_os_str().to_owned();
+    name.push("-wal");
+    name.into()
+}
+
 impl WalSync {
     /// The log of the database at `path`, which is open: the log then exists until the last connection closes.
     pub(super) async fn open(path: &Path) -> io::Result<Self> {
-        let mut name = path.as_os_str().to_owned();
-        name.push("-wal");
+        let name = self::path(path);
         let open = move || File::options().create(true).append(true).open(name);
         let file = spawn_blocking(open).await.map_err(io::Error::other)??;
         Ok(Self { file: Arc::new(file), requested: AtomicU64::new(0), synced: Mutex::new(0) })

@@ -148,7 +148,12 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
     fn combined(&self, parts: &[(f64, Self::State)]) -> Self::State {
         let (_, most) = largest_part(parts);
         let inner: Vec<_> = parts.iter().map(|(part, state)| (*part, state.inner)).collect();
-        InhomogeneousState { inner: self.layer(&most).combined(&inner), ..most }
+        let strain = |k: usize| parts.iter().map(|(part, state)| part * state.initial_strain[k]).sum();
+        InhomogeneousState {
+            layer: most.layer,
+            initial_strain: std::array::from_fn(strain),
+            inner: self.layer(&most).combined(&inner),
+        }
     }
 
     fn tangent(

@@ -170,6 +170,24 @@ fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
     }
 }
 
+/// The stress that a body has before any load stays with the material too. With the stiffness of the present pairs these were 13 % too
+/// low and 15 % too high, the second by 26 % too low where the same approach was prescribed in place of the force.
+#[test]
+fn a_body_with_a_stress_before_the_load_is_as_stiff_as_loads_that_differ_tell() {
+    for (name, bound) in
+        [("stressed_graded_body_at_its_largest_load", 0.03), ("stressed_layer_pressed_again", 0.055)]
+    {
+        let text = std::fs::read(format!("tests/cases/{name}.json")).unwrap();
+        let mut job: Value = serde_json::from_slice(&text).unwrap();
+        let (step, slope) = step_and_slope(&job, 0.1);
+        assert_within(step.contact_stiffness, slope, bound);
+        *job["load"]["history"].as_array_mut().unwrap().last_mut().unwrap() =
+            json!({"approach": step.approach});
+        let again = report(&job).steps.pop().unwrap();
+        assert_within(again.contact_stiffness, slope, bound);
+    }
+}
+
 /// Ten elements below a ball that does not harden: the stiffness of the pairs in contact is a quarter of what loads that differ tell,
 /// and that of a growing contact below zero.
 #[test]

@@ -7,13 +7,34 @@
 //! The gradient is that of nodal means. Within an element alone states differ by what its strains are known less well than in the
 //! middle: where bodies flow at a constant volume a gradient of the four points is off by as much as it is.
 
-use super::Unloaded;
+use super::{StressField, Unloaded, stress};
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
 use crate::fem::mesh::Mesh;
-use crate::material::ConstitutiveModel;
+use crate::material::{ConstitutiveModel, OutOfPlane};
+
+/// Stresses where the nodes of a mesh have moved a little in the body and have kept their displacements, and states, given for the points
+/// of each element, have stayed with the material.
+///
+/// In plane stress they move with the mesh: flow gathers in bands there that are as narrow as elements, and of states that differ so
+/// much from one element to the next there is no gradient.
+pub(super) fn moved_stress_field<M: ConstitutiveModel>(
+    model: &M,
+    unloaded: &Unloaded<'_>,
+    moved: &Mesh,
+    displacement: &[[f64; 2]],
+    states: impl Fn(usize) -> [M::State; QUADRATURE_POINTS],
+) -> StressField {
+    let on_moved = Unloaded { mesh: moved, ..*unloaded };
+    let differ = model.has_memory() || unloaded.initial_stress.is_some();
+    if !differ || model.out_of_plane() == OutOfPlane::PlaneStress {
+        return stress::evaluate(model, &on_moved, displacement, states);
+    }
+    let carried = CarriedStates::new(model, unloaded, states);
+    stress::evaluate(model, &on_moved, displacement, |element| carried.at(element, moved))
+}
 
 /// The states of the points of each element, as long as its nodes are where they were.
-pub(super) struct CarriedStates<'a, M: ConstitutiveModel, F> {
+struct CarriedStates<'a, M: ConstitutiveModel, F> {
     model: &'a M,
     unloaded: &'a Unloaded<'a>,
     states: F,
@@ -27,7 +48,7 @@ where
     F: Fn(usize) -> [M::State; QUADRATURE_POINTS],
 {
     /// From the states of the points of each element of a mesh.
-    pub fn new(model: &'a M, unloaded: &'a Unloaded<'a>, states: F) -> Self {
+    fn new(model: &'a M, unloaded: &'a Unloaded<'a>, states: F) -> Self {
         let mesh = unloaded.mesh;
         let mut around = vec![Vec::new(); mesh.nodes.len()];
         for (element, nodes) in mesh.elements.iter().enumerate() {
@@ -45,7 +66,7 @@ where
     }
 
     /// The states at the points of an element of the same mesh after its nodes have moved a little.
-    pub fn at(&self, element: usize, moved: &Mesh) -> [M::State; QUADRATURE_POINTS] {
+    fn at(&self, element: usize, moved: &Mesh) -> [M::State; QUADRATURE_POINTS] {
         let states = (self.states)(element);
         let (from, to) = (self.unloaded.mesh.corners(element), moved.corners(element));
         if from == to {

@@ -21,13 +21,13 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use super::carried_states::CarriedStates;
+use super::carried_states::moved_stress_field;
 use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
 use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
 use crate::fem::mesh::Mesh;
 use crate::material::{
-    ConstitutiveModel, ElasticModuli, HardeningLaw, OutOfPlane, PerPoint, PointOrigin, ReferenceModuli,
+    ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, PointOrigin, ReferenceModuli,
 };
 use sparse_cholesky::simd_dispatch;
 
@@ -58,6 +58,15 @@ pub trait MaterialModel: Debug + Send + Sync {
 
     /// Stresses at nodal displacements `[u_x, u_y]` \[mm\] that were reached from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
+
+    /// The same where the nodes of the mesh have moved a little in the body and have kept their displacements, and its stress before any
+    /// load has stayed with the material.
+    fn moved_stress_field(
+        &self,
+        unloaded: &Unloaded<'_>,
+        moved: &Mesh,
+        displacement: &[[f64; 2]],
+    ) -> StressField;
 }
 
 /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` at the points of each element \[MPa\].
@@ -127,6 +136,15 @@ impl<M: ConstitutiveModel> MaterialModel for M {
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
         stress::evaluate(self, unloaded, displacement, |element| unloaded.states(self, element))
     }
+
+    fn moved_stress_field(
+        &self,
+        unloaded: &Unloaded<'_>,
+        moved: &Mesh,
+        displacement: &[[f64; 2]],
+    ) -> StressField {
+        moved_stress_field(self, unloaded, moved, displacement, |element| unloaded.states(self, element))
+    }
 }
 
 /// The Gauss points of a body that may yield: their geometry, their law, and the states of the last accepted increment.
@@ -167,8 +185,7 @@ pub trait PlasticPoints: Debug + Send + Sync {
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
 
     /// The same where the nodes of the mesh have moved a little in the body and have kept their displacements, and states have stayed with
-    /// the material. In plane stress they move with the mesh: flow gathers in bands there that are as narrow as elements, and of
-    /// states that differ so much from one element to the next there is no gradient.
+    /// the material.
     fn moved_stress_field(
         &self,
         unloaded: &Unloaded<'_>,
@@ -317,13 +334,7 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
         moved: &Mesh,
         displacement: &[[f64; 2]],
     ) -> StressField {
-        let model = &*self.model;
-        let on_moved = Unloaded { mesh: moved, ..*unloaded };
-        if !model.has_memory() || model.out_of_plane() == OutOfPlane::PlaneStress {
-            return stress::evaluate(model, &on_moved, displacement, self.states_by_element(&on_moved));
-        }
-        let carried = CarriedStates::new(model, unloaded, self.states_by_element(unloaded));
-        stress::evaluate(model, &on_moved, displacement, |element| carried.at(element, moved))
+        moved_stress_field(&*self.model, unloaded, moved, displacement, self.states_by_element(unloaded))
     }
 }
 

@@ -187,13 +187,23 @@ impl BodyModel {
         unloaded(&self.elastic, self.initial_stress.as_deref())
     }
 
-    /// The same where the nodes of the mesh have moved a little and have kept their displacements.
-    pub fn moved_stress_field(&self, moved: &Mesh, nodal: &[[f64; 2]]) -> StressField {
+    /// By how much the nodal forces of stresses change where the nodes of the mesh move a little and keep their displacements,
+    /// `stress` being what they were; but for those of the stress before the load \[N/mm\].
+    pub fn force_change(&self, moved: &Mesh, nodal: &[[f64; 2]], stress: &StressField) -> Vec<[f64; 2]> {
         let unloaded = self.unloaded();
-        match &self.plastic_region.points {
+        let then = match &self.plastic_region.points {
             Some(points) => points.moved_stress_field(&unloaded, moved, nodal),
-            None => self.model.stress_field(&Unloaded { mesh: moved, ..unloaded }, nodal),
+            None => self.model.moved_stress_field(&unloaded, moved, nodal),
+        };
+        let mut change = then.internal_force;
+        subtract(&mut change, &stress.internal_force);
+        if self.initial_stress.is_some() {
+            let rest = vec![[0.0; 2]; nodal.len()];
+            subtract(&mut change, &self.model.moved_stress_field(&unloaded, moved, &rest).internal_force);
+            let at_rest = self.model.stress_field(&unloaded, &rest).internal_force;
+            change.iter_mut().zip(at_rest).for_each(|(f, r)| *f = [f[0] + r[0], f[1] + r[1]]);
         }
+        change
     }
 
     /// `‖∫B̄ᵀσ dV - R‖` over the free components \[N/mm\].
@@ -327,6 +337,13 @@ impl InitialState {
             force = initial_force(mesh, stress_state, equations, &stress);
         }
         Self { stress: Arc::new(stress), force }
+    }
+}
+
+/// `a -= b`.
+fn subtract(a: &mut [[f64; 2]], b: &[[f64; 2]]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = [a[0] - b[0], a[1] - b[1]];
     }
 }
 

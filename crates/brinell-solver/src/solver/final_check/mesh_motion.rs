@@ -7,6 +7,7 @@
 //! f' = d/dt ∫ Bᵀ σ(ε) dV,     g' = δ0'(x) ẋ
 //! ```
 
+use crate::fem::element::StressState;
 use crate::fem::mesh::{Mesh, Outline};
 use crate::solver::body_system::system::{BlockVector, System};
 use crate::solver::mesh_solve::MeshSolve;
@@ -37,7 +38,7 @@ pub(super) struct MeshMotion {
 
 impl MeshMotion {
     /// One for each end of the contact that is not held by an edge; none where the contact is in several parts, and for a pin in
-    /// its hole, whose nodes are on circles, and for bodies with a stress before the load, which belongs to their nodes.
+    /// its hole, whose nodes are on circles, and in plane stress for bodies with a stress before the load, which moves with their nodes.
     ///
     /// The last corner of the surfaces within the contact that is some elements from its end does not move.
     pub fn of(solve: &MeshSolve) -> Vec<Self> {
@@ -45,7 +46,8 @@ impl MeshMotion {
         let zone = &system.zone;
         let active = &outcome.state.response.contact.active_set;
         let is_stressed = system.bodies.iter().any(|body| body.initial_stress.is_some());
-        if system.conforming.is_some() || is_stressed {
+        let is_plane_stress = system.stress_state == StressState::PlaneStress;
+        if system.conforming.is_some() || is_stressed && is_plane_stress {
             return Vec::new();
         }
         let (Some(patch), [_]) = (patch, solve.parts().as_slice()) else { return Vec::new() };
@@ -106,12 +108,10 @@ impl MeshMotion {
                 let elastic = &body.elastic;
                 let mesh = self.moved(&elastic.mesh, &elastic.key.outline, step);
                 ask(observer)?;
-                let moved = body.moved_stress_field(&mesh, &field.nodal);
                 let mut rates = elastic.zeros();
-                let forces = moved.internal_force.iter().zip(&field.stress.internal_force);
-                for (node, (then, now)) in (0u32..).zip(forces) {
-                    for ((&k, then), now) in elastic.equations.of_node(node).iter().zip(then).zip(now) {
-                        rates[k as usize] += (then - now) / step;
+                for (node, change) in (0u32..).zip(body.force_change(&mesh, &field.nodal, &field.stress)) {
+                    for (&k, change) in elastic.equations.of_node(node).iter().zip(change) {
+                        rates[k as usize] += change / step;
                     }
                 }
                 if let Some(held) = rates.last_mut() {
