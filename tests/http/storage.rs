@@ -22,6 +22,40 @@ fn below_the_reserve_no_job_is_accepted_and_readiness_says_so() {
     assert!(server.log().contains("the disk is full"));
 }
 
+/// Whoever keeps `brinell.db` keeps all jobs.
+#[test]
+fn a_stop_leaves_everything_in_one_file() {
+    let data = Scratch::new();
+    let path = data.0.to_str().unwrap();
+    for _ in 0..4 {
+        let mut server = Server::start_with(&["--data-dir", path]);
+        for _ in 0..15 {
+            server.target.submit(&example());
+        }
+        server.signal("TERM");
+        assert!(server.wait().success());
+        assert!(!data.0.join("brinell.db-wal").exists());
+    }
+}
+
+/// What is written to a file without a name ends with the process.
+#[test]
+fn no_job_is_accepted_once_the_files_are_gone_or_others() {
+    for (file, is_replaced) in [("brinell.db", false), ("brinell.db", true), ("brinell.db-wal", false)] {
+        let data = Scratch::new();
+        let server = Server::start_logging(&["--data-dir", data.0.to_str().unwrap()]);
+        server.target.submit(&example());
+        std::fs::remove_file(data.0.join(file)).unwrap();
+        if is_replaced {
+            std::fs::write(data.0.join(file), "").unwrap();
+        }
+        server.target.post("/v1/jobs", example().to_string()).problem(503, "store-unavailable");
+        server.target.get("/readyz").problem(503, "store-unavailable");
+        let said = if is_replaced { "was replaced while it was open" } else { "No such file" };
+        assert!(server.log().contains(said) && server.log().contains(file));
+    }
+}
+
 /// Runs a command of the program.
 fn run(args: &[&str]) -> (bool, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_brinell")).args(args).output().unwrap();

@@ -2,6 +2,7 @@
 
 use std::process::{Child, Command, Stdio};
 use std::thread;
+use std::time::Duration;
 
 use serde_json::Value;
 use tokio::runtime::Runtime;
@@ -126,4 +127,23 @@ fn nodes_outlive_a_restart_of_the_database() {
     client.wait_until_idle();
     client.assert_all_succeeded(&ids);
     api.target.assert_alive();
+}
+
+/// Told to try again, whoever waits would hand the job in twice.
+#[test]
+fn a_job_that_was_taken_in_is_not_refused_when_the_database_goes_away() {
+    let cluster = Cluster::start();
+    let database = database(&cluster);
+    let api = service(&database, &["--no-workers"]);
+    let (job, url) = (example().to_string(), format!("{}/v1/jobs?wait=50", api.target.url));
+    let as_json = ["-H", "Content-Type: application/json", "--data-binary", &job];
+    let waiting = spawn_curl(&[&as_json[..], &["-w", " %{http_code} %header{location}", &url]].concat());
+    let is_taken_in =
+        || api.target.get("/v1/jobs").json()["jobs"].as_array().is_some_and(|jobs| !jobs.is_empty());
+    while !is_taken_in() {
+        thread::sleep(Duration::from_millis(20));
+    }
+    drop(cluster);
+    let text = String::from_utf8(waiting.wait_with_output().unwrap().stdout).unwrap();
+    assert!(text.contains("\"status\":\"queued\"") && text.contains(" 202 /v1/jobs/"), "{text}");
 }
