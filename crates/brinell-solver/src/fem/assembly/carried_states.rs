@@ -4,8 +4,8 @@
 //! S(x_g + δx_g) = S_g + Σ_i (∇N_i · δx_g) S̄_i,     S̄_i: mean over the elements around node i
 //! ```
 //!
-//! The gradient is that of nodal means. Within an element alone states differ by what its strains are known less well than in the
-//! middle: where bodies flow at a constant volume a gradient of the four points is off by as much as it is.
+//! Nodal means give the gradient. Differences between the four points of one element are less accurate than its mean, most of all where
+//! bodies flow at a constant volume.
 
 use super::{StressField, Unloaded, stress};
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
