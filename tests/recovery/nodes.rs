@@ -2,7 +2,7 @@
 
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 use tokio::runtime::Runtime;
@@ -10,7 +10,7 @@ use tokio::runtime::Runtime;
 use crate::client::Client;
 use crate::cluster::Cluster;
 use crate::curl::spawn_curl;
-use crate::server::{Server, example};
+use crate::server::{DEADLINE, Server, example};
 
 fn database(cluster: &Cluster) -> String {
     Runtime::new().unwrap().block_on(cluster.database())
@@ -140,7 +140,9 @@ fn a_job_that_was_taken_in_is_not_refused_when_the_database_goes_away() {
     let waiting = spawn_curl(&[&as_json[..], &["-w", " %{http_code} %header{location}", &url]].concat());
     let is_taken_in =
         || api.target.get("/v1/jobs").json()["jobs"].as_array().is_some_and(|jobs| !jobs.is_empty());
+    let started = Instant::now();
     while !is_taken_in() {
+        assert!(started.elapsed() < DEADLINE, "the job is not taken in");
         thread::sleep(Duration::from_millis(20));
     }
     drop(cluster);

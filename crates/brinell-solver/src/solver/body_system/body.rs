@@ -198,6 +198,7 @@ impl BodyModel {
         let mut change = then.internal_force;
         subtract(&mut change, &stress.internal_force);
         if self.initial_stress.is_some() {
+            // Both evaluated alike: where the body yields before any load they are not the forces of the given stress.
             let rest = vec![[0.0; 2]; nodal.len()];
             subtract(&mut change, &self.model.moved_stress_field(&unloaded, moved, &rest).internal_force);
             let at_rest = self.model.stress_field(&unloaded, &rest).internal_force;
