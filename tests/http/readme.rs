@@ -51,6 +51,59 @@ fn curl_blocks(text: &str) -> Vec<String> {
     blocks
 }
 
+/// What the first curl example prints is what the README shows below it, to six digits: the last ones differ between processors.
+#[test]
+fn the_figures_shown_are_those_of_today() {
+    let text =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there");
+    let (_, after) = text.split_once("```sh curl\n").expect("README.md has an example");
+    let (example, after) = after.split_once("```\n\n```\n").expect("its answer follows");
+    let (shown, _) = after.split_once("```").expect("the answer ends");
+
+    let server = Server::start();
+    let output = Command::new("sh")
+        .args(["-euc", &example.replace(DEFAULT_URL, &server.target.url)])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("sh runs");
+    let printed = String::from_utf8_lossy(&output.stdout);
+    let (shown, printed) = (figures(shown), figures(&printed));
+    assert_eq!(shown.len(), 4, "{shown:?}");
+    assert_eq!(printed.len(), 4, "{printed:?}");
+    for ((name, old), (now_name, now)) in shown.iter().zip(&printed) {
+        assert_eq!(name, now_name);
+        assert!(
+            (old - now).abs() <= 1e-6 * now.abs(),
+            "README.md shows {name} {old}, the service says {now}"
+        );
+    }
+}
+
+/// Lines `"name":figure`.
+fn figures(lines: &str) -> Vec<(String, f64)> {
+    lines
+        .lines()
+        .map(|line| line.split_once(':').expect("a name and a figure"))
+        .map(|(name, figure)| (name.to_owned(), figure.parse().expect("a figure")))
+        .collect()
+}
+
+/// The table and the chart that the README shows are those that a terminal shows.
+#[test]
+fn the_table_shown_is_that_of_today() {
+    let text =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there");
+    let begin = text.find("force 612.6106 N/mm").expect("README.md shows the table");
+    let shown = text[begin..].split("```").next().expect("the table ends");
+    let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(["solve", "api/examples/two_cylinders.json", "--format", "table"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("the program runs");
+    let printed = String::from_utf8_lossy(&output.stdout);
+    assert!(printed.contains(shown.trim_end()), "README.md shows\n{shown}\nthe program prints\n{printed}");
+}
+
 #[test]
 fn only_marked_blocks_are_taken() {
     let text = "```sh\ncargo test\n```\n\n```sh curl\ncurl a\ncurl b\n```\ntext\n```sh curl\ncurl c\n```\n";
