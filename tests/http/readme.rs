@@ -1,4 +1,4 @@
-//! The curl examples of the README, executed.
+//! The curl examples of the README, executed, and what it shows of their answers.
 //!
 //! Every fenced block whose info string is `sh curl` is run by `sh -eu` in the package's directory. In it,
 //! `http://127.0.0.1:8080`, where `brinell serve` listens by default, stands for the service under test. The
@@ -11,16 +11,13 @@ use crate::server::Server;
 
 const DEFAULT_URL: &str = "http://127.0.0.1:8080";
 
-#[test]
-fn every_curl_example_works() {
-    let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
-    let text = fs::read_to_string(readme).expect("README.md is there");
-    let blocks = curl_blocks(&text);
-    assert!(!blocks.is_empty(), "README.md has no block marked ```sh curl");
-    assert!(blocks.iter().all(|block| block.contains(DEFAULT_URL)), "an example asks no service");
+fn readme() -> String {
+    fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there")
+}
 
-    let server = Server::start();
-    let script = blocks.join("\n").replace(DEFAULT_URL, &server.target.url);
+/// What a script prints that asks this service.
+fn printed(script: &str, server: &Server) -> String {
+    let script = script.replace(DEFAULT_URL, &server.target.url);
     let output = Command::new("sh")
         .args(["-euc", &script])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -30,6 +27,18 @@ fn every_curl_example_works() {
     let (shown, complaints) =
         (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{script}\n{shown}\n{complaints}");
+    shown.into_owned()
+}
+
+#[test]
+fn every_curl_example_works() {
+    let blocks = curl_blocks(&readme());
+    assert!(!blocks.is_empty(), "README.md has no block marked ```sh curl");
+    assert!(blocks.iter().all(|block| block.contains(DEFAULT_URL)), "an example asks no service");
+
+    let server = Server::start();
+    let script = blocks.join("\n");
+    let shown = printed(&script, &server);
     assert!(!shown.contains("/problems/"), "an example is answered by a problem:\n{script}\n{shown}");
     server.target.assert_alive();
 }
@@ -54,27 +63,18 @@ fn curl_blocks(text: &str) -> Vec<String> {
 /// What the first curl example prints is what the README shows below it, to six digits: the last ones differ between processors.
 #[test]
 fn the_figures_shown_are_those_of_today() {
-    let text =
-        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there");
+    let text = readme();
     let (_, after) = text.split_once("```sh curl\n").expect("README.md has an example");
     let (example, after) = after.split_once("```\n\n```\n").expect("its answer follows");
     let (shown, _) = after.split_once("```").expect("the answer ends");
 
-    let server = Server::start();
-    let output = Command::new("sh")
-        .args(["-euc", &example.replace(DEFAULT_URL, &server.target.url)])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("sh runs");
-    let printed = String::from_utf8_lossy(&output.stdout);
-    let (shown, printed) = (figures(shown), figures(&printed));
-    assert_eq!(shown.len(), 4, "{shown:?}");
-    assert_eq!(printed.len(), 4, "{printed:?}");
-    for ((name, old), (now_name, now)) in shown.iter().zip(&printed) {
-        assert_eq!(name, now_name);
+    let (shown, now) = (figures(shown), figures(&printed(example, &Server::start())));
+    assert_eq!((shown.len(), now.len()), (4, 4), "{shown:?} {now:?}");
+    for ((name, old), (name_now, new)) in shown.iter().zip(&now) {
+        assert_eq!(name, name_now);
         assert!(
-            (old - now).abs() <= 1e-6 * now.abs(),
-            "README.md shows {name} {old}, the service says {now}"
+            (old - new).abs() <= 1e-6 * new.abs(),
+            "README.md shows {name} {old}, the service says {new}"
         );
     }
 }
@@ -91,8 +91,7 @@ fn figures(lines: &str) -> Vec<(String, f64)> {
 /// The table and the chart that the README shows are those that a terminal shows.
 #[test]
 fn the_table_shown_is_that_of_today() {
-    let text =
-        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there");
+    let text = readme();
     let begin = text.find("force 612.6106 N/mm").expect("README.md shows the table");
     let shown = text[begin..].split("```").next().expect("the table ends");
     let output = Command::new(env!("CARGO_BIN_EXE_brinell"))
