@@ -3,9 +3,27 @@
 _default:
     @just --list
 
+# One part, within a minute of a change: a crate (solver, sparse-cholesky), service or page
+quick PART:
+    scripts/quick.sh {{PART}}
+
 # Everything a change has to pass
 ci:
     .ci/run
+
+# All of that and the slow rest
+full:
+    .ci/full
+
+# The times of steps, tests and crates: docs/notes/test_times.md
+times:
+    cargo test --no-run --timings
+    scripts/test_times.py --ignored
+
+# The figures in README.md and docs/verification.md, written anew
+figures:
+    BRINELL_WRITE=1 cargo test --test http readme -- --include-ignored
+    cargo run --release -p brinell-tools --bin verification_table -- --write
 
 # All tests
 test:
@@ -13,7 +31,7 @@ test:
 
 # Closed forms, invariants, other programs
 verify:
-    cargo test --test verification
+    cargo test --test solver
 
 # The page in a real Chromium; node and chromium have to be installed
 page:
@@ -84,7 +102,7 @@ deny:
 # POST /v1/solve under load against the same jobs without a service (wrk)
 throughput:
     cargo build --release
-    cargo build --release --example in_process
+    cargo build --release -p brinell-tools --features service --bin in_process
     scripts/throughput.py
 
 # Five minutes of random jobs for the parser (a C++ compiler)

@@ -2,7 +2,7 @@
 """Holds POST /v1/solve under load against the same jobs solved in a loop without a service, on the same cores.
 
 usage: scripts/throughput.py [--elements 5 8] [--rounds 5] [--seconds 5] [-- MORE ARGUMENTS OF SERVE]
-Needs wrk, `cargo build --release` and `cargo build --release --example in_process`. The two are measured in turn,
+Needs wrk, `cargo build --release` and `cargo build --release -p brinell-tools --features service --bin in_process`. The two are measured in turn,
 round by round; each row is the median of the rounds. Three yield stresses of peak pressure, 64 connections.
 
 Beside the rates by the clock, which other work on the machine disturbs, stand those by processor time: jobs for each
@@ -35,7 +35,7 @@ def processor_time():
 def in_process(job):
     """Jobs a second by the clock and by processor time."""
     before, begin = processor_time(), time.perf_counter()
-    command = [f"{args.release}/examples/in_process", str(job), str(args.seconds)]
+    command = [f"{args.release}/in_process", str(job), str(args.seconds)]
     rate = float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     return rate, rate * (time.perf_counter() - begin) / (processor_time() - before)
 

@@ -9,10 +9,11 @@ use std::process::{Command, Stdio};
 
 use crate::server::Server;
 
+const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
 const DEFAULT_URL: &str = "http://127.0.0.1:8080";
 
 fn readme() -> String {
-    fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("README.md is there")
+    fs::read_to_string(README).expect("README.md is there")
 }
 
 /// What a script prints that asks this service.
@@ -60,36 +61,20 @@ fn curl_blocks(text: &str) -> Vec<String> {
     blocks
 }
 
-/// What the first curl example prints is what the README shows below it, to six digits: the last ones differ between processors.
+/// What the first curl example prints is what the README shows below it.
 #[test]
+#[ignore = "full"]
 fn the_figures_shown_are_those_of_today() {
     let text = readme();
     let (_, after) = text.split_once("```sh curl\n").expect("README.md has an example");
     let (example, after) = after.split_once("```\n\n```\n").expect("its answer follows");
     let (shown, _) = after.split_once("```").expect("the answer ends");
-
-    let (shown, now) = (figures(shown), figures(&printed(example, &Server::start())));
-    assert_eq!((shown.len(), now.len()), (4, 4), "{shown:?} {now:?}");
-    for ((name, old), (name_now, new)) in shown.iter().zip(&now) {
-        assert_eq!(name, name_now);
-        assert!(
-            (old - new).abs() <= 1e-6 * new.abs(),
-            "README.md shows {name} {old}, the service says {new}"
-        );
-    }
-}
-
-/// Lines `"name":figure`.
-fn figures(lines: &str) -> Vec<(String, f64)> {
-    lines
-        .lines()
-        .map(|line| line.split_once(':').expect("a name and a figure"))
-        .map(|(name, figure)| (name.to_owned(), figure.parse().expect("a figure")))
-        .collect()
+    hold(shown, &printed(example, &Server::start()));
 }
 
 /// The table and the chart that the README shows are those that a terminal shows.
 #[test]
+#[ignore = "full"]
 fn the_table_shown_is_that_of_today() {
     let text = readme();
     let begin = text.find("force 612.6106 N/mm").expect("README.md shows the table");
@@ -100,7 +85,48 @@ fn the_table_shown_is_that_of_today() {
         .output()
         .expect("the program runs");
     let printed = String::from_utf8_lossy(&output.stdout);
-    assert!(printed.contains(shown.trim_end()), "README.md shows\n{shown}\nthe program prints\n{printed}");
+    let begin = printed.find("force 612.6106 N/mm").expect("the program prints the table");
+    let lines = shown.lines().count();
+    let now: String = printed[begin..].split_inclusive('\n').take(lines).collect();
+    hold(shown, &now);
+}
+
+/// Compares what README.md shows with what is printed now: words exactly, figures to three digits.
+/// With `BRINELL_WRITE=1` writes it anew instead.
+fn hold(shown: &str, now: &str) {
+    if std::env::var_os("BRINELL_WRITE").is_some() {
+        let text = readme().replacen(shown, now, 1);
+        return fs::write(README, text).expect("README.md can be written");
+    }
+    let different = differences(shown, now);
+    assert!(different.is_empty(), "README.md differs; BRINELL_WRITE=1 writes it anew: {different:?}");
+}
+
+/// The words that differ, figures beyond three digits.
+fn differences(shown: &str, now: &str) -> Vec<(String, String)> {
+    let words = |text: &str| -> Vec<String> {
+        let separators = |c: char| c.is_whitespace() || c == ':' || c == ',';
+        text.split(separators).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    };
+    let alike = |old: &str, new: &str| match (old.parse::<f64>(), new.parse::<f64>()) {
+        (Ok(old), Ok(new)) => (old - new).abs() <= 5e-4 * old.abs().max(new.abs()),
+        _ => old == new,
+    };
+    let (old, new) = (words(shown), words(now));
+    let mut different: Vec<_> =
+        old.iter().cloned().zip(new.iter().cloned()).filter(|(a, b)| !alike(a, b)).collect();
+    if old.len() != new.len() {
+        different.push((format!("{} words", old.len()), format!("{} words", new.len())));
+    }
+    different
+}
+
+#[test]
+fn figures_are_compared_to_three_digits() {
+    assert!(differences("peak 1500.1 MPa", "peak  1500.4 MPa").is_empty());
+    assert_eq!(differences("\"peak\":1500.1,", "\"peak\":1510.1,").len(), 1);
+    assert_eq!(differences("peak 1 MPa", "peak 1 GPa").len(), 1);
+    assert_eq!(differences("peak 1", "peak 1 MPa").len(), 1);
 }
 
 #[test]

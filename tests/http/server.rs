@@ -4,14 +4,15 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use serde_json::Value;
 
 use crate::curl::{Answer, curl, curl_with_input};
 
-/// Longest time anything in these tests may take.
-pub const DEADLINE: Duration = Duration::from_mins(1);
+#[path = "../support/deadline.rs"]
+mod deadline;
+pub use deadline::DEADLINE;
 
 /// The paper's problem, as a document to be spoilt.
 pub fn example() -> Value {

@@ -141,7 +141,7 @@ async fn a_damaged_file_is_found() {
             tokio::task::yield_now().await;
         }
     };
-    tokio::time::timeout(std::time::Duration::from_secs(30), removed).await.expect("the log is removed");
+    tokio::time::timeout(crate::subject::DEADLINE, removed).await.expect("the log is removed");
     let mut bytes = std::fs::read(&file).unwrap();
     let end = bytes.len();
     bytes[end - 100 * 4096..].fill(0xff);

@@ -10,13 +10,12 @@ use brinell::jobs::{
 use futures_util::FutureExt;
 use tokio::time::{Instant, sleep, timeout};
 
-use crate::subject::{Subject, job};
+use crate::subject::{DEADLINE, Subject, job};
 
 const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
 /// Times a request is polled before it is dropped, at most.
 const POLLS: usize = 40;
 const POLL: Duration = Duration::from_micros(200);
-const SOON: Duration = Duration::from_secs(5);
 
 fn service(subject: &Subject) -> Arc<JobService> {
     let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
@@ -38,7 +37,7 @@ async fn dropped_after(polls: usize, request: impl Future) -> bool {
 }
 
 async fn soon(mut holds: impl AsyncFnMut() -> bool) -> bool {
-    let deadline = Instant::now() + SOON;
+    let deadline = Instant::now() + DEADLINE;
     while !holds().await {
         if Instant::now() > deadline {
             return false;
@@ -88,7 +87,7 @@ pub async fn what_is_changed_is_announced_although_its_client_has_gone(subject: 
         dropped_after(polls, jobs.cancel(id, None)).await;
         sleep(10 * POLL).await;
         if subject.get(id).await.cancel_requested {
-            let told = timeout(SOON, async { while !subscription.changed().await.cancel_requested {} });
+            let told = timeout(DEADLINE, async { while !subscription.changed().await.cancel_requested {} });
             told.await.unwrap_or_else(|_| panic!("a job is not told to stop after {polls} polls"));
         }
         subject.store.release(&[lease]).await.unwrap();
@@ -116,7 +115,7 @@ pub async fn names_in_any_order_are_taken_in_together(subject: &Subject) {
             fresh += taken.iter().filter(|taken| !taken.as_ref().unwrap().replayed).count();
         }
         assert_eq!(fresh, 3);
-        assert!(begin.elapsed() < SOON);
+        assert!(begin.elapsed() < DEADLINE);
         let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
         for record in page.jobs {
             subject.store.cancel(record.id).await.unwrap();

@@ -29,8 +29,9 @@ pub const LEASE: Duration = Duration::from_secs(30);
 pub const MAX_ATTEMPTS: u32 = 2;
 pub const MEMORY: u64 = 1000;
 
-/// Longest time anything in these tests may take.
-pub const DEADLINE: Duration = Duration::from_secs(20);
+#[path = "../support/deadline.rs"]
+mod deadline;
+pub use deadline::DEADLINE;
 
 pub const ALL: JobFilter = JobFilter {
     ids: Vec::new(),

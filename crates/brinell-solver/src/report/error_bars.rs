@@ -33,7 +33,7 @@
 //! The constants are measured: twelve problems (elastic, bilinear, perfectly plastic and Ramberg–Osgood cylinders,
 //! plane stress, cylinder on block, elastic and plastic spheres, ball on flat) on ten meshes of 8 to 40 elements, each
 //! against the same problem with 80, and 250 random jobs of the whole format against meshes four times as dense
-//! (`docs/validity.md`). `tests/verification/error_bars.rs` holds a part of both to them.
+//! (`docs/validity.md`). `tests/solver/error_bars.rs` holds a part of both to them.
 
 use serde::{Deserialize, Serialize};
 

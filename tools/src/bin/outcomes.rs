@@ -1,8 +1,8 @@
 //! Does every law, shape pairing, analysis and coupling converge? Prints a table of outcomes in Markdown.
 //!
-//! `cargo run --release --example outcomes`; a contact whose elastic peak pressure is 3, 4 and 5 yield stresses, ten
+//! `cargo run --release -p brinell-tools --bin outcomes`; a contact whose elastic peak pressure is 3, 4 and 5 yield stresses, ten
 //! elements over the half-width, tolerance 1e-6. A number is the count of iterations, a word why there is no answer.
-//! `cargo run --release --example outcomes flow` prints what flow theory makes of the same cylinders and spheres, up to the
+//! `cargo run --release -p brinell-tools --bin outcomes flow` prints what flow theory makes of the same cylinders and spheres, up to the
 //! force and back to none, beside deformation theory.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
@@ -15,7 +15,7 @@ use brinell_solver::report;
 use brinell_solver::solver::{Interrupt, Observer, SolveStatus, run};
 use serde_json::{Value, json};
 
-#[path = "../tests/support/contacts.rs"]
+#[path = "../../../crates/brinell-solver/tests/support/contacts.rs"]
 mod contacts;
 
 use contacts::{ANALYSES, job, laws, pairs, surfaces};

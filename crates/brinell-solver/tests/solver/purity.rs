@@ -1,7 +1,6 @@
 //! The solver and its factorization are pure: no async, no files, no network, no clock, no threads, no printing.
 //!
 //! Cargo keeps the crates apart; these names come from the standard library, which every crate sees.
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,7 @@
-//! Verification against closed forms, invariants and independent programs, one file for each named problem.
+//! The solver from outside, one executable: verification against closed forms, invariants and independent
+//! programs (one file for each named problem), the wire format, results, exports and purity.
+//!
+//! A test that takes more than two seconds is `#[ignore = "full"]`: `.ci/full` runs it.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 #![expect(clippy::float_cmp, reason = "what is set to zero is exactly zero")]
@@ -14,6 +17,7 @@ mod contact_stiffness;
 #[path = "../support/contacts.rs"]
 mod contacts;
 mod error_bars;
+mod exports;
 mod factor_cache;
 mod flow_increments;
 mod flow_references;
@@ -23,6 +27,7 @@ mod independent_program;
 mod initial_stress;
 mod invariants;
 mod line_contact;
+mod model;
 mod onset_of_line_contact;
 mod outcomes;
 mod paper_problem;
@@ -31,7 +36,9 @@ mod point_contact;
 mod problems;
 mod profiles;
 mod punch_ceiling;
+mod purity;
 mod random_jobs;
+mod results;
 #[path = "../support/rough_traces.rs"]
 mod rough_traces;
 mod shape_cases;

@@ -1,12 +1,12 @@
 //! Compares contact stiffnesses with differences of the approach under loads of ±1, ±3 and ±10 %, each load a job of its own, over
 //! random jobs of the whole format; the last difference counts.
 //!
-//! `cargo run --release -p brinell-solver --example contact_stiffness -- 80` counts 80 jobs; a second argument is the seed, a third of
+//! `cargo run --release -p brinell-tools --bin contact_stiffness -- 80` counts 80 jobs; a second argument is the seed, a third of
 //! any kind prints every job that is beyond one per cent. Files of jobs in place of a number are compared one by one.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
-#[path = "../tests/support/random_job.rs"]
+#[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
 mod random_job;
 
 use std::collections::BTreeMap;

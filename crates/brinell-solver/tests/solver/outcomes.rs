@@ -1,6 +1,6 @@
 //! What has to converge to 1e-6: laws, shapes, couplings and analyses.
 //!
-//! `cargo run --release --example outcomes` prints all combinations, those that do not converge among them.
+//! `cargo run --release -p brinell-tools --bin outcomes` prints all combinations, those that do not converge among them.
 
 use brinell_solver::solver::{SolveStatus, StepSolution};
 use serde_json::{Value, json};

@@ -1,13 +1,13 @@
 //! Counts how often the error bars hold, over random jobs of the whole format, each against the same job on a finer mesh.
 //!
-//! `cargo run --release -p brinell-solver --example error_bars -- 110 9002 deformation` counts 110 jobs from the seed 9002 under the
+//! `cargo run --release -p brinell-tools --bin error_bars -- 110 9002 deformation` counts 110 jobs from the seed 9002 under the
 //! theory `deformation`; `flow` counts those under flow theory, `all` both, which is also what is counted without it. A fourth argument of
 //! any kind prints the jobs whose bars do not hold or are more than 20 times too wide. Peaks that have no limit, which the answer says with
 //! `sharp_corner`, are counted apart.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
-#[path = "../tests/support/random_job.rs"]
+#[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
 mod random_job;
 
 use std::collections::BTreeMap;

@@ -1,11 +1,11 @@
 //! Counts the work of random jobs beside that of others of their size.
 //!
-//! `cargo run --release -p brinell-solver --example work -- 300` solves 300 jobs and prints those that took more than 20 times the
+//! `cargo run --release -p brinell-tools --bin work -- 300` solves 300 jobs and prints those that took more than 20 times the
 //! median of theirs, with the remarks that say why; a second argument is the seed.
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
-#[path = "../tests/support/random_job.rs"]
+#[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
 mod random_job;
 
 use std::time::Instant;

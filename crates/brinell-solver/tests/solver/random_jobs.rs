@@ -1,6 +1,6 @@
 //! What must hold of any answer, over seeded random jobs and over jobs that once failed (`tests/cases`).
 //!
-//! `BRINELL_RANDOM_JOBS=1000 cargo test --release -p brinell-solver --test verification random_jobs_` runs four thousand jobs.
+//! `BRINELL_RANDOM_JOBS=1000 cargo test --release -p brinell-solver --test solver random_jobs_` runs four thousand jobs.
 
 use std::path::Path;
 

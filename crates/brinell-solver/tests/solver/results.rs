@@ -1,5 +1,4 @@
 //! What a report says beyond the contact itself: fields, plastic zone, load–approach curve, onset, validity.
-#![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
 use std::ops::ControlFlow;
 

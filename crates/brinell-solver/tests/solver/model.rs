@@ -1,5 +1,4 @@
 //! The wire format from outside: what is accepted, and what exactly is said about what is not.
-#![expect(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
 
 use brinell_solver::job::{
     Bilinear, Block, Cylinder, Hardening, Job, JobError, Load, Material, Shape, Support, Units,
@@ -8,9 +7,9 @@ use insta::assert_snapshot;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-const TWO_CYLINDERS: &str = include_str!("../../../api/examples/two_cylinders.json");
-const CYLINDER_ON_BLOCK: &str = include_str!("../../../api/examples/cylinder_on_block.json");
-const RAMBERG_OSGOOD: &str = include_str!("../../../api/examples/ramberg_osgood.json");
+const TWO_CYLINDERS: &str = include_str!("../../../../api/examples/two_cylinders.json");
+const CYLINDER_ON_BLOCK: &str = include_str!("../../../../api/examples/cylinder_on_block.json");
+const RAMBERG_OSGOOD: &str = include_str!("../../../../api/examples/ramberg_osgood.json");
 
 fn example() -> Value {
     serde_json::from_str(TWO_CYLINDERS).unwrap()

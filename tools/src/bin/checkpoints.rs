@@ -1,6 +1,6 @@
 //! How long a job can go on after it has been told to stop: the longest times between two questions to its observer.
 //!
-//! usage: `cargo run --release --example checkpoints -- ELEMENTS [COUPLING]`, elements over the half-width of the reference problem
+//! usage: `cargo run --release -p brinell-tools --bin checkpoints -- ELEMENTS [COUPLING]`, elements over the half-width of the reference problem
 //! with two different bodies and all output, 140 for about a million equations. Prints the longest times, in order, where
 //! they ended, and how they divide into pieces of work that are timed;
 //! then stops the job at moments spread over its course and prints how long each took to end. All times are processor times
