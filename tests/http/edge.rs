@@ -132,6 +132,7 @@ fn clients_beyond_the_bound_wait_for_a_connection() {
 }
 
 #[test]
+#[ignore = "full"]
 fn connections_leave_files_for_the_store() {
     let server = Server::start_with_files(200, &[]);
     let idle: Vec<TcpStream> = (0..199).map(|_| connect(&server)).collect();

@@ -24,6 +24,7 @@ fn below_the_reserve_no_job_is_accepted_and_readiness_says_so() {
 
 /// Whoever keeps `brinell.db` keeps all jobs.
 #[test]
+#[ignore = "full"]
 fn a_stop_leaves_everything_in_one_file() {
     let data = Scratch::new();
     let path = data.0.to_str().unwrap();

@@ -13,6 +13,7 @@ fn validator() -> jsonschema::Validator {
 
 proptest! {
     #[test]
+    #[ignore = "full"]
     fn whatever_the_format_can_say_is_in_the_schema(job in strategy::job()) {
         let job = serde_json::to_value(job).unwrap();
         let faults: Vec<_> = validator().iter_errors(&job).map(|fault| fault.to_string()).collect();

@@ -4,6 +4,7 @@ use crate::client::{Client, small_job};
 use crate::server::{Scratch, Server};
 
 #[test]
+#[ignore = "full"]
 fn five_hundred_queued_jobs_survive_kill_9() {
     let data = Scratch::new();
     let args = ["--data-dir", data.0.to_str().unwrap(), "--workers", "4"];
@@ -27,6 +28,7 @@ fn five_hundred_queued_jobs_survive_kill_9() {
 }
 
 #[test]
+#[ignore = "full"]
 fn sigterm_gives_unfinished_jobs_back_to_the_queue() {
     let data = Scratch::new();
     let args = ["--data-dir", data.0.to_str().unwrap(), "--workers", "1", "--grace", "0.01"];

@@ -101,6 +101,7 @@ fn the_same_idempotency_key_on_two_nodes_at_the_same_instant_is_one_job() {
 }
 
 #[test]
+#[ignore = "full"]
 fn a_killed_worker_s_jobs_are_run_by_the_other() {
     let database = database(Cluster::shared());
     let api = service(&database, &["--no-workers"]);
@@ -115,6 +116,7 @@ fn a_killed_worker_s_jobs_are_run_by_the_other() {
 }
 
 #[test]
+#[ignore = "full"]
 fn nodes_outlive_a_restart_of_the_database() {
     let mut cluster = Cluster::start();
     let database = database(&cluster);

@@ -37,6 +37,7 @@ fn on_groove(analysis: &str, edge_radius: f64, load: Value, elements: u32) -> Va
 /// Sharp edges of a slope s to the surface beside them, each over the width b: `P = π/4 E* s b`, as of a tilted punch that
 /// is about to lift off (Johnson, Contact Mechanics, 2.8, with the far end where the pressure ends).
 #[test]
+#[ignore = "full"]
 fn two_edges_of_a_punch() {
     let force = 5000.0;
     let width = 4.0 * 0.5 * force / (PI * MODULUS * 0.1);
@@ -54,6 +55,7 @@ fn two_edges_of_a_punch() {
 
 /// However light the load, what touches first carries it; and force and approach ask for the same state.
 #[test]
+#[ignore = "full"]
 fn edges_touch_under_the_smallest_approach() {
     for analysis in ["plane_strain", "plane_stress", "axisymmetric"] {
         for approach in [1e-6, 1e-4, 1e-2] {
@@ -87,6 +89,7 @@ fn a_hollow_that_is_pressed_flat() {
 
 /// Parts of a contact that no element resolves are not answered without a word, neither under a force nor at the onset of yield.
 #[test]
+#[ignore = "full"]
 fn parts_that_are_too_small_for_the_mesh_are_said() {
     let mut job = on_groove("plane_strain", 0.3, json!({"force": 5.0}), 10);
     let under_force = step(&job);
@@ -114,6 +117,7 @@ fn bumps(heights: [f64; 2], interpolation: &str, force: f64, material: Value) ->
 /// A contact that begins on one bump and reaches the other one, far on one side: its zone grows where the surfaces have room, and
 /// what it costs is known.
 #[test]
+#[ignore = "full"]
 fn two_unequal_bumps_far_apart() {
     for interpolation in ["smooth", "linear"] {
         for material in [steel(), json!({"rigid": true})] {

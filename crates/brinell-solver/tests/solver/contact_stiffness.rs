@@ -26,6 +26,7 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
 /// Meshes grow with the contact, and it ends at the same place between two nodes of each, so that load-approach curves of jobs of their
 /// own are smooth: differences of loads of ±1 % are the stiffness that each of them says.
 #[test]
+#[ignore = "full"]
 fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
     let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
     let swift = json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.002, "exponent": 0.15});
@@ -50,6 +51,7 @@ fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
 
 /// Contacts as wide as a body or as a layer is thick: the mesh moves with all of the contact, however close the sides and the support are.
 #[test]
+#[ignore = "full"]
 fn a_contact_wider_than_its_body_is_thick_is_as_stiff_as_loads_that_differ_tell() {
     let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
     let soft = json!({"young_modulus": 70_000, "poisson_ratio": 0.3,
@@ -79,6 +81,7 @@ fn a_contact_wider_than_its_body_is_thick_is_as_stiff_as_loads_that_differ_tell(
 /// An end of the contact close behind a corner of the surface, and another one far from it; between these forces the stiffness once had a
 /// pole.
 #[test]
+#[ignore = "full"]
 fn ends_on_both_sides_of_a_corner_move_each_by_what_is_beyond_it() {
     let mut job: Value =
         serde_json::from_slice(&std::fs::read("tests/cases/uneven_profile_on_a_layer.json").unwrap())
@@ -148,6 +151,7 @@ fn rising_history(analysis: &str, plasticity: &Value, before: &[f64], force: f64
 
 /// Where the contact grows over fresh material, plastic strain stays where it is while the mesh moves.
 #[test]
+#[ignore = "full"]
 fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
     let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
     let ludwik = json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
@@ -173,6 +177,7 @@ fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
 /// The stress that a body has before any load stays with the material too. With the stiffness of the present pairs these were 13 % too
 /// low and 15 % too high, the second by 26 % too low where the same approach was prescribed in place of the force.
 #[test]
+#[ignore = "full"]
 fn a_body_with_a_stress_before_the_load_is_as_stiff_as_loads_that_differ_tell() {
     for (name, bound) in
         [("stressed_graded_body_at_its_largest_load", 0.03), ("stressed_layer_pressed_again", 0.055)]
@@ -204,6 +209,7 @@ fn a_stiffness_that_the_mesh_does_not_tell_has_a_wide_bar() {
 /// Below the largest load of a history the ends of the contact go back, or forth again over what has yielded, and the bodies answer
 /// elastically.
 #[test]
+#[ignore = "full"]
 fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 4000});
     for (analysis, forces) in [

@@ -70,6 +70,7 @@ fn unloaded(analysis: &str, shape: &Value, law: &str, force: f64, elements: u32)
 
 /// What a history leaves of the approach has a bar, which holds against twice as many elements; nothing else is in doubt there.
 #[test]
+#[ignore = "full"]
 fn the_approach_that_is_left_has_a_bar_that_holds() {
     let roller = json!({"type": "cylinder", "radius": 10});
     let punch = json!({"type": "punch", "width": 2, "depth": 5});
@@ -90,6 +91,7 @@ fn the_approach_that_is_left_has_a_bar_that_holds() {
 }
 
 #[test]
+#[ignore = "full"]
 fn the_true_error_lies_within_the_bar() {
     let workers: Vec<_> = problems().into_iter().map(|job| thread::spawn(move || ratios(&job))).collect();
     let all: Vec<[f64; 3]> = workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect();
@@ -144,6 +146,7 @@ fn bar_of(bars: ErrorEstimate, name: &str) -> f64 {
 /// the end of a plateau in plane stress, the force under a prescribed approach of bodies that flow, the clamped end of a column, and
 /// a contact that ends on a rounded edge. No bar is more than 20 times too wide.
 #[test]
+#[ignore = "full"]
 fn errors_that_a_coarser_mesh_does_not_show() {
     let roller = json!({"type": "cylinder", "radius": 20.0});
     let block = json!({"type": "block", "width": 200.0, "depth": 200.0});
@@ -186,6 +189,7 @@ fn errors_that_a_coarser_mesh_does_not_show() {
 /// The pressure at a corner that carries the peak has no limit, of bodies that yield as well: the answer says so, and its bar is no
 /// narrow one. Where what is at a corner is small beside the plateau around it, the bar is as small.
 #[test]
+#[ignore = "full"]
 fn a_peak_without_a_limit_is_told() {
     let block = json!({"type": "block", "width": 200.0, "depth": 200.0});
     let perfect = json!({"law": "bilinear", "yield_stress": 1300.0, "tangent_modulus": 0.0});

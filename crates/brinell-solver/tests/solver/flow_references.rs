@@ -82,6 +82,7 @@ fn jackson_green_force(interference: f64) -> f64 {
 
 /// Both fits within 5 %, as far as they agree with each other: at ten critical interferences by 1 %, at 40 by 4 %.
 #[test]
+#[ignore = "full"]
 fn a_sphere_bears_what_kogut_and_etsion_and_jackson_and_green_say() {
     for w in [2.0, 3.5, 6.0, 10.0, 20.0, 40.0, 75.0, 110.0] {
         let approach = w * KOGUT_ETSION.interference;
@@ -96,6 +97,7 @@ fn a_sphere_bears_what_kogut_and_etsion_and_jackson_and_green_say() {
 /// I. Etsion, Y. Kligerman, Y. Kadin, *Unloading of an elastic-plastic loaded spherical contact*, Int. J. Solids Structures
 /// 42 (2005) 3716–3729: a fit to their finite elements, `E_t = 0.02 E`.
 #[test]
+#[ignore = "full"]
 fn a_sphere_keeps_the_interference_of_etsion_kligerman_and_kadin() {
     for w in [5.0, 10.0, 20.0, 40.0, 60.0_f64] {
         let report = sphere_under_flat(w * KOGUT_ETSION.interference, 0.02 * YOUNG, 16, true);
@@ -109,6 +111,7 @@ fn a_sphere_keeps_the_interference_of_etsion_kligerman_and_kadin() {
 ///
 /// D. Tabor, *The Hardness of Metals* (1951).
 #[test]
+#[ignore = "full"]
 fn the_pressure_under_a_rigid_ball_levels_at_three_yield_stresses() {
     let ball = json!({"shape": {"type": "cylinder", "radius": RADIUS}, "material": {"rigid": true}});
     let block = json!({"shape": {"type": "block", "width": 300, "depth": 150}, "material": deformable(0.0)});
@@ -122,6 +125,7 @@ fn the_pressure_under_a_rigid_ball_levels_at_three_yield_stresses() {
 
 /// The jobs of `docs/static_rating.md` find the force that leaves a ten-thousandth of the diameter; the figures there are theirs.
 #[test]
+#[ignore = "full"]
 fn the_static_rating_of_a_roller_and_a_ball() {
     for (text, hertz, peak) in [
         (include_str!("../../../../api/examples/static_rating_roller.json"), 4399.0, 4205.0),

@@ -331,6 +331,7 @@ fn the_bar_of_a_rounded_tip_holds_its_pressure() {
 
 /// What a mesh five times as fine finds of a tip that yields.
 #[test]
+#[ignore = "full"]
 fn the_bar_of_a_tip_that_yields_holds_what_finer_meshes_find() {
     for (analysis, shape) in [("axisymmetric", "cone"), ("plane_strain", "wedge")] {
         for q in [0.05, 0.1, 0.2] {

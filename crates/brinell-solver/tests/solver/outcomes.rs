@@ -25,6 +25,7 @@ fn cylinders(analysis: &str, coupling: &str, law: &Value, ratio: f64) -> StepSol
 /// The paper's couplings. In plane stress they are slow: strong coupling takes 165 iterations with straight hardening and
 /// does not get there in 500 with a table or Ludwik's curve.
 #[test]
+#[ignore = "full"]
 fn every_coupling_converges_at_three_yield_stresses() {
     for coupling in ["strong", "weak", "secant_stiffness"] {
         for (_, law) in &laws() {
@@ -40,6 +41,7 @@ fn every_coupling_converges_at_three_yield_stresses() {
 /// In plane stress with perfect plasticity the equations lose ellipticity, and the strain wants to gather in a line:
 /// there it takes longer.
 #[test]
+#[ignore = "full"]
 fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses() {
     for (name, law) in &laws() {
         for ratio in [3.0, 4.0, 5.0] {
@@ -54,6 +56,7 @@ fn the_default_coupling_converges_within_25_iterations_up_to_five_yield_stresses
 
 /// Loads up and down by large steps, little hardening: moduli taken from the state of another load may be far too soft.
 #[test]
+#[ignore = "full"]
 fn no_step_of_a_sweep_is_lost() {
     let [cylinder, ..] = surfaces();
     let law = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 500.0});
@@ -69,6 +72,7 @@ fn no_step_of_a_sweep_is_lost() {
 }
 
 #[test]
+#[ignore = "full"]
 fn every_pair_of_shapes_converges_up_to_five_yield_stresses() {
     let (law, surfaces) = (&laws()[0].1, surfaces());
     assert_eq!(pairs(&surfaces).count(), 12);

@@ -85,6 +85,7 @@ fn a_profile_of_a_circle_is_a_cylinder() {
 }
 
 #[test]
+#[ignore = "full"]
 fn two_equal_bumps_share_the_load() {
     for plasticity in [Value::Null, bilinear()] {
         let job = press(&profile(&bumps(0.0), plasticity.clone()), &block(plasticity), 1000.0);
@@ -106,6 +107,7 @@ fn two_equal_bumps_share_the_load() {
 }
 
 #[test]
+#[ignore = "full"]
 fn unequal_bumps_mirrored_and_swapped() {
     for (plasticity, force) in [(Value::Null, 300.0), (bilinear(), 1500.0)] {
         let (points, below) = (bumps(5e-4), block(plasticity.clone()));
@@ -132,6 +134,7 @@ fn unequal_bumps_mirrored_and_swapped() {
 
 /// Flow theory up and back to no force: the mirror image at every load, dents and plastic work with it.
 #[test]
+#[ignore = "full"]
 fn a_history_of_unequal_bumps_mirrored() {
     let (points, below) = (bumps(5e-4), block(bilinear()));
     let loads = json!({"history": [{"force": 1500.0}, {"force": 0.0}]});

@@ -106,6 +106,7 @@ fn graded_cylinder(yield_stress: f64, over_depth: &Value) -> Value {
 /// `p0 = min_z σ_y(z)/F(z/a)`, F by McEwen. Contacts so small that the bodies are half-planes. A step within an element is
 /// met where it is.
 #[test]
+#[ignore = "full"]
 fn a_graded_contact_yields_first_where_it_is_weakest_for_its_stress() {
     let modulus = YOUNG / 1.82;
     for (over_depth, elements) in [
@@ -294,6 +295,7 @@ fn profiles_that_are_none_are_refused_field_by_field() {
 
 /// Extremes of what is accepted, by every law and theory: an answer, or a status that says that there is none.
 #[test]
+#[ignore = "full"]
 fn the_strangest_profiles_end_in_an_answer_or_say_so() {
     let profiles = [
         json!([[0.0, 100.0], [1e-6, 0.2]]),

@@ -40,6 +40,7 @@ fn refusal(job: &Value) -> String {
 
 /// The force that is found, given as a force, is the same job to the last bit, and its figure is the wanted one.
 #[test]
+#[ignore = "full"]
 fn a_force_that_is_found_does_what_it_was_sought_for() {
     let targets = [
         ("deformation", json!({"peak_pressure": 1200})),
@@ -118,6 +119,7 @@ fn an_elastic_contact_meets_hertz() {
 }
 
 #[test]
+#[ignore = "full"]
 fn units_and_sides_do_not_matter() {
     let job = cylinders("plane_strain", "flow", &json!({"permanent_approach": 0.002}));
     let (mm, _) = found(&job);
@@ -142,6 +144,7 @@ fn units_and_sides_do_not_matter() {
 }
 
 #[test]
+#[ignore = "full"]
 fn what_no_force_gives_is_refused_with_what_there_is() {
     let peak = |value: f64| cylinders("plane_strain", "deformation", &json!({"peak_pressure": value}));
     let large = refusal(&peak(9000.0));

@@ -67,6 +67,7 @@ fn rough(n: i32, amplitude: f64) -> Vec<[f64; 2]> {
 /// The cost of a rough trace is known before it is solved, also where its highest summits could bear the force alone and where
 /// it touches in parts that are narrower than the distance of its points asks for.
 #[test]
+#[ignore = "full"]
 fn a_rough_trace_costs_what_was_estimated() {
     for (n, amplitude, force, tolerance) in [
         (1000, 1e-4, 300.0, 0.2),
@@ -111,6 +112,7 @@ fn a_trace_that_no_mesh_resolves_is_refused_with_the_size_it_needs() {
 
 /// Teeth that a mesh of the density asked for has one element for are resolved, or said to be too fine for it.
 #[test]
+#[ignore = "full"]
 fn teeth_are_resolved_or_said() {
     let teeth: Vec<[f64; 2]> = (-100..=100)
         .map(|k| {

@@ -72,6 +72,7 @@ fn effective(poisson_ratio: f64) -> f64 {
 
 /// `σ_x = σ_z = -p0` in the middle of the surface.
 #[test]
+#[ignore = "full"]
 fn yield_begins_at_the_surface_where_it_is_highest_there() {
     let (uniform, soft) = (json!([[0, 1.0]]), json!([[0, 0.3], [0.4, 1.0]]));
     for (analysis, nu, over_depth, peak, modulus) in [
@@ -133,6 +134,7 @@ fn the_bar_of_an_onset_at_the_edge_of_a_contact_circle_holds_on_few_elements() {
 
 /// Places that 20 elements do not resolve: close below the surface on the axis, and below the end of the contact.
 #[test]
+#[ignore = "full"]
 fn the_bar_of_an_onset_holds_the_closed_form() {
     let strength = |depth: f64| 500.0 * (0.3 + 0.7 * (depth / 0.4).min(1.0));
     let soft = json!([[0, 0.3], [0.4, 1.0]]);
@@ -176,6 +178,7 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
 
 /// Stress before the load that is highest at the surface, at a depth between nodes, and beside the contact.
 #[test]
+#[ignore = "full"]
 fn yield_of_a_stressed_block_begins_where_both_stresses_together_are_highest() {
     let uniform = json!([[0, 1.0]]);
     let rows =
