@@ -37,7 +37,7 @@ service_problems=(
     troubled::no_nan_leaves
     shutdown::sigterm_ends_an_idle_service_with_success
     readme::every_curl_example_works
-    generated::the_document_is_what_the_program_says
+    generated::the_document_is_in_the_repository
 )
 
 case $part in
