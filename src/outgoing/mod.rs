@@ -106,11 +106,11 @@ impl Destination {
 /// Why a request had no answer.
 #[derive(Debug, Error)]
 pub enum OutgoingError {
-    /// The name has no address.
-    #[error("the name of the host cannot be resolved")]
+    /// The name has no address. Told as [`Self::NotPublic`] is: who names a host does not learn whether a private network knows the name.
+    #[error("the host has no address that may be called")]
     Resolve(#[source] io::Error),
     /// It has an address that is not to be asked.
-    #[error("the host has an address that is not public")]
+    #[error("the host has no address that may be called")]
     NotPublic,
     /// Nobody answers there.
     #[error("no connection: {0}")]

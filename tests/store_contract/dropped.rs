@@ -18,7 +18,7 @@ const POLLS: usize = 40;
 const POLL: Duration = Duration::from_micros(200);
 const SOON: Duration = Duration::from_secs(5);
 
-fn service(subject: &Subject) -> Arc<JobService> {
+pub fn service(subject: &Subject) -> Arc<JobService> {
     let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
     let (store, notifier) = (&subject.store, Arc::clone(&subject.notifier));
     let solver = Arc::new(CoreSolver::with_cache(0));
