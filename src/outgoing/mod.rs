@@ -96,6 +96,12 @@ impl Destination {
         Self { path: format!("{}{path}", self.path.trim_end_matches('/')), ..self.clone() }
     }
 
+    /// Host and port, as a listener has them.
+    pub fn listens(&self) -> String {
+        let Self { host, port, .. } = self;
+        if host.contains(':') { format!("[{host}]:{port}") } else { format!("{host}:{port}") }
+    }
+
     /// The address as a text.
     pub fn url(&self) -> String {
         let scheme = if self.is_secure { "https" } else { "http" };

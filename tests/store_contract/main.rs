@@ -16,6 +16,7 @@ mod life;
 mod names;
 mod queue;
 mod quotas;
+mod rate;
 mod results;
 mod subject;
 mod upgrade;
