@@ -1,4 +1,5 @@
--- The solver time that was spent for each API key, which decides whose job goes next; all zero without a key.
+-- The solver time that was spent for each API key, which decides whose job goes next; all zero
+-- without a key.
 CREATE TABLE accounts (
     id         UUID PRIMARY KEY NOT NULL,
     spent      DOUBLE PRECISION NOT NULL DEFAULT 0,  -- microseconds, as they were when it was settled
@@ -22,5 +23,6 @@ ALTER TABLE jobs DROP COLUMN short;
 DROP TABLE flows;
 DROP TABLE scheduler;
 
--- Room on each page for the next version of a row: leases, progress and ends are written without touching an index.
+-- Room on each page for the next version of a row: leases, progress and ends are written without
+-- touching an index.
 ALTER TABLE jobs SET (fillfactor = 70);

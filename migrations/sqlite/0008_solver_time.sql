@@ -1,4 +1,5 @@
--- The solver time that was spent for each API key, which decides whose job goes next; all zero without a key.
+-- The solver time that was spent for each API key, which decides whose job goes next; all zero
+-- without a key.
 CREATE TABLE accounts (
     id         BLOB PRIMARY KEY NOT NULL,
     spent      DOUBLE PRECISION NOT NULL DEFAULT 0,  -- microseconds, as they were when it was settled

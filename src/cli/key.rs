@@ -27,8 +27,9 @@ pub(super) struct KeyArgs {
 enum KeyCommand {
     /// Make a key and print its token, which is not shown again
     ///
-    /// A request that sends a key is checked. Requests without one are refused where the service listens beyond loopback, unless it runs
-    /// with --allow-anonymous, and everywhere with --require-api-key.
+    /// A request that sends a key is checked. Requests without one are refused where the service
+    /// listens beyond loopback, unless it runs with --allow-anonymous, and everywhere with
+    /// --require-api-key.
     Create {
         /// Whose it is, for people
         name: String,

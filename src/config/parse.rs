@@ -7,7 +7,8 @@ use axum::http::{HeaderValue, Uri};
 /// Units of times, in seconds.
 const UNITS: [(&str, f64); 5] = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0), ("d", 86400.0)];
 
-/// Reads a positive number of seconds, or a time such as `500ms`, `1s`, `5m`, up to about three years.
+/// Reads a positive number of seconds, or a time such as `500ms`, `1s`, `5m`, up to about three
+/// years.
 pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     time(text, 1.0, "seconds")
 }

@@ -20,7 +20,8 @@ const UNKNOWN_MEMORY: u64 = 4 << 30;
 const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
-/// Part of the jobs' memory that places have of their own, and the most of it \[bytes\] for each solver.
+/// Part of the jobs' memory that places have of their own, and the most of it \[bytes\] for each
+/// solver.
 const PLACES_PART: u64 = 4;
 const MAX_OF_PLACES: u64 = 320 << 20;
 
@@ -31,7 +32,8 @@ pub struct WorkConfig {
     #[arg(long, env = "BRINELL_WORKERS", value_name = "N")]
     pub workers: Option<NonZeroUsize>,
 
-    /// Memory that the jobs being solved may need together, of which a quarter (320 a worker at most) is for small ones [default: 70 % of the machine's or the container's]
+    /// Memory that the jobs being solved may need together, of which a quarter (320 a worker at
+    /// most) is for small ones [default: 70 % of the machine's or the container's]
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
 

@@ -1,8 +1,9 @@
 //! Who asks, and what they may.
 //!
-//! Where API keys are not required, whoever sends none is an administrator: the service then belongs on loopback or behind something
-//! that guards it. Where they are, every request under `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key
-//! it came under and to those who see all, and does not exist for others.
+//! Where API keys are not required, whoever sends none is an administrator: the service then
+//! belongs on loopback or behind something that guards it. Where they are, every request under
+//! `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key it came under and to
+//! those who see all, and does not exist for others.
 
 use std::future::pending;
 

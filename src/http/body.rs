@@ -22,8 +22,8 @@ use crate::jobs::{KeyId, Turn, Turns};
 const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
 
-/// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies of the largest size for which there is memory:
-/// one key holds a quarter of it.
+/// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies
+/// of the largest size for which there is memory: one key holds a quarter of it.
 const BODIES_OF_KEY: usize = 32;
 const BODIES: usize = 4 * BODIES_OF_KEY;
 

@@ -91,8 +91,9 @@ pub(super) async fn check_host(
     Ok(next.run(request).await)
 }
 
-/// Whether a request is from no page, from a page of this service or from one that may ask. Browsers send a page's requests to a
-/// service on loopback whatever page it is; what a form or an image may ask for is not asked for beforehand.
+/// Whether a request is from no page, from a page of this service or from one that may ask.
+/// Browsers send a page's requests to a service on loopback whatever page it is; what a form or an
+/// image may ask for is not asked for beforehand.
 fn is_from_here(headers: &HeaderMap, host: &HeaderValue, allowed: &[HeaderValue]) -> bool {
     let origin = headers.get(ORIGIN);
     if allowed.iter().any(|allowed| allowed == "*" || Some(allowed) == origin) {

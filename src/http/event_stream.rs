@@ -1,5 +1,5 @@
-//! Follows one job for one client, at the client's pace: a page of its history is read when the last one has been taken, so that a
-//! client that does not read costs little and holds nobody up.
+//! Follows one job for one client, at the client's pace: a page of its history is read when the
+//! last one has been taken, so that a client that does not read costs little and holds nobody up.
 
 use std::time::Duration;
 
@@ -40,7 +40,8 @@ impl EventPosition {
     }
 }
 
-/// Sends a job to one client, at the pace of the client: it holds one page of iterations and no reader of the store meanwhile.
+/// Sends a job to one client, at the pace of the client: it holds one page of iterations and no
+/// reader of the store meanwhile.
 pub(super) struct Follower {
     state: HttpState,
     job: JobId,
@@ -64,7 +65,8 @@ impl Follower {
         Self { state, job, subscription, prefix, position, sent_state: None, events }
     }
 
-    /// Follows the job to its end. Where the store fails, the stream breaks off; the client comes back to where it was.
+    /// Follows the job to its end. Where the store fails, the stream breaks off; the client comes
+    /// back to where it was.
     pub(super) async fn run(mut self) -> Result<(), StoreError> {
         let closing = self.state.closing.clone();
         while !self.look().await? {

@@ -1,5 +1,6 @@
-//! Bodies that a task writes and the connection sends. A body touches nothing but its channel: the connection of a client that reads
-//! nothing polls no body, and whatever a body held then, a reader of the store above all, would be held for as long.
+//! Bodies that a task writes and the connection sends. A body touches nothing but its channel: the
+//! connection of a client that reads nothing polls no body, and whatever a body held then, a
+//! reader of the store above all, would be held for as long.
 
 use axum::body::{Body, HttpBody as _};
 use axum::response::Response;
@@ -12,8 +13,8 @@ use crate::jobs::StoreError;
 /// Pieces that wait for a client that reads slowly.
 const WAITING_PIECES: usize = 2;
 
-/// What a task writes, piece by piece. The task ends when the client goes; where it fails, the body breaks off, so that no client takes
-/// it for whole.
+/// What a task writes, piece by piece. The task ends when the client goes; where it fails, the
+/// body breaks off, so that no client takes it for whole.
 pub(super) fn written<T, W, F>(write: F) -> impl Stream<Item = Result<T, StoreError>> + Send
 where
     T: Send + 'static,
@@ -63,7 +64,8 @@ pub(super) fn ending(response: Response, end: impl Future<Output = ()> + Send + 
     })
 }
 
-/// Leaves a line about an answer that breaks off. That a job was removed while it was read is nobody's fault.
+/// Leaves a line about an answer that breaks off. That a job was removed while it was read is
+/// nobody's fault.
 fn log_broken_off(error: &StoreError) {
     if matches!(error, StoreError::NotFound) {
         tracing::info!("a job was removed while its result was read");

@@ -33,8 +33,9 @@ const POLL_INTERVAL: Duration = Duration::from_secs(1);
 /// Time between two looks at the key of a request that goes on.
 const KEY_INTERVAL: Duration = Duration::from_secs(5);
 
-/// Jobs that are checked at the same time, each on a thread of its own. A sweep of a thousand loads takes 20 ms: others take their turns with it
-/// by the scheduler of the system, where they would wait in a row for each other's.
+/// Jobs that are checked at the same time, each on a thread of its own. A sweep of a thousand
+/// loads takes 20 ms: others take their turns with it by the scheduler of the system, where they
+/// would wait in a row for each other's.
 const CHECKS: usize = 32;
 
 /// Large results that are decoded at the same time.
@@ -233,7 +234,8 @@ impl JobService {
         Ok(self.check(key, move || check(solver.as_ref(), limits, &request)).await?.1)
     }
 
-    /// Checks something on a thread that nobody else waits for. A key has one check at a time; those without a key take their turns together.
+    /// Checks something on a thread that nobody else waits for. A key has one check at a time;
+    /// those without a key take their turns together.
     async fn check<T: Send + 'static>(
         &self,
         key: Option<KeyId>,
@@ -416,7 +418,8 @@ impl JobService {
         self.notifier.subscribe(id)
     }
 
-    /// A page of the iterations of the latest attempt behind the first `after`; empty where there are no more.
+    /// A page of the iterations of the latest attempt behind the first `after`; empty where there
+    /// are no more.
     ///
     /// # Errors
     /// [`StoreError`].

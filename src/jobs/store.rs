@@ -47,8 +47,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
-    /// A page of the iterations of the latest attempt behind the first `after`, in order, about [`HISTORY_PAGE`]; empty where there are no
-    /// more.
+    /// A page of the iterations of the latest attempt behind the first `after`, in order, about
+    /// [`HISTORY_PAGE`]; empty where there are no more.
     ///
     /// # Errors
     /// [`StoreError::NotFound`].
@@ -79,12 +79,15 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`] without such a step.
     async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError>;
 
-    /// Hands out up to `request.places` jobs, one after the other: the key that holds the fewest places has the next one, and among equals the
-    /// key that has spent the least solver time within the last minute. Of a key, jobs that have lost their worker go first, then the highest
-    /// priority, then the oldest. A key that holds as many places of the worker as it may, or has as many jobs running as it may, is passed over.
+    /// Hands out up to `request.places` jobs, one after the other: the key that holds the fewest
+    /// places has the next one, and among equals the key that has spent the least solver time
+    /// within the last minute. Of a key, jobs that have lost their worker go first, then the
+    /// highest priority, then the oldest. A key that holds as many places of the worker as it may,
+    /// or has as many jobs running as it may, is passed over.
     ///
-    /// Every place has memory of its own. Jobs that need more share the rest of the worker's memory; the first that does not fit holds up
-    /// those behind it, so that large jobs are not overtaken for ever by other large ones.
+    /// Every place has memory of its own. Jobs that need more share the rest of the worker's
+    /// memory; the first that does not fit holds up those behind it, so that large jobs are not
+    /// overtaken for ever by other large ones.
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
@@ -94,7 +97,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`].
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
-    /// Extends leases of one worker by `lease` from now and tells of each whether it is still held, in the given order.
+    /// Extends leases of one worker by `lease` from now and tells of each whether it is still
+    /// held, in the given order.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].

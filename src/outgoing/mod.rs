@@ -112,7 +112,8 @@ impl Destination {
 /// Why a request had no answer.
 #[derive(Debug, Error)]
 pub enum OutgoingError {
-    /// The name has no address. Told as [`Self::NotPublic`] is: who names a host does not learn whether a private network knows the name.
+    /// The name has no address. Told as [`Self::NotPublic`] is: who names a host does not learn
+    /// whether a private network knows the name.
     #[error("the host has no address that may be called")]
     Resolve(#[source] io::Error),
     /// It has an address that is not to be asked.

@@ -1,6 +1,7 @@
 //! Solves queued jobs on threads of their own, never on the async runtime's.
 //!
-//! [`Worker`] claims as many jobs as it has free places. Each job has a supervisor, an async task that forwards
+//! [`Worker`] claims as many jobs as it has free places. Each job has a supervisor, an async task
+//! that forwards
 //! progress to the store and the wish to stop to the solver; the solver thread itself only ever talks to its
 //! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
 

@@ -1,5 +1,5 @@
-//! Places of a worker: one more than it has solvers, so that a key, which holds as many as there are solvers, leaves one to others. Each has
-//! memory of its own; larger jobs share the rest.
+//! Places of a worker: one more than it has solvers, so that a key, which holds as many as there
+//! are solvers, leaves one to others. Each has memory of its own; larger jobs share the rest.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

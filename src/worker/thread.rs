@@ -12,7 +12,8 @@ const STACK_BYTES: usize = 8 << 20;
 /// A job that has run for so long is long.
 pub(super) const LONG: Duration = Duration::from_secs(2);
 
-/// Scheduling priority (nice value) of long jobs: others beside them get six parts in seven of a core.
+/// Scheduling priority (nice value) of long jobs: others beside them get six parts in seven of a
+/// core.
 #[cfg(target_os = "linux")]
 const LONG_PRIORITY: i32 = 8;
 
@@ -22,7 +23,8 @@ pub(super) fn start(job: JobId, solve: impl FnOnce() + Send + 'static) -> io::Re
     thread::Builder::new().name(name).stack_size(STACK_BYTES).spawn(solve).map(drop)
 }
 
-/// Lowers the priority of this thread for good. Linux knows priorities of threads; elsewhere it would be that of the process.
+/// Lowers the priority of this thread for good. Linux knows priorities of threads; elsewhere it
+/// would be that of the process.
 pub(super) fn give_way() {
     #[cfg(target_os = "linux")]
     if let Err(error) = rustix::process::setpriority_process(None, LONG_PRIORITY) {

@@ -32,7 +32,8 @@ async fn open(url: &str) -> Arc<dyn Store> {
     open_postgres(url, LIMITS, JobNotifier::new(), None).await.unwrap()
 }
 
-/// Hands out jobs one by one, writes of each what a worker writes of a job of a second, and ends it. Returns how many.
+/// Hands out jobs one by one, writes of each what a worker writes of a job of a second, and ends
+/// it. Returns how many.
 async fn work(store: Arc<dyn Store>) -> usize {
     let request = ClaimRequest { exclusive: false, ..Subject::request(1) };
     let mut done = 0;

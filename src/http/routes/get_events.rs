@@ -16,6 +16,7 @@ use axum::http::{HeaderMap, StatusCode};
 use axum::response::sse::{KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
 
+use crate::http::access::Caller;
 use crate::http::event_stream::{EventPosition, Follower};
 use crate::http::job_path::JobPath;
 use crate::http::wire::Prefix;
@@ -50,6 +51,7 @@ pub(in crate::http) async fn get_events(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     prefix: Prefix,
+    caller: Caller,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let last = headers.get("last-event-id").and_then(|id| id.to_str().ok());
@@ -57,7 +59,7 @@ pub(in crate::http) async fn get_events(
     if last.is_some_and(|last| last == EventPosition::end_of(&record)) && record.state.is_finished() {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
-    let permit = state.streams.open()?;
+    let permit = state.streams.open(caller.key())?;
     let position = last.and_then(EventPosition::parse);
     let events = written(move |events| async move {
         let _permit = permit;

@@ -64,7 +64,8 @@ pub(in crate::http) async fn get_fields(
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }
 
-/// Sends the part of the pieces that is in a range; each is read and made when the client takes it.
+/// Sends the part of the pieces that is in a range; each is read and made when the client takes
+/// it.
 async fn send(
     state: HttpState,
     mut fields: Fields,

@@ -1,4 +1,5 @@
-//! Statements that hand jobs out, in one transaction. Claims take turns, so that what one has read another does not hand out.
+//! Statements that hand jobs out, in one transaction. Claims take turns, so that what one has read
+//! another does not hand out.
 
 use bytes::Bytes;
 use sqlx::types::Uuid;
@@ -8,10 +9,12 @@ use super::codec::{count, damaged, failure_json, unpack};
 use crate::jobs::{Claim, ClaimRequest, Claims, JobFailure, JobId, JobState, Lease, StoreError};
 use crate::store::StoreLimits;
 
-/// The job that goes next: of the key that holds the fewest places, and among equals of the one that has spent the least solver time,
-/// the first that waits. A key holds so many places of a worker (`$3`), and so many of all (`$4`).
+/// The job that goes next: of the key that holds the fewest places, and among equals of the one
+/// that has spent the least solver time, the first that waits. A key holds so many places of a
+/// worker (`$3`), and so many of all (`$4`).
 ///
-/// SQLite joins crossed tables as they are written: keys are few, and the first job of each is looked up.
+/// SQLite joins crossed tables as they are written: keys are few, and the first job of each is
+/// looked up.
 pub(in crate::store) const NEXT: &str = "
     SELECT j.id, j.memory
     FROM accounts a CROSS JOIN jobs j
@@ -37,7 +40,8 @@ const LEASE: &str = "UPDATE jobs SET state = 'running', owner = $2, leased_until
     WHERE id = $1 AND state = 'queued'
     RETURNING attempts, traceparent, (SELECT r.body FROM requests r WHERE r.job = jobs.id)";
 
-/// Puts an attempt on the account of its key. What was spent before is forgotten bit by bit, within a minute.
+/// Puts an attempt on the account of its key. What was spent before is forgotten bit by bit,
+/// within a minute.
 pub(super) const SETTLE: &str = "UPDATE accounts SET settled_at = $2,
         spent = $2 - (SELECT started_at FROM jobs WHERE id = $1)
             + CASE WHEN $2 - settled_at < 60000000 THEN spent * (60000000 - ($2 - settled_at)) / 60000000 ELSE 0 END
@@ -63,8 +67,9 @@ pub(super) const FORGET: [&str; 3] = [
 /// Name and estimated memory.
 type Candidate = (Uuid, i64);
 
-/// Places and memory that are free. Every place has memory of its own, which is enough for ordinary jobs; larger ones share the rest, and the
-/// first of them that does not fit holds up the large ones behind it.
+/// Places and memory that are free. Every place has memory of its own, which is enough for
+/// ordinary jobs; larger ones share the rest, and the first of them that does not fit holds up the
+/// large ones behind it.
 struct Room {
     places: usize,
     memory_of_place: u64,
@@ -90,9 +95,11 @@ impl Room {
 
 /// Handing out.
 pub(in crate::store) trait Claiming: Send {
-    /// Waits for the turn of this worker; whether a lease has run out, and whether a job has lost its worker before.
+    /// Waits for the turn of this worker; whether a lease has run out, and whether a job has lost
+    /// its worker before.
     fn take_turn(&mut self, now: i64) -> impl Future<Output = Result<(bool, bool), StoreError>> + Send;
-    /// Queues the jobs again whose lease ran out; those that nobody takes up again end, and are returned.
+    /// Queues the jobs again whose lease ran out; those that nobody takes up again end, and are
+    /// returned.
     fn expire(
         &mut self,
         max_attempts: u32,
@@ -244,7 +251,8 @@ claiming!(
         EXISTS (SELECT 1 FROM jobs WHERE state = 'queued' AND losses > 0)",
     "SELECT id, losses, cancel_requested FROM jobs WHERE state = 'running' AND leased_until <= $1"
 );
-// The number of the lock is that of nothing else. A job that its worker is just writing to is passed over.
+// The number of the lock is that of nothing else. A job that its worker is just writing to is
+// passed over.
 claiming!(
     Postgres,
     PgConnection,

@@ -20,7 +20,8 @@ const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = 
 const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, reserved_bytes, account, traceparent)
      VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9)";
 const ACCOUNT: &str = "INSERT INTO accounts (id) VALUES ($1) ON CONFLICT DO NOTHING";
-/// Jobs that wait, those of one submitter among them, bytes that his results take or will take, and whether he has an account.
+/// Jobs that wait, those of one submitter among them, bytes that his results take or will take,
+/// and whether he has an account.
 const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
          CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1) ELSE 0 END,
          CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
@@ -38,7 +39,8 @@ const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
-/// The oldest results of the key whose results take the most, until all take no more than is kept: nobody makes room for another key.
+/// The oldest results of the key whose results take the most, until all take no more than is kept:
+/// nobody makes room for another key.
 const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
          SELECT id, finished_at, sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
          FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
@@ -82,7 +84,8 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
     /// Marks a place in a transaction, or returns to the one marked last.
     fn savepoint(&mut self, step: Savepoint) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Checks that there is room for a job, also by the limits of its key; whether its submitter has an account.
+    /// Checks that there is room for a job, also by the limits of its key; whether its submitter
+    /// has an account.
     fn check_places(
         &mut self,
         owner: Uuid,
