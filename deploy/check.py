@@ -50,13 +50,13 @@ def check_systemd():
     if not shutil.which("systemd-analyze"):
         print("systemd-analyze is not here: the unit has not been verified")
         return
-    path = FOLDER / "systemd/brinell.service"
-    answer = subprocess.run(["systemd-analyze", "verify", "--man=no", str(path)], capture_output=True, text=True)
-    # The program need not be installed where this is checked.
-    faults = [line for line in answer.stderr.splitlines() if "brinell" in line and "is not executable" not in line]
-    assert not faults, faults
-    check_variables(re.findall(r"^Environment=(\w+)=", path.read_text(), re.M))
-    print("the systemd unit is valid")
+    for path in sorted((FOLDER / "systemd").glob("*.service")):
+        answer = subprocess.run(["systemd-analyze", "verify", "--man=no", str(path)], capture_output=True, text=True)
+        # The program need not be installed where this is checked.
+        faults = [line for line in answer.stderr.splitlines() if "brinell" in line and "is not executable" not in line]
+        assert not faults, faults
+        check_variables(re.findall(r"^Environment=(\w+)=", path.read_text(), re.M))
+        print(f"{path.name} is valid")
 
 
 def check_arguments(arguments):

@@ -104,6 +104,14 @@ def event_streams(service):
         service.attack(head(f"/v1/jobs/{slow}/events"))
 
 
+def deaf_followers(service):
+    """Readers of the events of a job with a long history, who take nothing."""
+    history = {**SMALL, "solver": {"theory": "flow", "increments": 1000}}
+    job = service.job(history)
+    for _ in range(400):
+        service.attack(head(f"/v1/jobs/{job}/events"), small=True)
+
+
 def deaf_readers(path):
     def attack(service):
         large = service.job(LARGE)
@@ -160,15 +168,32 @@ def checks(service):
     service.over = over
 
 
+def checks_of_keys(service):
+    """The same of 40 keys, each on a connection of its own."""
+    over = threading.Event()
+    sweep = {**JOB, "load": {"forces": [400 + step for step in range(1000)]}}
+    create = [args.binary, "key", "create", *service.store]
+
+    def ask(token):
+        connection = service.connect(30)
+        while not over.is_set():
+            service.ask("POST", "/v1/validate", sweep, connection, Authorization=f"Bearer {token}")
+
+    for number in range(40):
+        token = subprocess.run([*create, str(number)], check=True, capture_output=True, text=True).stdout.strip()
+        threading.Thread(target=quiet(lambda token=token: ask(token)), daemon=True).start()
+    service.over = over
+
+
 def requests_without_answers(service):
     """Thousands of requests on one connection, no answer of which is read."""
     for _ in range(200):
         service.attack(head("/openapi.json") * 2000, small=True)
 
 
-ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams,
+ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams, "deaf followers": deaf_followers,
            "deaf readers of results": deaf_readers("/result"), "deaf readers of arrays": deaf_readers("/fields/1"),
-           "deaf readers of VTK files": deaf_readers("/field.vtu"), "ranges": ranges, "solvers": solvers, "checks": checks,
+           "deaf readers of VTK files": deaf_readers("/field.vtu"), "ranges": ranges, "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
            "requests without answers": requests_without_answers}
 
 

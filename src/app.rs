@@ -120,12 +120,7 @@ impl Service {
             None
         } else {
             let settings = config.work.worker(config.storage.is_durable());
-            Some(Worker::start(
-                Arc::clone(&store) as _,
-                Arc::clone(&notifier),
-                Arc::clone(&solver),
-                settings,
-            )?)
+            Some(Worker::start(Arc::clone(&store) as _, Arc::clone(&notifier), Arc::clone(&solver), settings))
         };
         let jobs = Arc::new(JobService::new(
             Arc::clone(&store) as _,
@@ -209,7 +204,7 @@ pub async fn run_worker(
     let mut background = JoinSet::new();
     background.spawn(sweep(Arc::clone(&store) as _, config.storage.retention()));
     start_metrics(&config.metrics, Arc::clone(&store) as _, &mut background).await?;
-    let worker = Worker::start(store, notifier, solver, settings)?;
+    let worker = Worker::start(store, notifier, solver, settings);
     stop.cancelled().await;
     drain(worker, time_to_solve(config.work.grace)).await;
     Ok(())

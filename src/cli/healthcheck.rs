@@ -12,10 +12,14 @@ use tokio::time::timeout;
 use super::block_on;
 use super::client::Client;
 use super::fault::Fault;
+use crate::outgoing::Destination;
 
 /// Arguments of `brinell healthcheck`.
 #[derive(Debug, Args)]
 pub(super) struct HealthcheckArgs {
+    /// Address of the service, http://127.0.0.1:8080 [default: that of --listen]
+    url: Option<Destination>,
+
     /// Address and port that the service listens on, as `serve` has it
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
     listen: String,
@@ -34,9 +38,11 @@ const ACQUIRE_TIMEOUT: Duration = Duration::from_secs(2);
 
 pub(super) fn healthcheck(args: &HealthcheckArgs) -> Result<ExitCode, Fault> {
     let path = if args.live { "/livez" } else { "/readyz" };
-    let unwell = |reason: String| Fault::Unwell(format!("{path} of {}: {reason}", args.listen));
+    let of_url = args.url.as_ref().map(Destination::listens);
+    let listen = of_url.unwrap_or_else(|| args.listen.clone());
+    let unwell = |reason: String| Fault::Unwell(format!("{path} of {listen}: {reason}"));
     block_on(async {
-        let found = lookup_host(&args.listen).await.map_err(|error| unwell(error.to_string()))?.next();
+        let found = lookup_host(&listen).await.map_err(|error| unwell(error.to_string()))?.next();
         let address = found.map(reachable).ok_or_else(|| unwell("no such address".to_owned()))?;
         let client = match &args.tls_cert {
             Some(file) => Client::pinned(address, file).map_err(|error| unwell(error.to_string()))?,

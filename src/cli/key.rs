@@ -26,6 +26,10 @@ pub(super) struct KeyArgs {
 #[derive(Debug, Subcommand)]
 enum KeyCommand {
     /// Make a key and print its token, which is not shown again
+    ///
+    /// A request that sends a key is checked. Requests without one are refused where the service
+    /// listens beyond loopback, unless it runs with --allow-anonymous, and everywhere with
+    /// --require-api-key.
     Create {
         /// Whose it is, for people
         name: String,
@@ -107,6 +111,8 @@ enum KeyScope {
     Read,
     /// Hand jobs in, stop and remove its own
     Write,
+    /// Look at everybody's jobs
+    Monitor,
     /// Everything, with everybody's jobs
     Admin,
 }
@@ -116,6 +122,7 @@ impl From<KeyScope> for Scope {
         match scope {
             KeyScope::Read => Self::Read,
             KeyScope::Write => Self::Write,
+            KeyScope::Monitor => Self::Monitor,
             KeyScope::Admin => Self::Admin,
         }
     }

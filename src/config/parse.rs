@@ -4,12 +4,16 @@ use std::time::Duration;
 
 use axum::http::{HeaderValue, Uri};
 
-/// Reads a positive number of seconds, fractions allowed, up to about three years.
+/// Units of times, in seconds.
+const UNITS: [(&str, f64); 5] = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0), ("d", 86400.0)];
+
+/// Reads a positive number of seconds, or a time such as `500ms`, `1s`, `5m`, up to about three
+/// years.
 pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     time(text, 1.0, "seconds")
 }
 
-/// Reads a positive number of hours, fractions allowed, up to about three years.
+/// Reads a positive number of hours, or a time such as `30m`, `7d`, up to about three years.
 pub(super) fn hours(text: &str) -> Result<Duration, String> {
     time(text, 3600.0, "hours")
 }
@@ -42,11 +46,15 @@ pub(super) fn origin(text: &str) -> Result<HeaderValue, String> {
 }
 
 fn time(text: &str, unit: f64, name: &str) -> Result<Duration, String> {
-    let value: f64 = text.parse().map_err(|_| format!("must be a number of {name}"))?;
+    let with_unit = UNITS.iter().find_map(|(end, unit)| Some((text.strip_suffix(end)?, *unit)));
+    let (number, unit) =
+        with_unit.filter(|(number, _)| number.parse::<f64>().is_ok()).unwrap_or((text, unit));
+    let value: f64 =
+        number.trim_end().parse().map_err(|_| format!("must be a number of {name}, or a time such as 5m"))?;
     if value > 0.0 && value * unit <= 1e8 {
         Ok(Duration::from_secs_f64(value * unit))
     } else {
-        Err(format!("must be greater than 0 and at most {:.0} {name}", 1e8 / unit))
+        Err("must be greater than 0 and at most about three years".to_owned())
     }
 }
 
@@ -58,7 +66,13 @@ mod tests {
     fn times_must_be_positive() {
         assert_eq!(seconds("0.5"), Ok(Duration::from_millis(500)));
         assert_eq!(hours("0.5"), Ok(Duration::from_mins(30)));
-        for text in ["0", "-1", "NaN", "inf", "soon", "1e9"] {
+        let minutes = Duration::from_mins(5);
+        assert_eq!(
+            [seconds("5m"), hours("5m"), seconds("300s"), hours("300000ms")],
+            [(); 4].map(|()| Ok(minutes))
+        );
+        assert_eq!(hours("7d"), Ok(Duration::from_hours(168)));
+        for text in ["0", "-1", "NaN", "inf", "soon", "1e9", "", "s", "m", "-5m", "5 weeks", "infs"] {
             assert!(seconds(text).is_err(), "{text}");
             assert!(hours(text).is_err(), "{text}");
         }

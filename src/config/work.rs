@@ -20,9 +20,10 @@ const UNKNOWN_MEMORY: u64 = 4 << 30;
 const CACHE_PART: u64 = 8;
 const MAX_CACHE: u64 = 512 << 20;
 
-/// Part of the jobs' memory that is for short jobs beside long ones, and the most of it \[bytes\] for each solver.
-const SHORT_PART: u64 = 4;
-const MAX_SHORT: u64 = 320 << 20;
+/// Part of the jobs' memory that places have of their own, and the most of it \[bytes\] for each
+/// solver.
+const PLACES_PART: u64 = 4;
+const MAX_OF_PLACES: u64 = 320 << 20;
 
 /// Settings of the solvers.
 #[derive(Debug, Clone, PartialEq, Args)]
@@ -31,7 +32,8 @@ pub struct WorkConfig {
     #[arg(long, env = "BRINELL_WORKERS", value_name = "N")]
     pub workers: Option<NonZeroUsize>,
 
-    /// Memory that the jobs being solved may need together, a quarter of it (320 a worker at most) for short jobs beside long ones [default: 70 % of the machine's or the container's]
+    /// Memory that the jobs being solved may need together, of which a quarter (320 a worker at
+    /// most) is for small ones [default: 70 % of the machine's or the container's]
     #[arg(long, env = "BRINELL_MEMORY_LIMIT", value_name = "MIB")]
     pub memory_limit: Option<u32>,
 
@@ -83,14 +85,14 @@ impl WorkConfig {
         self.memory_limit.map_or_else(default, |mebibytes| u64::from(mebibytes) << 20)
     }
 
-    /// The part of [`Self::memory`] \[bytes\] for short jobs that run while long ones hold the solvers.
-    fn short_memory(&self) -> u64 {
-        (self.memory() / SHORT_PART).min(MAX_SHORT * self.slots() as u64)
+    /// The part of [`Self::memory`] \[bytes\] that places have of their own.
+    fn memory_of_places(&self) -> u64 {
+        (self.memory() / PLACES_PART).min(MAX_OF_PLACES * self.slots() as u64)
     }
 
     /// Largest memory \[bytes\] that a job may need.
     pub fn job_memory(&self) -> u64 {
-        self.memory() - self.short_memory()
+        self.memory() - self.memory_of_places()
     }
 
     /// Memory \[bytes\] for what is kept from job to job, beside [`Self::memory`].
@@ -105,7 +107,7 @@ impl WorkConfig {
         WorkerSettings {
             slots: self.slots(),
             memory: self.job_memory(),
-            short_memory: self.short_memory(),
+            memory_of_place: self.memory_of_places() / (self.slots() as u64 + 1),
             job_timeout: self.job_timeout,
             lease: self.lease,
             poll: Duration::from_secs(1),

@@ -1,8 +1,9 @@
 //! Who asks, and what they may.
 //!
-//! Without API keys everybody is an administrator: the service then belongs on loopback or behind something that
-//! guards it. With them, every request under `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key
-//! it came under and to administrators, and does not exist for others.
+//! Where API keys are not required, whoever sends none is an administrator: the service then
+//! belongs on loopback or behind something that guards it. Where they are, every request under
+//! `/v1` carries `Authorization: Bearer TOKEN`; a job is visible to the key it came under and to
+//! those who see all, and does not exist for others.
 
 use std::future::pending;
 
@@ -16,6 +17,7 @@ use axum::response::Response;
 use super::HttpState;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use super::written_body::ending;
 use crate::jobs::{JobRecord, KeyId, Scope};
 
 /// Requests that change nothing although their method is POST.
@@ -38,7 +40,7 @@ impl Caller {
 
     /// The key whose jobs are all that is visible; `None` if everything is.
     pub(super) fn confined_to(self) -> Option<KeyId> {
-        self.key.filter(|_| self.scope != Scope::Admin)
+        self.key.filter(|_| !self.scope.sees_all())
     }
 
     /// Returns once its key is no longer good, within seconds; never without a key.
@@ -65,41 +67,41 @@ impl FromRequestParts<HttpState> for Caller {
     }
 }
 
-/// Lets those pass who may.
+/// Lets those pass who may. Where keys are not required, one that is sent counts all the same.
 pub(super) async fn authenticate(
     State(state): State<HttpState>,
     mut request: Request,
     next: Next,
 ) -> Result<Response, Problem> {
-    if state.settings.require_api_key {
-        let caller = identify(&state, request.headers()).await?;
-        let reads = matches!(*request.method(), Method::GET | Method::HEAD);
-        if caller.scope == Scope::Read && !reads && !HARMLESS.contains(&request.uri().path()) {
-            return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
+    let Some(token) = bearer(request.headers()) else {
+        if state.settings.require_api_key {
+            return Err(Problem::new(
+                ProblemType::Unauthorized,
+                "send the header Authorization: Bearer TOKEN",
+            ));
         }
-        request.extensions_mut().insert(caller);
-        return tokio::select! {
-            response = next.run(request) => Ok(response),
-            () = caller.ends(&state) => Err(no_longer_good()),
-        };
+        return Ok(next.run(request).await);
+    };
+    let key = state.jobs.authenticate(token).await?.ok_or_else(no_longer_good)?;
+    let caller = Caller { key: Some(key.id), scope: key.scope };
+    let reads = matches!(*request.method(), Method::GET | Method::HEAD);
+    if !caller.scope.changes() && !reads && !HARMLESS.contains(&request.uri().path()) {
+        return Err(Problem::new(ProblemType::Forbidden, "this API key may only read"));
     }
-    Ok(next.run(request).await)
+    request.extensions_mut().insert(caller);
+    let response = tokio::select! {
+        response = next.run(request) => response,
+        () = caller.ends(&state) => return Err(no_longer_good()),
+    };
+    Ok(ending(response, async move { caller.ends(&state).await }))
+}
+
+/// The token of a request. Other schemes are between the client and a proxy.
+fn bearer(headers: &HeaderMap) -> Option<&str> {
+    let (scheme, token) = headers.get(AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
+    scheme.eq_ignore_ascii_case("bearer").then(|| token.trim())
 }
 
 fn no_longer_good() -> Problem {
     Problem::new(ProblemType::Unauthorized, "the API key is not known, or no longer good")
-}
-
-async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Problem> {
-    let refused = |detail| Problem::new(ProblemType::Unauthorized, detail);
-    let line = headers.get(AUTHORIZATION).and_then(|line| line.to_str().ok());
-    let (scheme, token) = line
-        .and_then(|line| line.split_once(' '))
-        .ok_or_else(|| refused("send the header Authorization: Bearer TOKEN"))?;
-    if !scheme.eq_ignore_ascii_case("bearer") {
-        return Err(refused("send the header Authorization: Bearer TOKEN"));
-    }
-    let key = state.jobs.authenticate(token.trim()).await?;
-    let key = key.ok_or_else(no_longer_good)?;
-    Ok(Caller { key: Some(key.id), scope: key.scope })
 }

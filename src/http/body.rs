@@ -1,5 +1,6 @@
 //! A job's text as it comes in: declared as JSON, of bounded size, in bounded time.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use axum::body::{Body, Bytes};
@@ -7,18 +8,73 @@ use axum::extract::{FromRequest, Request};
 use axum::http::HeaderMap;
 use axum::http::header::{CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_TYPE, EXPECT};
 use http_body_util::BodyExt;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::timeout;
 
 use super::HttpState;
 use super::access::Caller;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
-use crate::jobs::KeyId;
+use crate::jobs::{KeyId, Turn, Turns};
 
 /// How long, and how much of, a refused body is read and thrown away, so that a client still sending sees the
 /// answer instead of a broken connection.
 const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
+
+/// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies
+/// of the largest size for which there is memory: one key holds a quarter of it.
+const BODIES_OF_KEY: usize = 32;
+const BODIES: usize = 4 * BODIES_OF_KEY;
+
+/// Bounds on the bodies that are held.
+#[derive(Debug, Clone)]
+pub(super) struct Bodies {
+    bytes: Arc<Semaphore>,
+    keys: Arc<Turns>,
+}
+
+impl Bodies {
+    /// Bodies of so many bytes at most.
+    pub(super) fn new(largest: usize) -> Self {
+        let bytes = largest.saturating_mul(BODIES).min(Semaphore::MAX_PERMITS);
+        Self { bytes: Arc::new(Semaphore::new(bytes)), keys: Arc::new(Turns::new(BODIES_OF_KEY)) }
+    }
+
+    /// A body of which nothing has come.
+    fn open(&self, key: Option<KeyId>) -> Result<HeldBody, Problem> {
+        Ok(HeldBody { text: Vec::new(), room: None, _turn: self.keys.try_take(key).ok_or_else(too_many)? })
+    }
+
+    fn extend(&self, body: &mut HeldBody, data: &[u8]) -> Result<(), Problem> {
+        let bytes = u32::try_from(data.len()).unwrap_or(u32::MAX);
+        let more = Arc::clone(&self.bytes).try_acquire_many_owned(bytes).map_err(|_| too_many())?;
+        match &mut body.room {
+            Some(room) => room.merge(more),
+            room => *room = Some(more),
+        }
+        body.text.extend_from_slice(data);
+        Ok(())
+    }
+}
+
+fn too_many() -> Problem {
+    Problem::new(ProblemType::TooManyBodies, "too many other bodies are held at this moment")
+}
+
+/// A body, or what has come of it. Its room is free again when the last part of it is dropped.
+#[derive(Debug)]
+struct HeldBody {
+    text: Vec<u8>,
+    room: Option<OwnedSemaphorePermit>,
+    _turn: Turn,
+}
+
+impl AsRef<[u8]> for HeldBody {
+    fn as_ref(&self) -> &[u8] {
+        &self.text
+    }
+}
 
 /// The body of a request that carries a job.
 #[derive(Debug)]
@@ -79,21 +135,19 @@ async fn read(body: &mut Body, state: &HttpState, key: Option<KeyId>) -> Result<
     let settings = &state.settings;
     let limit = settings.max_body_bytes;
     let read = async {
-        let mut held = state.bodies.open(key);
+        let mut held = state.bodies.open(key)?;
         while let Some(frame) = body.frame().await {
             let broken = |error| {
                 Problem::new(ProblemType::InvalidJson, format!("the body could not be read: {error}"))
             };
             let Ok(data) = frame.map_err(broken)?.into_data() else { continue };
-            if held.len() + data.len() > limit {
+            if held.text.len() + data.len() > limit {
                 return Err(too_large(limit));
             }
-            if !held.extend(&data) {
-                let detail = "too much of other bodies is held at this moment";
-                return Err(Problem::new(ProblemType::TooManyBodies, detail));
-            }
+            state.bodies.extend(&mut held, &data)?;
         }
-        Ok(held.finish())
+        held.text.shrink_to_fit();
+        Ok(Bytes::from_owner(held))
     };
     timeout(settings.body_timeout, read).await.unwrap_or_else(|_| {
         let seconds = settings.body_timeout.as_secs();
@@ -135,5 +189,32 @@ mod tests {
             assert!(!verdict(name), "{name}");
         }
         assert!(check_content_type(&HeaderMap::new()).is_err());
+    }
+
+    #[test]
+    fn bodies_are_bounded_in_bytes_and_those_of_a_key_in_number() {
+        let bodies = Bodies::new(2);
+        let [one, other] = [(); 2].map(|()| Some(KeyId::generate()));
+        let mut held = Vec::new();
+        for _ in 0..BODIES_OF_KEY {
+            let mut body = bodies.open(one).unwrap();
+            bodies.extend(&mut body, b"ab").unwrap();
+            held.push(Bytes::from_owner(body));
+        }
+        assert!(bodies.open(one).is_err() && bodies.open(other).is_ok());
+        let mut rest = bodies.open(None).unwrap();
+        for _ in BODIES_OF_KEY..BODIES {
+            bodies.extend(&mut rest, b"ab").unwrap();
+        }
+        assert!(bodies.extend(&mut bodies.open(other).unwrap(), b"a").is_err());
+        let part = held[0].slice(1..);
+        held.clear();
+        let mut body = bodies.open(one).unwrap();
+        for _ in 1..BODIES_OF_KEY {
+            bodies.extend(&mut body, b"ab").unwrap();
+        }
+        assert!(bodies.extend(&mut body, b"a").is_err(), "a part of a body holds the whole");
+        drop(part);
+        bodies.extend(&mut body, b"ab").unwrap();
     }
 }

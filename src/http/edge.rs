@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 
 use axum::extract::{Request, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderName, HeaderValue,
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, HeaderMap, HeaderName, HeaderValue, ORIGIN,
     X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::uri::Authority;
@@ -84,7 +84,29 @@ pub(super) async fn check_host(
         let detail = "this service does not answer under this name; --allowed-host adds one";
         return Err(Problem::new(ProblemType::UnknownHost, detail));
     }
+    if !request.method().is_safe() && !is_from_here(request.headers(), host, &state.settings.cors_origins) {
+        let detail = "a page of another origin asks for a change; --cors-origin allows one";
+        return Err(Problem::new(ProblemType::Forbidden, detail));
+    }
     Ok(next.run(request).await)
+}
+
+/// Whether a request is from no page, from a page of this service or from one that may ask.
+/// Browsers send a page's requests to a service on loopback whatever page it is; what a form or an
+/// image may ask for is not asked for beforehand.
+fn is_from_here(headers: &HeaderMap, host: &HeaderValue, allowed: &[HeaderValue]) -> bool {
+    let origin = headers.get(ORIGIN);
+    if allowed.iter().any(|allowed| allowed == "*" || Some(allowed) == origin) {
+        return true;
+    }
+    if let Some(site) = headers.get("sec-fetch-site") {
+        return site == "same-origin" || site == "none";
+    }
+    let Some(origin) = origin else { return true };
+    let forwarded = headers.get("x-forwarded-host");
+    let authority =
+        origin.to_str().ok().and_then(|origin| origin.split_once("://")).map(|(_, host)| host.as_bytes());
+    [Some(host), forwarded].into_iter().flatten().any(|host| Some(host.as_bytes()) == authority)
 }
 
 /// Bytes of a head on the wire, about: its address and its lines.
@@ -134,5 +156,34 @@ mod tests {
         let named = hosts(&["Brinell.example"], "0.0.0.0:8080");
         assert!(named.allow("brinell.example:443") && !named.allow("localhost"));
         assert!(hosts(&["brinell.example"], "127.0.0.1:8080").allow("localhost"));
+    }
+
+    #[test]
+    fn pages_of_elsewhere_change_nothing() {
+        let verdict = |headers: &[(&'static str, &'static str)], allowed: &[HeaderValue]| {
+            let pairs = headers.iter();
+            let headers =
+                pairs.map(|(name, value)| (HeaderName::from_static(name), HeaderValue::from_static(value)));
+            is_from_here(&headers.collect(), &HeaderValue::from_static("localhost:8080"), allowed)
+        };
+        let (here, evil) = (("origin", "http://localhost:8080"), ("origin", "https://evil.example"));
+        for good in
+            [&[][..], &[here], &[evil, ("sec-fetch-site", "same-origin")], &[("sec-fetch-site", "none")]]
+        {
+            assert!(verdict(good, &[]), "{good:?}");
+        }
+        assert!(verdict(&[("origin", "https://press.example"), ("x-forwarded-host", "press.example")], &[]));
+        for bad in [
+            &[evil][..],
+            &[("origin", "null")],
+            &[("sec-fetch-site", "cross-site")],
+            &[("origin", "http://localhost:80")],
+            &[here, ("sec-fetch-site", "same-site")],
+        ] {
+            assert!(!verdict(bad, &[]), "{bad:?}");
+        }
+        for allowed in ["*", "https://evil.example"] {
+            assert!(verdict(&[evil, ("sec-fetch-site", "cross-site")], &[HeaderValue::from_static(allowed)]));
+        }
     }
 }

@@ -1,11 +1,11 @@
-//! Follows one job for one client, at the client's pace: nothing is read before it is wanted, so that a client that
-//! does not read costs nothing and holds nobody up.
+//! Follows one job for one client, at the client's pace: a page of its history is read when the
+//! last one has been taken, so that a client that does not read costs little and holds nobody up.
 
-use std::collections::VecDeque;
 use std::time::Duration;
 
 use axum::response::sse::Event;
 use serde::Serialize;
+use tokio::sync::mpsc::Sender;
 use tokio::time::sleep;
 
 use super::HttpState;
@@ -40,99 +40,98 @@ impl EventPosition {
     }
 }
 
-/// One client's view of a job.
-pub(super) struct EventStream {
+/// Sends a job to one client, at the pace of the client: it holds one page of iterations and no
+/// reader of the store meanwhile.
+pub(super) struct Follower {
     state: HttpState,
     job: JobId,
     subscription: Subscription,
     prefix: Prefix,
     position: EventPosition,
     sent_state: Option<(JobState, u32, bool)>,
-    events: VecDeque<Event>,
-    ended: bool,
+    events: Sender<Event>,
 }
 
-impl EventStream {
-    /// From `place` on, or from the beginning.
-    pub(super) fn new(state: HttpState, job: JobId, position: Option<EventPosition>, prefix: Prefix) -> Self {
+impl Follower {
+    /// From `position` on, or from the beginning.
+    pub(super) fn new(
+        state: HttpState,
+        job: JobId,
+        position: Option<EventPosition>,
+        prefix: Prefix,
+        events: Sender<Event>,
+    ) -> Self {
         let (subscription, position) = (state.jobs.subscribe(job), position.unwrap_or_default());
-        Self {
-            state,
-            job,
-            subscription,
-            prefix,
-            position,
-            sent_state: None,
-            events: VecDeque::new(),
-            ended: false,
-        }
+        Self { state, job, subscription, prefix, position, sent_state: None, events }
     }
 
-    /// The next event; `None` after the last.
-    pub(super) async fn next(&mut self) -> Option<Event> {
-        loop {
-            if let Some(event) = self.events.pop_front() {
-                return Some(event);
+    /// Follows the job to its end. Where the store fails, the stream breaks off; the client comes
+    /// back to where it was.
+    pub(super) async fn run(mut self) -> Result<(), StoreError> {
+        let closing = self.state.closing.clone();
+        while !self.look().await? {
+            tokio::select! {
+                _ = self.subscription.changed() => {}
+                () = sleep(POLL_INTERVAL) => {}
+                () = closing.cancelled() => break,
             }
-            if self.ended {
-                return None;
-            }
-            if let Err(error) = self.poll().await {
-                // The stream breaks off; the client comes back to where it was.
-                tracing::debug!(job = %self.job, %error, "stopped following");
-                return None;
-            }
-            if self.events.is_empty() {
-                tokio::select! {
-                    _ = self.subscription.changed() => {}
-                    () = sleep(POLL_INTERVAL) => {}
-                    () = self.state.closing.cancelled() => return None,
-                }
-            }
-        }
-    }
-
-    /// Asks the store what is new.
-    async fn poll(&mut self) -> Result<(), StoreError> {
-        let mut record = self.state.jobs.get(self.job).await?;
-        if record.attempts != self.position.attempt || record.iterations < self.position.seen {
-            self.position = EventPosition { attempt: record.attempts, seen: 0 };
-        }
-        let mut iterations = Vec::new();
-        if record.iterations > self.position.seen {
-            iterations = self.state.jobs.history(self.job, self.position.seen).await?;
-            record = self.state.jobs.get(self.job).await?;
-            if record.attempts != self.position.attempt {
-                return Ok(());
-            }
-            iterations.truncate(record.iterations.saturating_sub(self.position.seen));
-        }
-        let finished = record.state.is_finished();
-        if !finished {
-            self.send_state(&record, None).await?;
-        }
-        for iteration in &iterations {
-            self.position.seen += 1;
-            self.events.extend(event("iteration", iteration).map(|event| event.id(self.position.id())));
-        }
-        // Written in one step with the last iterations; whatever came between is fetched by the next look.
-        if finished && (iterations.is_empty() || self.position.seen >= record.iterations) {
-            self.send_state(&record, Some(EventPosition::end_of(&record))).await?;
-            self.ended = true;
         }
         Ok(())
+    }
+
+    /// Sends what is new; whether that was the end.
+    async fn look(&mut self) -> Result<bool, StoreError> {
+        loop {
+            let record = self.state.jobs.get(self.job).await?;
+            if record.attempts != self.position.attempt || record.iterations < self.position.seen {
+                self.position = EventPosition { attempt: record.attempts, seen: 0 };
+            }
+            let finished = record.state.is_finished();
+            if !finished {
+                self.send_state(&record, None).await?;
+            }
+            let is_behind = record.iterations > self.position.seen;
+            if is_behind && self.send_page().await? {
+                continue;
+            }
+            if finished {
+                self.send_state(&record, Some(EventPosition::end_of(&record))).await?;
+            }
+            return Ok(finished);
+        }
+    }
+
+    /// Sends a page of iterations; `false` if there is none.
+    async fn send_page(&mut self) -> Result<bool, StoreError> {
+        let page = self.state.jobs.history(self.job, self.position.seen).await?;
+        if self.state.jobs.get(self.job).await?.attempts != self.position.attempt {
+            return Ok(true);
+        }
+        for iteration in &page {
+            self.position.seen += 1;
+            self.send(event("iteration", iteration).map(|event| event.id(self.position.id()))).await;
+        }
+        Ok(!page.is_empty())
     }
 
     async fn send_state(&mut self, record: &JobRecord, id: Option<String>) -> Result<(), StoreError> {
         let now = (record.state, record.attempts, record.cancel_requested);
         if self.sent_state.replace(now) != Some(now) {
             let job = JobDocument::of(&self.state, record.clone(), &self.prefix).await?;
-            self.events.extend(event("state", &job).map(|event| match id {
+            let event = event("state", &job).map(|event| match id {
                 Some(id) => event.id(id),
                 None => event,
-            }));
+            });
+            self.send(event).await;
         }
         Ok(())
+    }
+
+    /// Waits until the client takes an event. When it has gone, this task ends.
+    async fn send(&self, event: Option<Event>) {
+        if let Some(event) = event {
+            let _ = self.events.send(event).await;
+        }
     }
 }
 

@@ -7,7 +7,6 @@
 mod access;
 mod batch;
 mod body;
-mod body_room;
 mod docs;
 mod edge;
 mod event_stream;
@@ -32,6 +31,7 @@ mod selection;
 mod streams;
 mod tls;
 pub mod wire;
+mod written_body;
 
 use std::any::Any;
 use std::sync::Arc;
@@ -56,7 +56,7 @@ use utoipa_axum::routes;
 use crate::jobs::{JobService, Retention};
 use crate::webhook::CallbackRules;
 use access::authenticate;
-use body_room::BodyRoom;
+use body::Bodies;
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use held_text::TextPlaces;
 use negotiation::settle_coding;
@@ -79,9 +79,6 @@ pub use problem_type::ProblemType;
 pub use request_log::REQUEST_DURATION;
 pub use streams::EVENT_STREAMS;
 pub use tls::{TlsError, TlsIdentity};
-
-/// How many bodies of the largest size may arrive, or wait for their turn, at the same time; of smaller ones more.
-const BODIES: usize = 64;
 
 /// Bounds on a single request.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,8 +157,7 @@ pub struct HttpState {
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
     texts: TextPlaces,
-    /// Memory that bodies may take.
-    bodies: Arc<BodyRoom>,
+    bodies: Bodies,
     metrics: Option<Metrics>,
 }
 
@@ -170,7 +166,7 @@ impl HttpState {
     pub fn new(jobs: Arc<JobService>, settings: HttpSettings, metrics: Option<Metrics>) -> Self {
         let rates = Arc::new(Rates::new(settings.jobs_per_second));
         let streams = Arc::new(EventStreamLimit::new(settings.event_streams));
-        let bodies = BodyRoom::new(BODIES * settings.max_body_bytes);
+        let bodies = Bodies::new(settings.max_body_bytes);
         Self {
             jobs,
             settings,

@@ -12,8 +12,7 @@ use axum::http::header::{
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
-use futures_util::{Stream, StreamExt, stream};
-use tokio::sync::mpsc::{self, Receiver, Sender};
+use tokio::sync::mpsc::Sender;
 use tokio::task::spawn_blocking;
 
 use super::HttpState;
@@ -24,11 +23,9 @@ use super::query::Selection;
 use super::request_log::JobIdExtension;
 use super::selection::{edit, edit_report, no_step};
 use super::wire::JobDocument;
+use super::written_body;
 use crate::jobs::{Deflated, FieldsReader, GzipStream, JobId, JobRecord, JobStore, ResultHead, StoreError};
 use brinell_solver::report::FieldPiece;
-
-/// Pieces that wait for a client that reads slowly.
-pub(super) const WAITING_PIECES: usize = 2;
 
 /// What stands between two steps.
 const COMMA: &[u8] = b",";
@@ -121,22 +118,18 @@ async fn body(
         let report = whole(state, head.report, selection).await?;
         return Ok((about, join([&join([&before, &report]), &behind])).into_response());
     };
-    let (sender, receiver) = mpsc::channel(WAITING_PIECES);
     let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
-    let writer =
-        ResultWriter { state: state.clone(), id, steps, selection, has_fields: form.has_fields, sender };
-    tokio::spawn(writer.run(join([&before, &begin]), join([&end, &behind]), form.gzip));
-    let mut response = (about, Body::from_stream(pieces(receiver))).into_response();
+    let (state, has_fields) = (state.clone(), form.has_fields);
+    let (before, behind) = (join([&before, &begin]), join([&end, &behind]));
+    let write = move |sender| async move {
+        let writer = ResultWriter { state, id, steps, selection, has_fields, sender };
+        if form.gzip { writer.compressed(before, behind).await } else { writer.plain(before, behind).await }
+    };
+    let mut response = (about, Body::from_stream(written_body::written(write))).into_response();
     if form.gzip {
         response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
     }
     Ok(response)
-}
-
-/// What is received, as a body.
-pub(super) fn pieces<T: Send + 'static>(receiver: Receiver<T>) -> impl Stream<Item = T> + Send {
-    // The connection may look for more behind the end.
-    stream::unfold(receiver, async |mut receiver| Some((receiver.recv().await?, receiver))).fuse()
 }
 
 /// Sends a report between two other texts, plain; a problem if there is no such report, and then nothing of it was sent.
@@ -146,13 +139,13 @@ pub(super) async fn inside_of(
     head: ResultHead,
     selection: &Selection,
     (before, behind): (Bytes, Bytes),
-    sender: &Sender<Result<Bytes, StoreError>>,
+    sender: &Sender<Bytes>,
 ) -> Result<Result<(), Problem>, StoreError> {
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let Some((begin, end)) = head.around_steps() else {
         return Ok(match whole(state, head.report, selection.clone()).await {
             Ok(report) => {
-                let _ = sender.send(Ok(join([&join([&before, &report]), &behind]))).await;
+                let _ = sender.send(join([&join([&before, &report]), &behind])).await;
                 Ok(())
             }
             Err(problem) => Err(problem),
@@ -178,15 +171,6 @@ async fn whole(state: &HttpState, report: Bytes, selection: Selection) -> Result
     edited.map_err(StoreError::unavailable)?
 }
 
-/// Leaves a line about an answer that breaks off. That a job was removed while it was read is nobody's fault.
-pub(super) fn log_broken_off(error: &StoreError) {
-    if matches!(error, StoreError::NotFound) {
-        tracing::info!("a job was removed while its result was read");
-    } else {
-        tracing::error!(error = error as &dyn std::error::Error, "a result could not be read");
-    }
-}
-
 /// Reads a result and sends it on.
 struct ResultWriter {
     state: HttpState,
@@ -194,23 +178,13 @@ struct ResultWriter {
     steps: Range<usize>,
     selection: Selection,
     has_fields: bool,
-    sender: Sender<Result<Bytes, StoreError>>,
+    sender: Sender<Bytes>,
 }
 
 impl ResultWriter {
-    async fn run(self, before: Bytes, behind: Bytes, gzip: bool) {
-        let written =
-            if gzip { self.compressed(before, behind).await } else { self.plain(before, behind).await };
-        if let Err(error) = written {
-            // The answer breaks off, so that no client takes it for whole.
-            log_broken_off(&error);
-            let _ = self.sender.send(Err(error)).await;
-        }
-    }
-
     /// A client that has gone is no error.
     async fn send(&self, piece: Bytes) -> bool {
-        self.sender.send(Ok(piece)).await.is_ok()
+        self.sender.send(piece).await.is_ok()
     }
 
     async fn compressed(&self, before: Bytes, behind: Bytes) -> Result<(), StoreError> {

@@ -1,4 +1,5 @@
-//! A bound on event streams: each holds a connection for as long as its client likes.
+//! A bound on event streams: each holds a connection for as long as its client likes. A key has a
+//! quarter of them.
 
 use std::sync::Arc;
 
@@ -7,6 +8,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use super::problem::Problem;
 use super::problem_type::ProblemType;
+use crate::jobs::{KeyId, Turn, Turns};
 
 /// Event streams that are open.
 pub const EVENT_STREAMS: &str = "brinell_event_streams";
@@ -15,22 +17,26 @@ pub const EVENT_STREAMS: &str = "brinell_event_streams";
 #[derive(Debug)]
 pub(super) struct EventStreamLimit {
     permits: Arc<Semaphore>,
+    keys: Turns,
 }
 
 impl EventStreamLimit {
     /// At most so many at a time.
     pub(super) fn new(most: usize) -> Self {
-        Self { permits: Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS))) }
+        let permits = Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS)));
+        Self { permits, keys: Turns::new(most.div_ceil(4)) }
     }
 
     /// Takes a place, if there is one.
-    pub(super) fn open(&self) -> Result<StreamPermit, Problem> {
-        let permit = Arc::clone(&self.permits).try_acquire_owned().map_err(|_| {
+    pub(super) fn open(&self, key: Option<KeyId>) -> Result<StreamPermit, Problem> {
+        let of_key = self.keys.try_take(key);
+        let permit = Arc::clone(&self.permits).try_acquire_owned().ok();
+        let (of_key, permit) = of_key.zip(permit).ok_or_else(|| {
             let detail = "as many event streams are open as may be; ask /v1/jobs/{id}?wait=30 instead";
             Problem::new(ProblemType::TooManyStreams, detail)
         })?;
         gauge!(EVENT_STREAMS).increment(1.0);
-        Ok(StreamPermit { _permit: permit })
+        Ok(StreamPermit { _permit: permit, _of_key: of_key })
     }
 }
 
@@ -38,6 +44,7 @@ impl EventStreamLimit {
 #[derive(Debug)]
 pub(super) struct StreamPermit {
     _permit: OwnedSemaphorePermit,
+    _of_key: Turn,
 }
 
 impl Drop for StreamPermit {

@@ -24,19 +24,32 @@ pub enum Scope {
     Read,
     /// Hand jobs in too, and stop and remove its own.
     Write,
+    /// Look at everybody's jobs.
+    Monitor,
     /// Everything, with everybody's jobs.
     Admin,
 }
 
 impl Scope {
     /// Every scope.
-    pub const ALL: [Self; 3] = [Self::Read, Self::Write, Self::Admin];
+    pub const ALL: [Self; 4] = [Self::Read, Self::Write, Self::Monitor, Self::Admin];
+
+    /// Whether it may hand jobs in, stop and remove them.
+    pub const fn changes(self) -> bool {
+        matches!(self, Self::Write | Self::Admin)
+    }
+
+    /// Whether it sees everybody's jobs.
+    pub const fn sees_all(self) -> bool {
+        matches!(self, Self::Monitor | Self::Admin)
+    }
 
     /// Its name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Read => "read",
             Self::Write => "write",
+            Self::Monitor => "monitor",
             Self::Admin => "admin",
         }
     }

@@ -27,7 +27,6 @@ mod keys;
 pub mod metrics;
 mod notifier;
 mod record;
-mod refusals;
 mod result;
 mod service;
 mod solver;
@@ -49,14 +48,13 @@ pub use id::{JobId, KeyId, WorkerId};
 pub use keys::{ApiKey, KeyLimits, KeyStore, PreviousSecret, Scope, new_secret, read_token};
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
-pub use refusals::Refusals;
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
 pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{
-    Claim, ClaimRequest, Claims, Counts, Enqueued, JobFilter, JobPage, JobStore, Lease, LeaseStatus, Quota,
-    Retention, SHORT_WORK, SWEEP, StoreError,
+    Claim, ClaimRequest, Claims, Counts, Enqueued, HISTORY_PAGE, JobFilter, JobPage, JobStore, Lease,
+    LeaseStatus, Quota, Retention, SWEEP, StoreError,
 };
 
 pub use brinell_solver::job::{FieldError, JobError};

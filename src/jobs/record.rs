@@ -20,8 +20,6 @@ pub struct NewJob {
     pub priority: i16,
     /// Memory \[bytes\] it is estimated to need.
     pub memory: u64,
-    /// Work it is estimated to be, in units of its own: what it takes of its key's share.
-    pub work: u64,
     /// Bytes its result is estimated to take in the store.
     pub result_bytes: u64,
     /// The API key it came under.
@@ -46,7 +44,6 @@ impl NewJob {
             tags: BTreeMap::new(),
             priority: 0,
             memory: 0,
-            work: 1,
             result_bytes: 0,
             submitter: None,
             idempotency: None,
@@ -88,8 +85,7 @@ pub struct JobRecord {
     pub finished_at: Option<Timestamp>,
     /// How often a worker took it up.
     pub attempts: u32,
-    /// Jobs of the same key that will be taken up before it, while it is queued; those that somebody waits for are counted
-    /// apart.
+    /// Jobs of the same key that will be taken up before it, while it is queued.
     pub queue_position: Option<usize>,
     /// Whether somebody asked it to stop.
     pub cancel_requested: bool,

@@ -8,7 +8,7 @@ use std::time::Duration;
 use bytes::Bytes;
 use thiserror::Error;
 use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
-use tokio::task::yield_now;
+use tokio::task::spawn_blocking;
 use tokio::time::{Instant, sleep, timeout_at};
 
 use sha2::{Digest, Sha256};
@@ -19,8 +19,8 @@ use uuid::Uuid;
 use super::{
     ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued,
     FieldsReader, Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver,
-    JobStore, KeyId, KeyStore, NewJob, Refusals, ResultHead, StoreError, Subscription, SystemClock,
-    TraceParent, Turn, Turns, read_token,
+    JobStore, KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
+    read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -32,6 +32,11 @@ const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Time between two looks at the key of a request that goes on.
 const KEY_INTERVAL: Duration = Duration::from_secs(5);
+
+/// Jobs that are checked at the same time, each on a thread of its own. A sweep of a thousand
+/// loads takes 20 ms: others take their turns with it by the scheduler of the system, where they
+/// would wait in a row for each other's.
+const CHECKS: usize = 32;
 
 /// Large results that are decoded at the same time.
 const DECODERS: usize = 4;
@@ -122,12 +127,11 @@ pub struct JobService {
     closed: CancellationToken,
     waits_end: CancellationToken,
     decoders: Arc<Semaphore>,
-    /// Of checks and estimates: those of one key never hold more than one thread of the runtime.
+    /// Of checks and estimates, one of each key.
     checks: Turns,
+    check_places: Semaphore,
     /// Of submissions: each takes a connection to the store, and locks the row of its key.
     submissions: Turns,
-    /// Keys that had no place left in the queue a moment ago.
-    refusals: Refusals,
     /// Damage was found in the file of the store.
     damaged: AtomicBool,
     /// Until when the store is taken to be well.
@@ -153,6 +157,46 @@ async fn to_its_end<T: Send + 'static>(
     }
 }
 
+/// Checks a job and estimates its cost.
+fn check(
+    solver: &dyn JobSolver,
+    limits: SubmissionLimits,
+    request: &[u8],
+) -> Result<(Job, JobEstimate), Rejection> {
+    let job = Job::from_json(request)?;
+    let estimate = solver.estimate(&job).map_err(JobError::Fields)?;
+    if estimate.bytes > limits.job_bytes {
+        return Err(Rejection::TooLarge { estimate, limit: limits.job_bytes });
+    }
+    if estimate.result_bytes > limits.result_bytes {
+        return Err(Rejection::ResultTooLarge { estimate, limit: limits.result_bytes });
+    }
+    Ok((job, estimate))
+}
+
+/// A job that is in order, as it goes into the store.
+fn new_job(
+    solver: &dyn JobSolver,
+    limits: SubmissionLimits,
+    submission: Submission,
+) -> Result<NewJob, Rejection> {
+    let (job, estimate) = check(solver, limits, &submission.request)?;
+    let digest = Sha256::digest(&submission.request).into();
+    Ok(NewJob {
+        id: JobId::generate(),
+        request: submission.request,
+        tags: job.tags,
+        priority: submission.priority,
+        memory: estimate.bytes,
+        result_bytes: estimate.result_bytes,
+        submitter: submission.submitter,
+        idempotency: submission.idempotency_key.map(|key| Idempotency { key, digest }),
+        interactive: submission.interactive,
+        callback_url: submission.callback_url,
+        trace: submission.trace,
+    })
+}
+
 impl JobService {
     /// A service on `store`, whose changes `notifier` announces.
     pub fn new(
@@ -174,46 +218,45 @@ impl JobService {
             waits_end: CancellationToken::new(),
             decoders: Arc::new(Semaphore::new(DECODERS)),
             checks: Turns::new(1),
+            check_places: Semaphore::new(CHECKS),
             submissions: Turns::new(1),
-            refusals: Refusals::default(),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
         }
     }
 
-    /// Checks a job without queueing it, and estimates its cost. A sweep of many loads takes milliseconds: a key waits for its turn.
+    /// Checks a job without queueing it, and estimates its cost.
     ///
     /// # Errors
     /// [`Rejection`] with every fault.
-    pub async fn validate(&self, request: &[u8], key: Option<KeyId>) -> Result<JobEstimate, Rejection> {
-        let _turn = self.check_turn(key).await;
-        Ok(self.check(request)?.1)
+    pub async fn validate(&self, request: Bytes, key: Option<KeyId>) -> Result<JobEstimate, Rejection> {
+        let (solver, limits) = (Arc::clone(&self.solver), self.limits);
+        Ok(self.check(key, move || check(solver.as_ref(), limits, &request)).await?.1)
     }
 
-    /// Waits for the turn of a key to have a job checked. Those without a key take theirs together.
-    async fn check_turn(&self, key: Option<KeyId>) -> Turn {
-        self.checks.take(key.or(Some(KeyId::from(Uuid::nil())))).await
+    /// Checks something on a thread that nobody else waits for. A key has one check at a time;
+    /// those without a key take their turns together.
+    async fn check<T: Send + 'static>(
+        &self,
+        key: Option<KeyId>,
+        check: impl FnOnce() -> T + Send + 'static,
+    ) -> T {
+        let _turn = self.checks.take(key.or(Some(KeyId::from(Uuid::nil())))).await;
+        let _place = self.check_places.acquire().await;
+        match spawn_blocking(check).await {
+            Ok(checked) => checked,
+            // The runtime ends only with the process: it panicked.
+            Err(error) => resume_unwind(error.into_panic()),
+        }
     }
 
     /// Waits for a turn, and no longer than the service takes jobs in.
-    async fn unless_closed(&self, turn: impl Future<Output = Turn>) -> Result<Turn, SubmitError> {
+    async fn unless_closed<T>(&self, turn: impl Future<Output = T>) -> Result<T, SubmitError> {
         tokio::select! {
             biased;
             () = self.closed.cancelled() => Err(SubmitError::Closed),
             turn = turn => Ok(turn),
         }
-    }
-
-    fn check(&self, request: &[u8]) -> Result<(Job, JobEstimate), Rejection> {
-        let job = Job::from_json(request)?;
-        let estimate = self.solver.estimate(&job).map_err(JobError::Fields)?;
-        if estimate.bytes > self.limits.job_bytes {
-            return Err(Rejection::TooLarge { estimate, limit: self.limits.job_bytes });
-        }
-        if estimate.result_bytes > self.limits.result_bytes {
-            return Err(Rejection::ResultTooLarge { estimate, limit: self.limits.result_bytes });
-        }
-        Ok((job, estimate))
     }
 
     /// The API key of a token, if it is good.
@@ -243,10 +286,12 @@ impl JobService {
     ///
     /// # Errors
     /// [`Rejection`] with every fault, also where the theory does not apply.
-    pub async fn closed_form(&self, request: &[u8], key: Option<KeyId>) -> Result<ClosedForm, Rejection> {
-        let _turn = self.check_turn(key).await;
-        let job = Job::from_json(request)?;
-        Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
+    pub async fn closed_form(&self, request: Bytes, key: Option<KeyId>) -> Result<ClosedForm, Rejection> {
+        let closed_form = move || {
+            let job = Job::from_json(&request)?;
+            Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
+        };
+        self.check(key, closed_form).await
     }
 
     /// Checks a job and queues it.
@@ -281,9 +326,9 @@ impl JobService {
         attend: impl FnOnce(&Enqueued) -> T + Send + 'static,
     ) -> Result<(Enqueued, T), SubmitError> {
         let key = submission.submitter;
-        let turn = self.unless_closed(self.check_turn(key)).await?;
-        let job = self.new_job(submission)?;
-        drop(turn);
+        let (solver, limits) = (Arc::clone(&self.solver), self.limits);
+        let checked = self.check(key, move || new_job(solver.as_ref(), limits, submission));
+        let job = self.unless_closed(checked).await??;
         let turn = self.unless_closed(self.submissions.take(key)).await?;
         let store = Arc::clone(&self.store);
         let enqueue = async move {
@@ -292,7 +337,7 @@ impl JobService {
             let attended = attend(&enqueued);
             Ok((enqueued, attended))
         };
-        Ok(to_its_end(enqueue).await.inspect_err(|error| self.refusals.note(key, error))?)
+        Ok(to_its_end(enqueue).await?)
     }
 
     /// Checks several jobs and queues those that are in order, all in one step; of each, in order, what became of it.
@@ -303,16 +348,13 @@ impl JobService {
         &self,
         submissions: Vec<Submission>,
     ) -> Result<Vec<Result<Enqueued, SubmitError>>, SubmitError> {
-        let keys: Vec<Option<KeyId>> = submissions.iter().map(|submission| submission.submitter).collect();
-        let first = keys.first().copied().flatten();
-        let turn = self.unless_closed(self.check_turn(first)).await?;
-        let mut checked = Vec::with_capacity(submissions.len());
-        for submission in submissions {
-            checked.push(self.new_job(submission));
-            // Others are answered in between.
-            yield_now().await;
-        }
-        drop(turn);
+        let first = submissions.first().and_then(|submission| submission.submitter);
+        let (solver, limits) = (Arc::clone(&self.solver), self.limits);
+        let check = move || {
+            let new_job = |submission| new_job(solver.as_ref(), limits, submission);
+            submissions.into_iter().map(new_job).collect::<Vec<_>>()
+        };
+        let checked = self.unless_closed(self.check(first, check)).await?;
         let jobs: Vec<NewJob> = checked.iter().flatten().cloned().collect();
         let submitters: Vec<Option<KeyId>> = jobs.iter().map(|job| job.submitter).collect();
         let turn = self.unless_closed(self.submissions.take(first)).await?;
@@ -327,44 +369,12 @@ impl JobService {
             Ok(taken)
         };
         let mut taken = to_its_end(enqueue).await?.into_iter();
-        let of = |job: Result<NewJob, SubmitError>| -> Result<Enqueued, SubmitError> {
+        let of = |job: Result<NewJob, Rejection>| -> Result<Enqueued, SubmitError> {
             job?;
             let missing = || StoreError::unavailable("the store told of fewer jobs than it was given");
             Ok(taken.next().unwrap_or_else(|| Err(missing()))?)
         };
-        let ended: Vec<_> = checked.into_iter().map(of).collect();
-        for (ended, key) in ended.iter().zip(keys) {
-            if let Err(SubmitError::Store(error)) = ended {
-                self.refusals.note(key, error);
-            }
-        }
-        Ok(ended)
-    }
-
-    /// A job that is in order, as it goes into the store.
-    fn new_job(&self, submission: Submission) -> Result<NewJob, SubmitError> {
-        // A job that came before may be asked for again although there is no place for another.
-        if submission.idempotency_key.is_none() {
-            self.refusals.check(submission.submitter)?;
-        }
-        let (job, estimate) = self.check(&submission.request)?;
-        let digest = |text: &[u8]| Sha256::digest(text).into();
-        let idempotency =
-            submission.idempotency_key.map(|key| Idempotency { key, digest: digest(&submission.request) });
-        Ok(NewJob {
-            id: JobId::generate(),
-            request: submission.request,
-            tags: job.tags,
-            priority: submission.priority,
-            memory: estimate.bytes,
-            work: estimate.work,
-            result_bytes: estimate.result_bytes,
-            submitter: submission.submitter,
-            idempotency,
-            interactive: submission.interactive,
-            callback_url: submission.callback_url,
-            trace: submission.trace,
-        })
+        Ok(checked.into_iter().map(of).collect())
     }
 
     /// What is known about a job.
@@ -408,7 +418,8 @@ impl JobService {
         self.notifier.subscribe(id)
     }
 
-    /// Iterations of the latest attempt from the `after`-th on.
+    /// A page of the iterations of the latest attempt behind the first `after`; empty where there
+    /// are no more.
     ///
     /// # Errors
     /// [`StoreError`].

@@ -47,7 +47,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`].
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
-    /// Iterations of the latest attempt from the `after`-th on (0 is all of them), in order.
+    /// A page of the iterations of the latest attempt behind the first `after`, in order, about
+    /// [`HISTORY_PAGE`]; empty where there are no more.
     ///
     /// # Errors
     /// [`StoreError::NotFound`].
@@ -78,14 +79,15 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::NotFound`] without such a step.
     async fn fields(&self, id: JobId, step: usize, at: usize) -> Result<Option<FieldsPart>, StoreError>;
 
-    /// Hands out up to `request.slots` jobs: first those whose lease ran out, then queued ones. API keys share the solvers by
-    /// the work of their jobs (start-time fair queueing), and so do the jobs of one key that somebody waits for, three parts
-    /// in four, and its others. Within such a flow the highest priority goes first, and the oldest among equals. It stops at
-    /// the first job that does not fit into the free memory, so that large jobs are not overtaken for ever. A key that has as
-    /// many jobs running as it may is passed over.
+    /// Hands out up to `request.places` jobs, one after the other: the key that holds the fewest
+    /// places has the next one, and among equals the key that has spent the least solver time
+    /// within the last minute. Of a key, jobs that have lost their worker go first, then the
+    /// highest priority, then the oldest. A key that holds as many places of the worker as it may,
+    /// or has as many jobs running as it may, is passed over.
     ///
-    /// Then it hands out up to `request.short_slots` of the jobs whose work is [`SHORT_WORK`] at most, by the same rules, as if
-    /// there were no others.
+    /// Every place has memory of its own. Jobs that need more share the rest of the worker's
+    /// memory; the first that does not fit holds up those behind it, so that large jobs are not
+    /// overtaken for ever by other large ones.
     ///
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
@@ -95,7 +97,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::Unavailable`].
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
-    /// Extends leases by `lease` from now and tells of each whether it is still held, in the given order.
+    /// Extends leases of one worker by `lease` from now and tells of each whether it is still
+    /// held, in the given order.
     ///
     /// # Errors
     /// [`StoreError::Unavailable`].
@@ -194,8 +197,8 @@ pub trait JobStore: Send + Sync + 'static {
     async fn close(&self);
 }
 
-/// Most work of a job that is short: several default jobs' worth, well under a second on one core.
-pub const SHORT_WORK: u64 = 4096;
+/// Iterations that are written, and read, at a time.
+pub const HISTORY_PAGE: usize = 256;
 
 /// Most jobs one [`JobStore::sweep`] removes.
 pub const SWEEP: usize = 500;
@@ -245,17 +248,15 @@ pub type Counts = BTreeMap<JobState, usize>;
 pub struct ClaimRequest {
     /// Who asks.
     pub owner: WorkerId,
-    /// How many solvers are free; never ask for more.
-    pub slots: usize,
-    /// How many further jobs may be handed out if they are short.
-    pub short_slots: usize,
-    /// How many short jobs of a key may run beside its long ones.
-    pub short_by_key: usize,
-    /// Memory \[bytes\] that the further jobs may need in all, by their estimates.
-    pub short_memory: u64,
+    /// How many places are free.
+    pub places: usize,
+    /// How many places of the worker a key may hold.
+    pub places_of_key: usize,
+    /// Memory \[bytes\] that each place has of its own.
+    pub memory_of_place: u64,
     /// Whether the worker does nothing else, and may be given a job that must run by itself.
     pub exclusive: bool,
-    /// Memory \[bytes\] that the jobs may need in all, by their estimates.
+    /// Memory \[bytes\] beside it that the jobs may need in all, by their estimates.
     pub free_memory: u64,
     /// Memory \[bytes\] of the idle worker. Jobs that need more are left to others.
     pub memory: u64,
@@ -292,12 +293,6 @@ pub struct Claim {
     pub lease: Lease,
     /// It must run by itself.
     pub exclusive: bool,
-    /// It takes one of the places for short jobs.
-    pub beside: bool,
-    /// It is beside long jobs of its own key, and has the priority of those.
-    pub gives_way: bool,
-    /// Work it is estimated to be.
-    pub work: u64,
     /// Memory \[bytes\] it is estimated to need.
     pub memory: u64,
     /// The job as it was submitted (JSON).

@@ -2,18 +2,10 @@
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
-use std::time::Duration;
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
-use tokio::time::{Instant, sleep};
 
 use super::KeyId;
-
-/// Pause after a turn that others of the same key wait for, in times of how long it took.
-const REST: u32 = 2;
-
-/// Longest pause. A turn that takes longer was held up by something else, a disk perhaps.
-const LONGEST_REST: Duration = Duration::from_millis(50);
 
 /// The turns of all keys.
 #[derive(Debug)]
@@ -34,7 +26,15 @@ impl Turns {
             Some(key) => self.of(key).acquire_owned().await.ok(),
             None => None,
         };
-        Turn { permit, begin: Instant::now() }
+        Turn { permit }
+    }
+
+    /// A turn, if one is free.
+    pub fn try_take(&self, key: Option<KeyId>) -> Option<Turn> {
+        match key {
+            Some(key) => Some(Turn { permit: Some(self.of(key).try_acquire_owned().ok()?) }),
+            None => Some(Turn::free()),
+        }
     }
 
     fn of(&self, key: KeyId) -> Arc<Semaphore> {
@@ -53,32 +53,17 @@ impl Turns {
 #[derive(Debug)]
 pub struct Turn {
     permit: Option<OwnedSemaphorePermit>,
-    begin: Instant,
 }
 
 impl Turn {
     /// One that nobody waits for.
     pub fn free() -> Self {
-        Self { permit: None, begin: Instant::now() }
+        Self { permit: None }
     }
 
     /// Whether the key has no other turn left.
     pub fn is_last(&self) -> bool {
         self.permit.as_ref().is_some_and(|permit| permit.semaphore().available_permits() == 0)
-    }
-
-    /// Ends it. Where others of the key wait for theirs, the next one begins after twice the time that this one took, 50 ms at most: a
-    /// key that floods leaves two thirds of the time to other keys.
-    pub fn end(self) {
-        let Some(permit) = self.permit else { return };
-        // Whoever waits holds the turns too.
-        if Arc::strong_count(permit.semaphore()) > 1 {
-            let rest = (REST * self.begin.elapsed()).min(LONGEST_REST);
-            tokio::spawn(async move {
-                sleep(rest).await;
-                drop(permit);
-            });
-        }
     }
 }
 
@@ -101,22 +86,5 @@ mod tests {
         drop(third.await);
         turns.take(Some(other)).await;
         assert_eq!(turns.keys.lock().unwrap().len(), 1);
-    }
-
-    #[tokio::test]
-    async fn a_key_that_is_waited_for_rests_after_a_turn() {
-        let turns = Turns::new(1);
-        let (one, other) = (KeyId::generate(), KeyId::generate());
-        let took = Duration::from_millis(20);
-        turns.take(Some(one)).await.end();
-        let turn = turns.take(Some(one)).now_or_never().expect("nobody waited");
-        let mut next = Box::pin(turns.take(Some(one)));
-        assert!((&mut next).now_or_never().is_none());
-        sleep(took).await;
-        let begin = Instant::now();
-        turn.end();
-        assert!(turns.take(Some(other)).now_or_never().is_some());
-        drop(next.await);
-        assert!(begin.elapsed() >= REST * took);
     }
 }

@@ -96,6 +96,12 @@ impl Destination {
         Self { path: format!("{}{path}", self.path.trim_end_matches('/')), ..self.clone() }
     }
 
+    /// Host and port, as a listener has them.
+    pub fn listens(&self) -> String {
+        let Self { host, port, .. } = self;
+        if host.contains(':') { format!("[{host}]:{port}") } else { format!("{host}:{port}") }
+    }
+
     /// The address as a text.
     pub fn url(&self) -> String {
         let scheme = if self.is_secure { "https" } else { "http" };
@@ -106,11 +112,12 @@ impl Destination {
 /// Why a request had no answer.
 #[derive(Debug, Error)]
 pub enum OutgoingError {
-    /// The name has no address.
-    #[error("the name of the host cannot be resolved")]
+    /// The name has no address. Told as [`Self::NotPublic`] is: who names a host does not learn
+    /// whether a private network knows the name.
+    #[error("the host has no address that may be called")]
     Resolve(#[source] io::Error),
     /// It has an address that is not to be asked.
-    #[error("the host has an address that is not public")]
+    #[error("the host has no address that may be called")]
     NotPublic,
     /// Nobody answers there.
     #[error("no connection: {0}")]

@@ -10,7 +10,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use async_trait::async_trait;
-use sqlx::pool::PoolConnection;
 use sqlx::postgres::PgPoolOptions;
 use sqlx::{Executor, PgPool, Postgres, Transaction};
 use thiserror::Error;
@@ -37,6 +36,11 @@ const STEPS: &[Step] = &[
         version: 7,
         name: "field parts",
         sql: include_str!("../../migrations/postgres/0007_field_parts.sql"),
+    },
+    Step {
+        version: 8,
+        name: "solver time",
+        sql: include_str!("../../migrations/postgres/0008_solver_time.sql"),
     },
 ];
 
@@ -109,8 +113,8 @@ impl Backend for PostgresPool {
     type Database = Postgres;
     type Write = Transaction<'static, Postgres>;
 
-    async fn read(&self) -> Result<PoolConnection<Postgres>, StoreError> {
-        Ok(self.pool.acquire().await?)
+    fn readers(&self) -> &PgPool {
+        &self.pool
     }
 
     async fn write(&self) -> Result<(Self::Write, i64), StoreError> {

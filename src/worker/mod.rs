@@ -1,18 +1,18 @@
 //! Solves queued jobs on threads of their own, never on the async runtime's.
 //!
-//! [`Worker`] claims as many jobs as it has free solvers. Each job has a supervisor, an async task that forwards
+//! [`Worker`] claims as many jobs as it has free places. Each job has a supervisor, an async task
+//! that forwards
 //! progress to the store and the wish to stop to the solver; the solver thread itself only ever talks to its
 //! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
 
 mod attempt;
 mod message;
 mod observer;
-mod pool;
 mod running;
 mod slots;
 mod supervise;
+mod thread;
 
-use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -21,9 +21,8 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
-use pool::SolverPool;
 use running::Running;
-use slots::{Memory, Reservation, Slots, places_beside};
+use slots::{Memory, Reservation, Slots};
 
 /// Time for solves to notice that they must stop, once the grace time is over.
 pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
@@ -33,10 +32,10 @@ pub const STOP_TIMEOUT: Duration = Duration::from_secs(2);
 pub struct WorkerSettings {
     /// Jobs solved at the same time.
     pub slots: usize,
-    /// Memory \[bytes\] they may need together, by their estimates.
+    /// Memory \[bytes\] that large ones may need together, by their estimates.
     pub memory: u64,
-    /// Memory \[bytes\] beside it of short jobs that run while long ones hold the solvers.
-    pub short_memory: u64,
+    /// Memory \[bytes\] beside it that each place has of its own.
+    pub memory_of_place: u64,
     /// Longest time a job may be solved for.
     pub job_timeout: Duration,
     /// How long a job stays with a worker that gives no sign of life. Hearts beat three times as often.
@@ -55,11 +54,6 @@ pub struct Worker {
     heartbeat: tokio::task::JoinHandle<()>,
 }
 
-/// How many short jobs of a key run beside its long ones: half of the places, so that those of others find one.
-const fn short_by_key(n_solvers: usize) -> usize {
-    places_beside(n_solvers) / 2
-}
-
 /// What the worker's tasks share.
 pub(crate) struct WorkerState {
     id: WorkerId,
@@ -67,7 +61,6 @@ pub(crate) struct WorkerState {
     store: Arc<dyn JobStore>,
     notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
-    pool: SolverPool,
     slots: Arc<Slots>,
     running: Running,
     tasks: TaskTracker,
@@ -76,24 +69,20 @@ pub(crate) struct WorkerState {
 }
 
 impl Worker {
-    /// Starts the solver threads and begins to claim. Needs a Tokio runtime.
-    ///
-    /// # Errors
-    /// If a thread cannot be started.
+    /// Begins to claim. Needs a Tokio runtime.
     pub fn start(
         store: Arc<dyn JobStore>,
         notifier: Arc<JobNotifier>,
         solver: Arc<dyn JobSolver>,
         settings: WorkerSettings,
-    ) -> io::Result<Self> {
-        let memory = Memory { solvers: settings.memory, beside: settings.short_memory };
+    ) -> Self {
+        let memory = Memory { shared: settings.memory, of_place: settings.memory_of_place };
         let state = Arc::new(WorkerState {
             id: WorkerId::generate(),
             settings,
             store,
             notifier,
             solver,
-            pool: SolverPool::new(settings.slots + places_beside(settings.slots))?,
             slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
             tasks: TaskTracker::new(),
@@ -102,7 +91,7 @@ impl Worker {
         });
         state.tasks.spawn(Arc::clone(&state).claim_jobs());
         let heartbeat = tokio::spawn(Arc::clone(&state).beat());
-        Ok(Self { state, heartbeat })
+        Self { state, heartbeat }
     }
 
     /// Finishes what is running, and what is queued if so set, then stops. What is left after `grace` is stopped
@@ -158,16 +147,15 @@ impl WorkerState {
     }
 
     fn request(&self, reservation: &Reservation) -> ClaimRequest {
-        let free = self.slots.free_memory();
+        let memory = self.slots.memory();
         ClaimRequest {
             owner: self.id,
-            slots: reservation.len(),
+            places: reservation.len(),
+            places_of_key: self.settings.slots,
+            memory_of_place: memory.of_place,
             exclusive: reservation.all,
-            free_memory: free.solvers,
-            memory: self.slots.memory().solvers,
-            short_slots: reservation.len_beside(),
-            short_by_key: short_by_key(self.settings.slots),
-            short_memory: free.beside,
+            free_memory: self.slots.free_memory(),
+            memory: memory.shared,
             lease: self.settings.lease,
             max_attempts: self.settings.max_attempts,
         }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use tokio::sync::mpsc::UnboundedSender;
 
 use super::message::Message;
+use super::thread::{LONG, give_way};
 use crate::jobs::{IterationRecord, encode};
 use brinell_solver::solver::{Interrupt, Observer};
 
@@ -38,6 +39,7 @@ pub(super) struct JobObserver {
     interrupt: Option<Interrupt>,
     pending: Vec<IterationRecord>,
     sent_at: Duration,
+    gives_way: bool,
 }
 
 impl JobObserver {
@@ -51,6 +53,7 @@ impl JobObserver {
             interrupt: None,
             pending: Vec::new(),
             sent_at: Duration::ZERO,
+            gives_way: false,
         }
     }
 
@@ -85,6 +88,10 @@ impl Observer for JobObserver {
 
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.send_progress();
+        if !self.gives_way && self.started.elapsed() >= LONG {
+            self.gives_way = true;
+            give_way();
+        }
         let interrupt = if self.stop.is_raised() {
             Interrupt::Cancelled
         } else if self.started.elapsed() >= self.timeout {

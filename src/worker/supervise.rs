@@ -13,9 +13,9 @@ use super::attempt::attempt;
 use super::message::Message;
 use super::observer::{JobObserver, StopFlag};
 use super::slots::Slot;
+use super::thread;
 use crate::jobs::{
-    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, SHORT_WORK, StepResult,
-    StoreError, metrics,
+    Claim, IterationRecord, JobFailure, JobRecord, JobState, Lease, Outcome, StepResult, StoreError, metrics,
 };
 use crate::telemetry;
 
@@ -112,13 +112,17 @@ impl WorkerState {
         let (step_sender, steps) = mpsc::channel(1);
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
-        let gives_way = claim.gives_way || claim.work > SHORT_WORK;
-        self.pool.run(gives_way, move || {
+        let job = claim.lease.job;
+        let started = thread::start(job, move || {
             let mut observer = JobObserver::start(timeout, stop, sender.clone());
             let outcome =
                 attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);
             let _ = sender.send(Message::Done(observer.take_pending(), outcome));
         });
+        if let Err(error) = started {
+            // The channels are closed: the job fails.
+            tracing::error!(%job, %error, "no thread for a job");
+        }
         SolveChannels { messages, steps }
     }
 

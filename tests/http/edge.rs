@@ -153,8 +153,8 @@ fn connections_leave_files_for_the_store() {
 fn unfinished_bodies_are_bounded_in_sum() {
     let server = Server::start_with(&["--max-body", "2048"]);
     let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2048\r\n\r\n";
-    // More than 64 bodies of the largest size, none of which ever ends.
-    let hanging: Vec<TcpStream> = (0..70)
+    // More than 128 bodies of the largest size, none of which ever ends.
+    let hanging: Vec<TcpStream> = (0..140)
         .map(|_| {
             let mut stream = connect(&server);
             stream.write_all(format!("{head}{}", " ".repeat(2047)).as_bytes()).unwrap();
@@ -175,4 +175,21 @@ fn unfinished_bodies_are_bounded_in_sum() {
     assert!(refused.header("retry-after").is_some());
     drop(hanging);
     assert_eq!(validate_until(200).status, 200, "the room is free again");
+}
+
+#[test]
+fn a_page_of_elsewhere_changes_nothing() {
+    let server = Server::start_with(&["--cors-origin", "https://design.example"]);
+    let job = server.target.submit(&example());
+    let cancel = format!("{job}/cancel");
+    let from = |origin: &str| {
+        let args = ["-H", &format!("Origin: {origin}"), "-H", "Content-Type: application/json"];
+        server.target.post_with(&cancel, "", &args)
+    };
+    for origin in ["https://evil.example", "null", "http://localhost:1"] {
+        from(origin).problem(403, "forbidden");
+    }
+    for origin in ["https://design.example", &server.target.url] {
+        assert_eq!(from(origin).status, 200, "{origin}");
+    }
 }

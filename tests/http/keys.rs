@@ -176,21 +176,51 @@ fn what_goes_on_under_a_key_ends_with_it() {
     assert!(begin.elapsed() < Duration::from_secs(40), "{:?}", begin.elapsed());
 }
 
+/// Every operation that the interface declares, asked by everybody.
 #[test]
-fn a_key_without_places_is_refused_before_its_job_is_read() {
+fn every_route_asks_for_the_key_that_it_needs() {
+    const OPEN: [&str; 4] = ["/livez", "/readyz", "/openapi.json", "/problems/{name}"];
+    const HARMLESS: [&str; 3] = ["/v1/validate", "/v1/hertz", "/v1/batch/fetch"];
     let guarded = Guarded::start();
-    let token = guarded.key(&["create", "flood", "--max-queued", "0"]);
-    let (header, url) = (format!("Authorization: Bearer {token}"), guarded.url("/v1/jobs"));
-    let args = ["-H", &header, "-H", "Content-Type: application/json", "--data-binary", "@-", &url];
-    let was_not_read = (0..100).any(|_| {
-        guarded.post(&token, "/v1/jobs").problem(429, "quota-exceeded");
-        curl_with_input(&args, "{}".into()).status == 429
-    });
-    assert!(was_not_read, "whoever is refused and asks again within a quarter of a second is not looked at");
-    let deadline = Instant::now() + DEADLINE;
-    while curl_with_input(&args, "{}".into()).status != 422 {
-        assert!(Instant::now() < deadline, "a refusal does not stand for ever");
+    let scopes = ["read", "write", "monitor", "admin"];
+    let tokens = scopes.map(|scope| guarded.key(&["create", scope, "--scope", scope]));
+    let document = guarded.server.target.get("/openapi.json").json();
+    let mut asked = 0;
+    for (path, operations) in document["paths"].as_object().unwrap() {
+        let url = path.replace("{id}", "0197e1f0-0000-7000-8000-000000000000").replace("{step}", "1");
+        for method in operations.as_object().unwrap().keys().filter(|name| *name != "parameters") {
+            let method = method.to_uppercase();
+            let is_open = OPEN.contains(&path.as_str());
+            let changes = method != "GET" && !HARMLESS.contains(&path.as_str());
+            for (scope, token) in scopes.iter().zip(&tokens) {
+                let status = guarded.ask(token, &method, &url).status;
+                let may = is_open || !changes || ["write", "admin"].contains(scope);
+                assert_eq!(status == 403, !may, "{scope} {method} {path}: {status}");
+                assert_ne!(status, 401, "{scope} {method} {path}");
+            }
+            for token in ["", "brinell_x_y"] {
+                let status = guarded.ask(token, &method, &url).status;
+                assert_eq!(status == 401, !is_open, "{token:?} {method} {path}: {status}");
+            }
+            asked += 1;
+        }
     }
+    assert!(asked > 25, "{asked} operations");
+}
+
+#[test]
+fn a_key_that_is_sent_counts_where_none_is_required() {
+    let data = Scratch::new();
+    let server = Server::start_with(&["--data-dir", data.0.to_str().unwrap()]);
+    let guarded = Guarded { server, data };
+    let reader = guarded.key(&["create", "reader", "--scope", "read"]);
+    guarded.post(&reader, "/v1/jobs").problem(403, "forbidden");
+    guarded.ask("brinell_x_y", "GET", "/v1/jobs").problem(401, "unauthorized");
+    let job = guarded.server.target.submit(&example());
+    guarded.ask(&reader, "GET", &job).problem(404, "job-not-found");
+    let monitor = guarded.key(&["create", "monitor", "--scope", "monitor"]);
+    assert_eq!(guarded.ask(&monitor, "GET", &job).status, 200);
+    guarded.ask(&monitor, "DELETE", &job).problem(403, "forbidden");
 }
 
 #[test]

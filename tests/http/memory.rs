@@ -1,15 +1,16 @@
 //! The memory budget of the solvers.
 
 use std::num::NonZeroUsize;
+use std::process::Command;
 
 use serde_json::{Value, json};
 
 use crate::in_process::{InProcess, job};
-use crate::server::{Server, example};
+use crate::server::{Scratch, Server, example};
 
 #[test]
 fn a_job_above_the_budget_is_refused_with_its_estimate() {
-    // A quarter is for short jobs beside long ones.
+    // A quarter is for small jobs.
     let server = Server::start_with(&["--memory-limit", "80"]);
     assert_eq!(server.target.get("/v1/capacity").json()["memory_bytes"], 80 << 20);
     let mut large = example();
@@ -24,20 +25,36 @@ fn a_job_above_the_budget_is_refused_with_its_estimate() {
     assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["result"]["status"], "converged");
 }
 
+/// Six histories of ten thousand increments, which no estimate calls long.
 #[test]
-fn a_short_job_does_not_wait_for_a_long_one() {
-    let service = InProcess::start(|config| config.work.memory_limit = Some(16 << 10));
-    let target = &service.target;
+fn a_key_leaves_a_place_to_others_whatever_it_hands_in() {
+    let data = Scratch::new();
+    let service = InProcess::start(|config| config.storage.data_dir = data.0.clone());
+    let key = |name: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_brinell"));
+        let output = command.args(["key", "create", name, "--data-dir"]).arg(&data.0).output().unwrap();
+        format!("Authorization: Bearer {}", String::from_utf8(output.stdout).unwrap().trim())
+    };
+    let [greedy, modest] = ["greedy", "modest"].map(key);
+    let post = |key: &str, path: &str, job: &Value| {
+        let headers = ["-H", key, "-H", "Content-Type: application/json"];
+        service.target.post_with(path, job.to_string(), &headers)
+    };
     let mut long = job("slow");
-    long["mesh"] = json!({"elements_per_half_width": 100});
-    let [first, second] = [(); 2].map(|()| target.submit(&long));
-    target.wait_for(&first, &["running"]);
-    let short = target.submit(&job("quick"));
-    target.wait_for(&short, &["succeeded"]);
-    assert_eq!(target.post("/v1/solve", job("quick").to_string()).status, 200);
-    assert_eq!(target.get(&second).json()["status"], "queued", "long ones take their turns");
+    long["solver"] = json!({"theory": "flow", "increments": 10_000});
+    let queued: Vec<_> = (0..6).map(|_| post(&greedy, "/v1/jobs?priority=100", &long)).collect();
+    let first = queued[0].header("location").unwrap();
+    service.target.wait_for(first, &["running"]);
+    for _ in 0..3 {
+        assert_eq!(post(&modest, "/v1/solve", &job("quick")).status, 200);
+        let queued = post(&modest, "/v1/jobs", &job("quick"));
+        service.target.wait_for(queued.header("location").unwrap(), &["succeeded"]);
+    }
+    assert_eq!(service.target.get(first).json()["status"], "running");
+    for job in &queued[1..] {
+        assert_eq!(service.target.get(job.header("location").unwrap()).json()["status"], "queued");
+    }
     service.solver.open_gate();
-    target.wait_for(&second, &["succeeded"]);
 }
 
 /// A job that needs several times as much memory as a small one.

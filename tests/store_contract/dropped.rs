@@ -17,7 +17,7 @@ const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
 const POLLS: usize = 40;
 const POLL: Duration = Duration::from_micros(200);
 
-fn service(subject: &Subject) -> Arc<JobService> {
+pub fn service(subject: &Subject) -> Arc<JobService> {
     let limits = SubmissionLimits { job_bytes: u64::MAX, result_bytes: u64::MAX };
     let (store, notifier) = (&subject.store, Arc::clone(&subject.notifier));
     let solver = Arc::new(CoreSolver::with_cache(0));
@@ -146,4 +146,24 @@ pub async fn who_waits_for_his_turn_is_told_that_the_service_closes(subject: &Su
     let page = subject.store.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
     assert_eq!(page.jobs.len(), accepted);
     assert!(refused >= 45, "{refused} of 50 were told");
+}
+
+/// A sweep of a thousand loads takes milliseconds to check.
+#[tokio::test]
+async fn checks_leave_the_runtime_to_others() {
+    let jobs = service(&Subject::memory(crate::subject::MEMORY_STORE).await);
+    let loads: Vec<String> = (400..1400).map(|force| force.to_string()).collect();
+    let mut sweep: serde_json::Value = serde_json::from_str(JOB).unwrap();
+    sweep["load"] = serde_json::from_str(&format!("{{\"forces\": [{}]}}", loads.join(", "))).unwrap();
+    let mut check = Box::pin(jobs.validate(sweep.to_string().into(), None));
+    let mut turns_of_others = 0;
+    let estimate = loop {
+        tokio::select! {
+            biased;
+            estimate = &mut check => break estimate,
+            () = tokio::task::yield_now() => turns_of_others += 1,
+        }
+    };
+    estimate.unwrap();
+    assert!(turns_of_others > 10, "{turns_of_others}");
 }

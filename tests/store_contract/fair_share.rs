@@ -1,147 +1,108 @@
-//! Keys share the solvers by the work of their jobs, whatever they submit.
+//! Keys share the places of a worker, and the time of its solvers, whatever they submit.
 
-use brinell::jobs::{ClaimRequest, JobId, KeyId, NewJob, Quota, SHORT_WORK, StoreError, WorkerId};
+use brinell::jobs::{ClaimRequest, JobId, KeyId, NewJob, Quota, StoreError, WorkerId};
+use brinell_solver::solver::SolveStatus;
+use jiff::SignedDuration;
 
 use crate::subject::{QUEUE_CAPACITY, Subject, ids, job};
 
-struct Client {
-    key: KeyId,
-    interactive: bool,
+async fn submit(subject: &Subject, key: KeyId, priority: i16) -> JobId {
+    let new = NewJob { submitter: Some(key), priority, ..job("x") };
+    subject.submit(new).await.unwrap().job.id
 }
 
-impl Client {
-    fn new(interactive: bool) -> Self {
-        Self { key: KeyId::generate(), interactive }
-    }
-
-    async fn submit(&self, subject: &Subject, work: u64, priority: i16) -> JobId {
-        let (submitter, interactive) = (Some(self.key), self.interactive);
-        let new = NewJob { submitter, interactive, work, priority, ..job("x") };
-        subject.submit(new).await.unwrap().job.id
-    }
-}
-
-/// The next job of the queue.
-async fn next(subject: &Subject) -> JobId {
-    let claims = subject.claim(1).await;
-    ids(&claims)[0]
+/// Solves the next job of the queue in some time.
+async fn solve_next(subject: &Subject, time: impl Fn(JobId) -> SignedDuration) -> JobId {
+    let lease = subject.claim_one().await;
+    subject.clock.advance(time(lease.job));
+    subject.finish(&lease, SolveStatus::Converged).await.unwrap();
+    lease.job
 }
 
 pub async fn a_greedy_key_does_not_hold_up_another(subject: &Subject) {
-    let (greedy, modest) = (Client::new(false), Client::new(false));
-    let first = greedy.submit(subject, 10, 100).await;
-    let second = greedy.submit(subject, 10, 100).await;
-    let other = modest.submit(subject, 10, -100).await;
-    assert_eq!(next(subject).await, first);
-    assert_eq!(next(subject).await, other, "whatever its priority");
-    assert_eq!(next(subject).await, second);
+    let [greedy, modest] = [(); 2].map(|()| KeyId::generate());
+    let first = submit(subject, greedy, 100).await;
+    let second = submit(subject, greedy, 100).await;
+    let other = submit(subject, modest, -100).await;
+    assert_eq!(ids(&subject.claim(3).await), [first, other, second], "whatever its priority");
 }
 
-pub async fn keys_share_by_work_and_not_by_number(subject: &Subject) {
-    let (large, small) = (Client::new(false), Client::new(false));
-    let mut served = [0, 0];
-    // Both always have a job waiting; one hands in jobs of ten times the work.
-    let mut waiting = [large.submit(subject, 100, 0).await, small.submit(subject, 10, 0).await];
-    for _ in 0..44 {
-        let id = next(subject).await;
-        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
-        served[which] += 1;
-        let (client, work) = if which == 0 { (&large, 100) } else { (&small, 10) };
-        waiting[which] = client.submit(subject, work, 0).await;
-    }
-    assert_eq!(served, [4, 40], "as much work of each");
-}
-
-pub async fn waiting_clients_do_not_starve_the_queue(subject: &Subject) {
-    let solve = Client::new(true);
-    let queue = Client { interactive: false, ..solve };
-    let mut served = [0, 0];
-    let mut waiting = [solve.submit(subject, 10, 1).await, queue.submit(subject, 10, 0).await];
-    for _ in 0..40 {
-        let id = next(subject).await;
-        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
-        served[which] += 1;
-        let client = if which == 0 { &solve } else { &queue };
-        waiting[which] = client.submit(subject, 10, 0).await;
-    }
-    assert!((29..=31).contains(&served[0]), "{served:?}: three parts in four");
-}
-
-pub async fn keys_share_alike_whichever_way_they_submit(subject: &Subject) {
-    let (solve, queue) = (Client::new(true), Client::new(false));
-    let mut served = [0, 0];
-    let mut waiting = [solve.submit(subject, 10, 1).await, queue.submit(subject, 10, 0).await];
-    for _ in 0..20 {
-        let id = next(subject).await;
-        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
-        served[which] += 1;
-        let client = if which == 0 { &solve } else { &queue };
-        waiting[which] = client.submit(subject, 10, 0).await;
-    }
-    assert_eq!(served, [10, 10]);
-}
-
-pub async fn an_idle_key_does_not_save_up_its_share(subject: &Subject) {
-    let (busy, idle) = (Client::new(false), Client::new(false));
-    for _ in 0..10 {
-        busy.submit(subject, 10, 0).await;
-        next(subject).await;
-    }
-    let mut order = Vec::new();
-    let ahead = busy.submit(subject, 10, 0).await;
-    let late = [idle.submit(subject, 10, 0).await, idle.submit(subject, 10, 0).await];
+pub async fn a_key_leaves_a_place_of_a_worker_to_others(subject: &Subject) {
+    let [greedy, modest] = [(); 2].map(|()| KeyId::generate());
+    let mut of_greedy = Vec::new();
     for _ in 0..3 {
-        order.push(next(subject).await);
+        of_greedy.push(submit(subject, greedy, 100).await);
     }
-    assert_eq!(order.iter().position(|id| *id == ahead), Some(1), "{order:?} of {ahead} and {late:?}");
+    let two_solvers = ClaimRequest { places_of_key: 2, ..Subject::request(3) };
+    assert_eq!(ids(&subject.claims(two_solvers).await.jobs), of_greedy[..2]);
+    let rest = ClaimRequest { places: 1, exclusive: false, ..two_solvers };
+    assert!(subject.claims(rest).await.jobs.is_empty());
+    let other = submit(subject, modest, 0).await;
+    assert_eq!(ids(&subject.claims(rest).await.jobs), [other]);
+    let elsewhere = ClaimRequest { owner: WorkerId::generate(), ..rest };
+    assert_eq!(ids(&subject.claims(elsewhere).await.jobs), of_greedy[2..]);
+}
+
+pub async fn keys_share_by_solver_time_and_not_by_number(subject: &Subject) {
+    let keys = [(); 2].map(|()| KeyId::generate());
+    let times = [1000, 100].map(SignedDuration::from_millis);
+    let mut served = [0, 0];
+    // Both always have a job waiting.
+    let mut waiting = [submit(subject, keys[0], 0).await, submit(subject, keys[1], 0).await];
+    for _ in 0..44 {
+        let id = solve_next(subject, |id| times[usize::from(id == waiting[1])]).await;
+        let which = waiting.iter().position(|job| *job == id).expect("one of the two");
+        served[which] += 1;
+        waiting[which] = submit(subject, keys[which], 0).await;
+    }
+    assert!((3..=5).contains(&served[0]), "{served:?}: as much time for each");
+}
+
+pub async fn what_was_spent_is_forgotten_within_a_minute(subject: &Subject) {
+    let [busy, idle] = [(); 2].map(|()| KeyId::generate());
+    let spend = async || {
+        submit(subject, busy, 0).await;
+        solve_next(subject, |_| SignedDuration::from_secs(100)).await;
+    };
+    spend().await;
+    subject.clock.advance(SignedDuration::from_secs(50));
+    let late = submit(subject, busy, 0).await;
+    let first = submit(subject, idle, 0).await;
+    assert_eq!(solve_next(subject, |_| SignedDuration::ZERO).await, first);
+    assert_eq!(solve_next(subject, |_| SignedDuration::ZERO).await, late);
+    spend().await;
+    subject.clock.advance(SignedDuration::from_secs(60));
+    let early = submit(subject, busy, 0).await;
+    submit(subject, idle, 0).await;
+    assert_eq!(solve_next(subject, |_| SignedDuration::ZERO).await, early, "the oldest among equals");
+}
+
+pub async fn a_small_job_does_not_wait_for_memory(subject: &Subject) {
+    let [one, other] = [(); 2].map(|()| KeyId::generate());
+    let mut queued = Vec::new();
+    for (key, memory) in [(one, 600), (one, 500), (other, 300)] {
+        let new = NewJob { submitter: Some(key), memory, ..job("x") };
+        queued.push(subject.submit(new).await.unwrap().job.id);
+    }
+    let request = ClaimRequest { memory_of_place: 10, free_memory: 700, ..Subject::request(4) };
+    let large = ClaimRequest { free_memory: 800, ..request };
+    assert_eq!(
+        ids(&subject.claims(large).await.jobs),
+        [queued[0]],
+        "the third does not fit and holds up the second"
+    );
+    let small = NewJob { submitter: Some(one), memory: 10, ..job("x") };
+    let small = subject.submit(small).await.unwrap().job.id;
+    let beside = ClaimRequest { free_memory: 200, exclusive: false, ..request };
+    assert_eq!(ids(&subject.claims(beside).await.jobs), [small]);
 }
 
 pub async fn a_key_has_its_places_in_the_queue_and_no_more(subject: &Subject) {
-    let (greedy, modest) = (Client::new(false), Client::new(false));
+    let [greedy, modest] = [(); 2].map(|()| KeyId::generate());
     for _ in 1..QUEUE_CAPACITY {
-        greedy.submit(subject, 1, 0).await;
+        submit(subject, greedy, 0).await;
     }
-    let refused = subject.submit(NewJob { submitter: Some(greedy.key), ..job("x") }).await;
+    let refused = subject.submit(NewJob { submitter: Some(greedy), ..job("x") }).await;
     assert!(matches!(refused, Err(StoreError::QuotaExceeded { quota: Quota::Queued { limit: 3 } })));
-    modest.submit(subject, 1, 0).await;
-}
-
-pub async fn short_jobs_are_handed_out_beside_long_ones(subject: &Subject) {
-    let (first, other) = (Client::new(false), Client::new(false));
-    let long = first.submit(subject, SHORT_WORK + 1, 100).await;
-    let short = first.submit(subject, SHORT_WORK, 0).await;
-    let second = other.submit(subject, SHORT_WORK, 0).await;
-    let beside = ClaimRequest { slots: 0, short_slots: 3, exclusive: false, ..Subject::request(0) };
-    let claims = subject.claims(beside).await.jobs;
-    assert_eq!(ids(&claims), [short, second]);
-    assert!(claims.iter().all(|claim| claim.beside && claim.work == SHORT_WORK));
-    let claims = subject.claim(1).await;
-    assert_eq!((ids(&claims), claims[0].beside), (vec![long], false));
-    let large = NewJob { memory: 11, ..job("x") };
-    subject.submit(large).await.unwrap();
-    assert!(
-        subject.claims(ClaimRequest { short_memory: 10, ..beside }).await.jobs.is_empty(),
-        "it does not fit"
-    );
-}
-
-pub async fn a_key_with_long_jobs_has_part_of_the_places_beside_them(subject: &Subject) {
-    let (greedy, modest) = (Client::new(false), Client::new(false));
-    let long = greedy.submit(subject, SHORT_WORK + 1, 100).await;
-    let request = Subject::request(1);
-    let claims = subject.claims(request).await.jobs;
-    assert_eq!(ids(&claims), [long]);
-    assert!(!claims[0].gives_way, "its work tells that");
-    let first = greedy.submit(subject, 1, 0).await;
-    let second = greedy.submit(subject, 1, 0).await;
-    let other = modest.submit(subject, 1, 0).await;
-    let beside = ClaimRequest { slots: 0, short_slots: 3, exclusive: false, ..request };
-    let claims = subject.claims(beside).await.jobs;
-    let [of_greedy, of_modest] =
-        [first, other].map(|id| claims.iter().find(|claim| claim.lease.job == id).unwrap());
-    assert_eq!((claims.len(), of_greedy.gives_way, of_modest.gives_way), (2, true, false));
-    assert!(subject.claims(beside).await.jobs.is_empty(), "one beside its own long job");
-    let elsewhere = ClaimRequest { owner: WorkerId::generate(), ..beside };
-    let claims = subject.claims(elsewhere).await.jobs;
-    assert_eq!((ids(&claims), claims[0].gives_way), (vec![second], false), "no long job runs there");
+    submit(subject, modest, 0).await;
 }

@@ -4,6 +4,7 @@
 #[path = "../support/cluster.rs"]
 mod cluster;
 mod damage;
+mod deaf;
 mod deliveries;
 mod dropped;
 mod durable;
@@ -15,6 +16,7 @@ mod life;
 mod names;
 mod queue;
 mod quotas;
+mod rate;
 mod results;
 mod subject;
 mod upgrade;
@@ -50,15 +52,14 @@ macro_rules! contract {
             results fields_are_read_part_by_part;
             results a_later_attempt_begins_without_steps;
             results the_oldest_results_make_room;
+            results a_key_makes_room_for_itself_alone;
             results a_job_without_a_report_keeps_no_steps;
             fair_share a_greedy_key_does_not_hold_up_another;
-            fair_share keys_share_by_work_and_not_by_number;
-            fair_share waiting_clients_do_not_starve_the_queue;
-            fair_share keys_share_alike_whichever_way_they_submit;
-            fair_share an_idle_key_does_not_save_up_its_share;
+            fair_share a_key_leaves_a_place_of_a_worker_to_others;
+            fair_share keys_share_by_solver_time_and_not_by_number;
+            fair_share what_was_spent_is_forgotten_within_a_minute;
+            fair_share a_small_job_does_not_wait_for_memory;
             fair_share a_key_has_its_places_in_the_queue_and_no_more;
-            fair_share short_jobs_are_handed_out_beside_long_ones;
-            fair_share a_key_with_long_jobs_has_part_of_the_places_beside_them;
             quotas a_key_has_as_many_jobs_running_as_it_may;
             quotas a_key_stores_as_much_as_it_may;
             quotas a_key_asks_for_the_priority_that_it_may;
@@ -77,6 +78,7 @@ macro_rules! contract {
             deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
             names batches_with_and_without_names_do_not_lock_each_other_out;
+            deaf streams_that_nobody_reads_hold_no_reader;
             dropped a_client_that_goes_leaves_no_job_behind;
             dropped a_client_that_means_to_come_again_finds_its_job;
             dropped what_is_changed_is_announced_although_its_client_has_gone;

@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use brinell::jobs::{
-    Deflated, FIELDS_PART, FieldsReader, JobFailure, Outcome, Retention, StepResult, StoreError,
+    Deflated, FIELDS_PART, FieldsReader, JobFailure, KeyLimits, NewJob, Outcome, Retention, StepResult,
+    StoreError,
 };
 use brinell_solver::report::{FieldArrays, FieldsReport, PerBody};
 use brinell_solver::solver::SolveStatus;
 use bytes::Bytes;
 use jiff::SignedDuration;
 
-use crate::subject::{ALL, HEAD, Subject, reported};
+use crate::quotas::key;
+use crate::subject::{ALL, HEAD, Subject, job, reported};
 
 fn step(name: &str, fields: Option<&'static [u8]>) -> StepResult {
     StepResult {
@@ -111,4 +113,22 @@ pub async fn the_oldest_results_make_room(subject: &Subject) {
     assert_eq!(subject.page(ALL).await.0, [waiting, ids[3], ids[2]]);
     assert_eq!(subject.store.sweep(&keep(0)).await.unwrap(), 2);
     assert_eq!(subject.page(ALL).await.0, [waiting]);
+}
+
+pub async fn a_key_makes_room_for_itself_alone(subject: &Subject) {
+    let limits = KeyLimits { stored_bytes: Some(1 << 20), ..KeyLimits::default() };
+    let [light, heavy] = [key(subject, limits).await, key(subject, limits).await];
+    let mut ids = Vec::new();
+    for key in [light, heavy, heavy, heavy] {
+        let new = NewJob { submitter: Some(key), ..job("x") };
+        ids.push(subject.submit(new).await.unwrap().job.id);
+        let lease = subject.claim_one().await;
+        let report = Deflated::compress(b"{}").unwrap();
+        let step = StepResult { report, fields: Some(vec![0; 1000].into()) };
+        subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+        subject.clock.advance(SignedDuration::from_secs(1));
+    }
+    let retention = Retention { stored_bytes: Some(2500), ..Retention::default() };
+    assert_eq!(subject.store.sweep(&retention).await.unwrap(), 2);
+    assert_eq!(subject.page(ALL).await.0, [ids[3], ids[0]], "the oldest of the key that has the most");
 }

@@ -136,13 +136,12 @@ impl Subject {
     }
 
     /// What a worker that does nothing else is handed.
-    pub fn request(slots: usize) -> ClaimRequest {
+    pub fn request(places: usize) -> ClaimRequest {
         ClaimRequest {
             owner: WorkerId::generate(),
-            slots,
-            short_slots: 0,
-            short_by_key: 1,
-            short_memory: MEMORY,
+            places,
+            places_of_key: usize::MAX,
+            memory_of_place: 0,
             exclusive: true,
             free_memory: MEMORY,
             memory: MEMORY,
@@ -155,8 +154,8 @@ impl Subject {
         self.store.claim(&request).await.unwrap()
     }
 
-    pub async fn claim(&self, slots: usize) -> Vec<Claim> {
-        self.claims(Self::request(slots)).await.jobs
+    pub async fn claim(&self, places: usize) -> Vec<Claim> {
+        self.claims(Self::request(places)).await.jobs
     }
 
     pub async fn claim_one(&self) -> Lease {

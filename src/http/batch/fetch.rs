@@ -11,14 +11,13 @@ use crate::http::access::Caller;
 use crate::http::job_path::check_seen;
 use crate::http::problem::Problem;
 use crate::http::query::Selection;
-use crate::http::result_body::{WAITING_PIECES, inside_of, log_broken_off, pieces};
+use crate::http::result_body::inside_of;
 use crate::http::wire::{JobDocument, Prefix};
+use crate::http::written_body::written;
 use crate::jobs::{JobId, StoreError};
 
 /// Bytes of a job that are held back until the whole of it is there, so that one that is removed meanwhile is answered as such.
 const HELD: usize = 1 << 20;
-
-type Piece = Result<Bytes, StoreError>;
 
 /// 200 with the jobs of these ids.
 pub(in crate::http) fn fetched(
@@ -28,16 +27,11 @@ pub(in crate::http) fn fetched(
     selection: Selection,
     ids: Vec<JobId>,
 ) -> Response {
-    let (sender, receiver) = mpsc::channel(WAITING_PIECES);
-    let fetch = Fetch { state, caller, prefix, selection, sender };
-    tokio::spawn(async move {
-        if let Err(error) = fetch.run(ids).await {
-            // The answer breaks off, so that no client takes it for whole.
-            log_broken_off(&error);
-            let _ = fetch.sender.send(Err(error)).await;
-        }
-    });
-    ([(CONTENT_TYPE, "application/json")], Body::from_stream(pieces(receiver))).into_response()
+    let write = move |sender| async move {
+        let fetch = Fetch { state, caller, prefix, selection, sender };
+        fetch.run(ids).await
+    };
+    ([(CONTENT_TYPE, "application/json")], Body::from_stream(written(write))).into_response()
 }
 
 struct Fetch {
@@ -45,7 +39,7 @@ struct Fetch {
     caller: Caller,
     prefix: Prefix,
     selection: Selection,
-    sender: Sender<Piece>,
+    sender: Sender<Bytes>,
 }
 
 impl Fetch {
@@ -54,7 +48,7 @@ impl Fetch {
         let count = ids.len();
         let mut before = "{\"jobs\":[".to_owned();
         for id in ids {
-            if self.sender.send(Ok(std::mem::replace(&mut before, ",".to_owned()).into())).await.is_err() {
+            if self.sender.send(std::mem::replace(&mut before, ",".to_owned()).into()).await.is_err() {
                 // The client has gone.
                 return Ok(());
             }
@@ -62,11 +56,11 @@ impl Fetch {
                 refused += 1;
                 let item = BatchItem::refused(Some(id), problem);
                 let item = serde_json::to_vec(&item).map_err(StoreError::unavailable)?;
-                let _ = self.sender.send(Ok(item.into())).await;
+                let _ = self.sender.send(item.into()).await;
             }
         }
         let end = format!("],\"accepted\":{},\"refused\":{refused}}}", count - refused);
-        let _ = self.sender.send(Ok(end.into())).await;
+        let _ = self.sender.send(end.into()).await;
         Ok(())
     }
 
@@ -85,7 +79,7 @@ impl Fetch {
         let item =
             |job: JobDocument| serde_json::to_vec(&BatchItem::found(job)).map_err(StoreError::unavailable);
         let Some(head) = head else {
-            let _ = self.sender.send(Ok(item(job)?.into())).await;
+            let _ = self.sender.send(item(job)?.into()).await;
             return Ok(Ok(()));
         };
         // The job is the last member of the item.
@@ -93,7 +87,7 @@ impl Fetch {
         before.truncate(before.len().saturating_sub(2));
         before.extend_from_slice(b",\"result\":");
         let around = (Bytes::from(before), Bytes::from_static(b"}}"));
-        let (inner, pieces) = mpsc::channel(WAITING_PIECES);
+        let (inner, pieces) = mpsc::channel(1);
         let write = async {
             let written = inside_of(&self.state, id, head, &self.selection, around, &inner).await;
             drop(inner);
@@ -115,11 +109,11 @@ impl Fetch {
 
     /// Sends the pieces of a job once there are so many that they are not held any longer, and returns those of a job of which
     /// nothing is sent yet.
-    async fn pass_on(&self, mut pieces: Receiver<Piece>) -> Option<Vec<Piece>> {
+    async fn pass_on(&self, mut pieces: Receiver<Bytes>) -> Option<Vec<Bytes>> {
         let mut held = Some(Vec::new());
         let mut bytes = 0;
         while let Some(piece) = pieces.recv().await {
-            bytes += piece.as_ref().map_or(0, Bytes::len);
+            bytes += piece.len();
             let ready = match &mut held {
                 Some(waiting) => {
                     waiting.push(piece);

@@ -9,19 +9,18 @@
 //! has seen the end gets 204, which tells it not to come again. When a job is taken up anew, its iterations begin
 //! again under the next attempt.
 
-use std::convert::Infallible;
 use std::time::Duration;
 
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
-use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::response::sse::{KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
-use futures_util::{StreamExt as _, stream};
 
 use crate::http::access::Caller;
-use crate::http::event_stream::{EventPosition, EventStream};
+use crate::http::event_stream::{EventPosition, Follower};
 use crate::http::job_path::JobPath;
 use crate::http::wire::Prefix;
+use crate::http::written_body::written;
 use crate::http::{HttpState, Problem};
 use crate::jobs::JobId;
 
@@ -60,17 +59,11 @@ pub(in crate::http) async fn get_events(
     if last.is_some_and(|last| last == EventPosition::end_of(&record)) && record.state.is_finished() {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
-    let permit = state.streams.open()?;
-    let key_ends = {
-        let state = state.clone();
-        async move { caller.ends(&state).await }
-    };
-    let events = EventStream::new(state, id, last.and_then(EventPosition::parse), prefix);
-    let stream = stream::unfold((events, permit), |(mut events, permit)| async {
-        let event = events.next().await?;
-        Some((Ok::<Event, Infallible>(event), (events, permit)))
+    let permit = state.streams.open(caller.key())?;
+    let position = last.and_then(EventPosition::parse);
+    let events = written(move |events| async move {
+        let _permit = permit;
+        Follower::new(state, id, position, prefix, events).run().await
     });
-    Ok(Sse::new(stream.take_until(Box::pin(key_ends)))
-        .keep_alive(KeepAlive::new().interval(KEEP_ALIVE))
-        .into_response())
+    Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
 }

@@ -1,17 +1,18 @@
 //! `GET /v1/jobs/{id}/fields/{step}`: mesh and nodal fields of a step as arrays of numbers.
 
 use std::ops::Range;
-use std::vec;
 
-use axum::body::{Body, Bytes};
+use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
-use futures_util::{Stream, stream};
+use bytes::Bytes;
+use tokio::sync::mpsc::Sender;
 
 use crate::http::job_path::JobPath;
 use crate::http::query::{Arrays, ArraysQuery};
 use crate::http::result_body::{Fields, no_result};
+use crate::http::written_body::written;
 use crate::http::{HttpState, Problem, ProblemType, result_body};
 use crate::jobs::{JobId, StoreError};
 use brinell_solver::report::FieldPiece;
@@ -59,38 +60,28 @@ pub(in crate::http) async fn get_fields(
     let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
     let length = arrays.iter().filter_map(FieldPiece::length).sum();
     let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
-    let body = |range| Body::from_stream(Sent::new(state, fields, arrays, range).stream());
+    let body = |range| Body::from_stream(written(|sender| send(state, fields, arrays, range, sender)));
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }
 
-/// A range of pieces, each of which is read and written when the client takes it.
-struct Sent {
+/// Sends the part of the pieces that is in a range; each is read and made when the client takes
+/// it.
+async fn send(
     state: HttpState,
-    fields: Fields,
-    /// Each with the part of it that is in the range.
-    pieces: vec::IntoIter<(FieldPiece, Range<usize>)>,
-}
-
-impl Sent {
-    fn new(state: HttpState, fields: Fields, pieces: Vec<FieldPiece>, range: Range<usize>) -> Self {
-        let mut begin = 0;
-        let mut within = Vec::new();
-        for piece in pieces {
-            let end = begin + piece.length().unwrap_or(0);
-            let (from, to) = (range.start.max(begin), range.end.min(end));
-            if from < to {
-                within.push((piece, from - begin..to - begin));
-            }
-            begin = end;
+    mut fields: Fields,
+    pieces: Vec<FieldPiece>,
+    range: Range<usize>,
+    sender: Sender<Bytes>,
+) -> Result<(), StoreError> {
+    let mut begin = 0;
+    for piece in pieces {
+        let end = begin + piece.length().unwrap_or(0);
+        let (from, to) = (range.start.max(begin), range.end.min(end));
+        if from < to {
+            let text = result_body::written(&state, &mut fields, piece).await?;
+            let _ = sender.send(text.slice(from - begin..to - begin)).await;
         }
-        Self { state, fields, pieces: within.into_iter() }
+        begin = end;
     }
-
-    fn stream(self) -> impl Stream<Item = Result<Bytes, StoreError>> + Send {
-        stream::try_unfold(self, async |mut sent| {
-            let Some((piece, part)) = sent.pieces.next() else { return Ok(None) };
-            let text = result_body::written(&sent.state, &mut sent.fields, piece).await?;
-            Ok(Some((text.slice(part), sent)))
-        })
-    }
+    Ok(())
 }

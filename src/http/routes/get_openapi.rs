@@ -1,15 +1,35 @@
 //! `GET /openapi.json`: this interface, for programs.
 
-use axum::http::HeaderName;
-use axum::http::header::CONTENT_TYPE;
+use std::sync::LazyLock;
 
+use axum::Extension;
+use axum::body::Bytes;
+use axum::http::HeaderMap;
+use axum::http::header::{CONTENT_ENCODING, CONTENT_TYPE, VARY};
+use axum::response::{IntoResponse, Response};
+
+use crate::http::negotiation::takes_gzip;
 use crate::http::openapi;
+use crate::http::result_body::CodingChosen;
+use crate::jobs::{Deflated, GzipStream};
 
 /// This interface as an OpenAPI 3.1 document
 #[utoipa::path(
     get, path = "/openapi.json", tag = "service",
     responses((status = OK, description = "The document.", body = serde_json::Value)),
 )]
-pub(in crate::http) async fn get_openapi() -> ([(HeaderName, &'static str); 1], &'static str) {
-    ([(CONTENT_TYPE, "application/json")], openapi::text())
+pub(in crate::http) async fn get_openapi(headers: HeaderMap) -> Response {
+    let about = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
+    match takes_gzip(&headers).then(|| COMPRESSED.clone()).flatten() {
+        Some(text) => (about, [(CONTENT_ENCODING, "gzip")], Extension(CodingChosen), text).into_response(),
+        None => (about, openapi::text()).into_response(),
+    }
 }
+
+/// The document as most clients take it, compressed once; `None` if that fails.
+static COMPRESSED: LazyLock<Option<Bytes>> = LazyLock::new(|| {
+    let text = Deflated::compress(openapi::text().as_bytes()).ok()?;
+    let (mut gzip, begin) = GzipStream::begin();
+    let text = gzip.append(&text);
+    Some([begin, text, gzip.end()].concat().into())
+});

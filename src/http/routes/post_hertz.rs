@@ -22,5 +22,5 @@ pub(in crate::http) async fn post_hertz(
     caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Json<ClosedForm>, Problem> {
-    Ok(Json(state.jobs.closed_form(&text, caller.key()).await?))
+    Ok(Json(state.jobs.closed_form(text, caller.key()).await?))
 }

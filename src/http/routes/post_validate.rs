@@ -20,6 +20,6 @@ pub(in crate::http) async fn post_validate(
     caller: Caller,
     JobBody(text): JobBody,
 ) -> Result<Json<Validation>, Problem> {
-    let estimate = state.jobs.validate(&text, caller.key()).await?;
+    let estimate = state.jobs.validate(text, caller.key()).await?;
     Ok(Json(Validation { valid: true, estimate }))
 }

@@ -2,10 +2,12 @@
 
 use std::ops::DerefMut;
 use std::path::Path;
+use std::time::Duration;
 
 use async_trait::async_trait;
-use sqlx::Database;
 use sqlx::pool::PoolConnection;
+use sqlx::{Database, Pool};
+use tokio::time::timeout;
 
 use super::claiming::Claiming;
 use super::deliveries::Deliveries;
@@ -14,6 +16,9 @@ use super::keys::Keys;
 use super::leasing::Leasing;
 use super::reading::Reading;
 use crate::jobs::{JobId, JobNotifier, StoreError};
+
+/// Longest wait for a connection to read from.
+const READER_WAIT: Duration = Duration::from_secs(2);
 
 /// All statements that a connection executes.
 pub(in crate::store) trait Statements:
@@ -31,8 +36,14 @@ pub(in crate::store) trait Backend: Send + Sync + 'static {
     /// A transaction that may write.
     type Write: WriteTransaction<Target = <Self::Database as Database>::Connection>;
 
-    /// A connection to read from.
-    async fn read(&self) -> Result<PoolConnection<Self::Database>, StoreError>;
+    /// Connections to read from.
+    fn readers(&self) -> &Pool<Self::Database>;
+
+    /// A connection to read from. Who has to wait for it for long is told so.
+    async fn read(&self) -> Result<PoolConnection<Self::Database>, StoreError> {
+        let reader = timeout(READER_WAIT, self.readers().acquire()).await;
+        Ok(reader.map_err(StoreError::unavailable)??)
+    }
 
     /// A transaction that may write, and the time in microseconds since 1970.
     async fn write(&self) -> Result<(Self::Write, i64), StoreError>;

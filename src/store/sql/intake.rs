@@ -10,43 +10,44 @@ use super::deliveries::Deliveries;
 use super::keys::Keys;
 use super::reading::Reading;
 use crate::jobs::{
-    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SHORT_WORK,
-    SWEEP, StoreError,
+    Enqueued, Idempotency, JobId, JobRecord, JobState, KeyLimits, NewJob, Quota, Retention, SWEEP, StoreError,
 };
 use crate::store::StoreLimits;
 
 const TAKE_NAME: &str = "INSERT INTO idempotency_keys (submitter, name, digest, job) VALUES ($1, $2, $3, $4)
      ON CONFLICT DO NOTHING";
 const KNOWN: &str = "SELECT digest, job FROM idempotency_keys WHERE submitter = $1 AND name = $2";
-const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, work, short, reserved_bytes, flow, traceparent)
-     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9,
-         (SELECT id FROM flows WHERE submitter = $10 AND interactive = $11), $12)";
-const FLOW: &str = "INSERT INTO flows (submitter, interactive) VALUES ($1, $2) ON CONFLICT DO NOTHING";
-/// Jobs that wait, those of one submitter among them, bytes that his results take or will take, and whether he has a flow.
+const INSERT: &str = "INSERT INTO jobs (id, state, priority, memory, tags, submitter, created_at, reserved_bytes, account, traceparent)
+     VALUES ($1, 'queued', $2, $3, $4, $5, $6, $7, $8, $9)";
+const ACCOUNT: &str = "INSERT INTO accounts (id) VALUES ($1) ON CONFLICT DO NOTHING";
+/// Jobs that wait, those of one submitter among them, bytes that his results take or will take,
+/// and whether he has an account.
 const PLACES: &str = "SELECT (SELECT count(*) FROM jobs WHERE state = 'queued'),
-         CASE WHEN $3 THEN (SELECT count(*) FROM jobs WHERE state = 'queued'
-             AND flow IN (SELECT id FROM flows WHERE submitter = $1)) ELSE 0 END,
-         CASE WHEN $4 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
+         CASE WHEN $2 THEN (SELECT count(*) FROM jobs WHERE state = 'queued' AND account = $1) ELSE 0 END,
+         CASE WHEN $3 THEN (SELECT CAST(coalesce(sum(CASE WHEN finished_at IS NOT NULL OR stored_bytes > reserved_bytes
              THEN stored_bytes ELSE reserved_bytes END), 0) AS BIGINT) FROM jobs WHERE submitter = $1) ELSE 0 END,
-         EXISTS (SELECT 1 FROM flows WHERE submitter = $1 AND interactive = $2)";
+         EXISTS (SELECT 1 FROM accounts WHERE id = $1)";
 const REQUEST: &str = "INSERT INTO requests (job, body) VALUES ($1, $2)";
 const TAG: &str = "INSERT INTO job_tags (job, name, value) VALUES ($1, $2, $3)";
 const CANCEL: &str = "UPDATE jobs SET cancel_requested = TRUE,
          finished_at = CASE WHEN state = 'queued' THEN $2 ELSE finished_at END,
          state = CASE WHEN state = 'queued' THEN 'cancelled' ELSE state END
      WHERE id = $1 AND state IN ('queued', 'running')";
-/// Writes the one row of its table, if what the queue cannot do without is there too.
-const HEALTH: &str = "UPDATE health SET written_at = $1 WHERE (SELECT count(*) FROM scheduler) = 1";
+const HEALTH: &str = "UPDATE health SET written_at = $1";
 const DELETE: &str = "DELETE FROM jobs WHERE id = $1 AND state NOT IN ('queued', 'running')";
 const SWEEP_OLD: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE finished_at IS NOT NULL
          AND finished_at <= CASE WHEN state IN ('succeeded', 'not_converged') THEN $1 ELSE $2 END
      ORDER BY finished_at LIMIT $3)";
 
-/// The jobs whose results, with those that finished after them, take more than is kept.
+/// The oldest results of the key whose results take the most, until all take no more than is kept:
+/// nobody makes room for another key.
 const SWEEP_LARGE: &str = "DELETE FROM jobs WHERE id IN (SELECT id FROM (
-         SELECT id, finished_at, stored_bytes, sum(stored_bytes) OVER (ORDER BY finished_at DESC, id DESC) AS taken
-         FROM jobs WHERE finished_at IS NOT NULL) AS kept
-     WHERE taken > $1 AND stored_bytes > 0 ORDER BY finished_at LIMIT $2)";
+         SELECT id, finished_at, sum(stored_bytes) OVER (ORDER BY finished_at, id) - stored_bytes AS older
+         FROM jobs WHERE finished_at IS NOT NULL AND stored_bytes > 0 AND account = (
+             SELECT account FROM jobs WHERE finished_at IS NOT NULL
+             GROUP BY account ORDER BY sum(stored_bytes) DESC, account LIMIT 1)) AS oldest
+     WHERE older < (SELECT sum(stored_bytes) FROM jobs WHERE finished_at IS NOT NULL) - $1
+     ORDER BY finished_at LIMIT $2)";
 
 /// Jobs that others may be taking in at the same time, of which nothing is seen: a batch on each connection of several servers. A queue
 /// that has room for no more than these counts them one transaction after the other.
@@ -83,7 +84,8 @@ pub(in crate::store) trait Intake: Reading + Keys + Deliveries {
     ) -> impl Future<Output = Result<Enqueued, StoreError>> + Send;
     /// Marks a place in a transaction, or returns to the one marked last.
     fn savepoint(&mut self, step: Savepoint) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Checks that there is room for a job, also by the limits of its key; whether its submitter has a flow for such jobs.
+    /// Checks that there is room for a job, also by the limits of its key; whether its submitter
+    /// has an account.
     fn check_places(
         &mut self,
         owner: Uuid,
@@ -144,8 +146,7 @@ macro_rules! intake {
                 }
                 let owner = submitter.unwrap_or_default();
                 if !self.check_places(owner, &job, limits, limits_of_key).await? {
-                    let flow = sqlx::query::<$database>(FLOW).bind(owner).bind(job.interactive);
-                    flow.execute(&mut *self).await?;
+                    sqlx::query::<$database>(ACCOUNT).bind(owner).execute(&mut *self).await?;
                 }
                 sqlx::query::<$database>(INSERT)
                     .bind(job.id.uuid())
@@ -154,11 +155,8 @@ macro_rules! intake {
                     .bind(to_json(&job.tags)?)
                     .bind(submitter)
                     .bind(now)
-                    .bind(i64::try_from(job.work).unwrap_or(i64::MAX))
-                    .bind(job.work <= SHORT_WORK)
                     .bind(i64::try_from(job.result_bytes).unwrap_or(i64::MAX))
                     .bind(owner)
-                    .bind(job.interactive)
                     .bind(job.trace.map(|trace| trace.to_string()))
                     .execute(&mut *self)
                     .await?;
@@ -186,7 +184,7 @@ macro_rules! intake {
                 let (by_count, by_size) = (key.queued.is_some(), key.stored_bytes.is_some());
                 let places = || {
                     let places = sqlx::query_as::<$database, (i64, i64, i64, bool)>(PLACES);
-                    places.bind(owner).bind(job.interactive).bind(by_count).bind(by_size)
+                    places.bind(owner).bind(by_count).bind(by_size)
                 };
                 let mut found = places().fetch_one(&mut *self).await?;
                 let is_nearly_full =
@@ -196,7 +194,7 @@ macro_rules! intake {
                     self.lock_intake().await?;
                     found = places().fetch_one(&mut *self).await?;
                 }
-                let (queued, queued_by_key, used, has_flow) = found;
+                let (queued, queued_by_key, used, has_account) = found;
                 let queued: usize = count(queued)?;
                 if queued >= limits.queue_capacity {
                     return Err(StoreError::QueueFull { queued });
@@ -213,7 +211,7 @@ macro_rules! intake {
                 {
                     Quota::Stored { limit, used, needed }
                 } else {
-                    return Ok(has_flow);
+                    return Ok(has_account);
                 };
                 Err(StoreError::QuotaExceeded { quota })
             }

@@ -2,14 +2,15 @@
 
 use std::time::Duration;
 
-use sqlx::{PgConnection, Postgres, Sqlite, SqliteConnection};
+use sqlx::types::Uuid;
+use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
-use super::claiming::{FORGET, until};
+use super::claiming::{FORGET, SETTLE, until};
 use super::codec::{failure_json, pack, pack_records, to_json};
-use crate::jobs::{FIELDS_PART, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult, StoreError};
+use crate::jobs::{
+    FIELDS_PART, HISTORY_PAGE, IterationRecord, JobId, Lease, LeaseStatus, Outcome, StepResult, StoreError,
+};
 
-const BEAT: &str = "UPDATE jobs SET leased_until = $4
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
 const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
@@ -35,6 +36,7 @@ const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($
 
 /// Changes by the holder of a lease.
 pub(in crate::store) trait Leasing: Send {
+    /// Extends the leases of one worker.
     fn heartbeat(
         &mut self,
         leases: &[Lease],
@@ -99,7 +101,7 @@ macro_rules! fenced {
 }
 
 macro_rules! leasing {
-    ($database:ty, $connection:ty) => {
+    ($database:ty, $connection:ty, $lock:literal) => {
         impl Leasing for $connection {
             async fn heartbeat(
                 &mut self,
@@ -107,14 +109,34 @@ macro_rules! leasing {
                 lease: Duration,
                 now: i64,
             ) -> Result<Vec<LeaseStatus>, StoreError> {
-                let mut statuses = Vec::with_capacity(leases.len());
-                for held in leases {
-                    let beat = fenced!(sqlx::query_scalar::<$database, bool>(BEAT), held);
-                    let beat = beat.bind(until(now, lease)).fetch_optional(&mut *self).await?;
-                    let held = |cancel_requested| LeaseStatus::Held { cancel_requested };
-                    statuses.push(beat.map_or(LeaseStatus::Lost, held));
-                }
-                Ok(statuses)
+                let Some(first) = leases.first() else { return Ok(Vec::new()) };
+                let held = |before: &str, query: &mut QueryBuilder<$database>| {
+                    query
+                        .push(before)
+                        .push_bind(first.owner.uuid())
+                        .push(" AND state = 'running' AND id IN (");
+                    let mut among = query.separated(", ");
+                    for lease in leases {
+                        among.push_bind(lease.job.uuid());
+                    }
+                    query.push(")");
+                };
+                let mut beat = QueryBuilder::new("UPDATE jobs SET leased_until = ");
+                beat.push_bind(until(now, lease)).push(" WHERE id IN (");
+                held("SELECT id FROM jobs WHERE owner = ", &mut beat);
+                beat.push($lock).push(")").build().execute(&mut *self).await?;
+                let mut look = QueryBuilder::new("");
+                held("SELECT id, attempts, cancel_requested FROM jobs WHERE owner = ", &mut look);
+                let rows: Vec<(Uuid, i32, bool)> = look.build_query_as().fetch_all(self).await?;
+                let status_of = |lease: &Lease| {
+                    let row = rows.iter().find(|(id, attempts, _)| {
+                        *id == lease.job.uuid() && u32::try_from(*attempts) == Ok(lease.attempt)
+                    });
+                    row.map_or(LeaseStatus::Lost, |(.., cancel_requested)| LeaseStatus::Held {
+                        cancel_requested: *cancel_requested,
+                    })
+                };
+                Ok(leases.iter().map(status_of).collect())
             }
 
             async fn record_progress(
@@ -135,9 +157,13 @@ macro_rules! leasing {
                 last: i32,
                 records: &[IterationRecord],
             ) -> Result<(), StoreError> {
-                let append = sqlx::query::<$database>(APPEND).bind(job.uuid());
-                let append = append.bind(last.saturating_sub(number_of(records))).bind(last);
-                append.bind(pack_records(records)?).execute(self).await?;
+                let mut first = last.saturating_sub(number_of(records));
+                for page in records.chunks(HISTORY_PAGE) {
+                    let last = first.saturating_add(number_of(page));
+                    let append = sqlx::query::<$database>(APPEND).bind(job.uuid()).bind(first).bind(last);
+                    append.bind(pack_records(page)?).execute(&mut *self).await?;
+                    first = last;
+                }
                 Ok(())
             }
 
@@ -189,6 +215,8 @@ macro_rules! leasing {
                 let finish = finish.bind(number_of(steps)).bind(bytes_of(steps));
                 let (iterations, n_steps) =
                     finish.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                let settle = sqlx::query::<$database>(SETTLE).bind(lease.job.uuid()).bind(now);
+                settle.execute(&mut *self).await?;
                 if !records.is_empty() {
                     self.append_records(lease.job, iterations, records).await?;
                 }
@@ -222,5 +250,6 @@ macro_rules! leasing {
     };
 }
 
-leasing!(Sqlite, SqliteConnection);
-leasing!(Postgres, PgConnection);
+leasing!(Sqlite, SqliteConnection, "");
+// A row that its worker is just writing is passed over until the next time.
+leasing!(Postgres, PgConnection, " FOR UPDATE SKIP LOCKED");

@@ -20,6 +20,7 @@ use std::time::Duration;
 use async_trait::async_trait;
 use bytes::Bytes;
 use sqlx::types::Uuid;
+use tokio::task::spawn_blocking;
 
 use super::StoreLimits;
 use crate::jobs::{
@@ -31,7 +32,8 @@ use backend::Durability::{self, Synced, Written};
 pub(super) use backend::{Backend, Change, WriteTransaction};
 use claiming::Claiming;
 #[cfg(test)]
-pub(super) use claiming::SQLITE_HEADS;
+pub(super) use claiming::NEXT;
+use codec::{count, unpack_records};
 use deliveries::Deliveries;
 use intake::{Intake, Savepoint};
 use leasing::Leasing;
@@ -72,7 +74,13 @@ impl<B: Backend> SqlStore<B> {
     async fn check_job(&self, id: JobId) -> Result<(), StoreError> {
         self.get(id).await?;
         self.request(id).await?;
-        self.history(id, 0).await?;
+        let mut seen = 0;
+        loop {
+            match self.history(id, seen).await?.len() {
+                0 => break,
+                page => seen += page,
+            }
+        }
         self.callback(id).await?;
         let Some(head) = self.result(id).await? else { return Ok(()) };
         for step in 0..head.steps {
@@ -117,7 +125,7 @@ impl<B: Backend> JobStore for SqlStore<B> {
         let (mut transaction, now) = self.backend.write().await?;
         let enqueued = Intake::enqueue(&mut *transaction, job, self.limits, now).await?;
         // Many that are handed in one after the other share a sync.
-        turn.end();
+        drop(turn);
         self.commit(transaction, durability, &[Change::Work]).await?;
         Ok(enqueued)
     }
@@ -151,7 +159,16 @@ impl<B: Backend> JobStore for SqlStore<B> {
     }
 
     async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
-        Reading::history(&mut *self.backend.read().await?, id, after).await
+        let page = Reading::history(&mut *self.backend.read().await?, id, after).await?;
+        let unpacked = spawn_blocking(move || {
+            let mut records = Vec::new();
+            for (first, packed) in page {
+                let seen = after.saturating_sub(count(first)?);
+                records.extend(unpack_records(packed)?.into_iter().skip(seen));
+            }
+            Ok(records)
+        });
+        unpacked.await.map_err(StoreError::unavailable)?
     }
 
     async fn request(&self, id: JobId) -> Result<Bytes, StoreError> {
@@ -172,9 +189,9 @@ impl<B: Backend> JobStore for SqlStore<B> {
 
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError> {
         let (mut transaction, now) = self.backend.write().await?;
-        let lost = transaction.take_turn(now).await?;
-        let ended = if lost { transaction.expire(request.max_attempts, now).await? } else { Vec::new() };
-        let claims = Claiming::claim(&mut *transaction, request, self.limits, lost, now).await?;
+        let (expired, lost) = transaction.take_turn(now).await?;
+        let ended = if expired { transaction.expire(request.max_attempts, now).await? } else { Vec::new() };
+        let claims = Claiming::claim(&mut *transaction, request, self.limits, expired || lost, now).await?;
         let started = claims.jobs.iter().map(|claim| Change::Progress(claim.lease.job));
         let changes: Vec<Change> = ended.into_iter().map(Change::Finished).chain(started).collect();
         self.commit(transaction, Written, &changes).await?;

@@ -4,17 +4,16 @@ use bytes::Bytes;
 use sqlx::types::Uuid;
 use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
-use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack, unpack_records};
+use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack};
 use crate::jobs::{
-    Counts, Deflated, FieldsPart, IterationRecord, JobFilter, JobId, JobPage, JobRecord, ResultHead,
-    StoreError,
+    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead, StoreError,
 };
 
 /// One job with its place in the queue.
 const FIND: &str = concat!(
     "SELECT ",
     job_columns!(),
-    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued' AND q.flow = j.flow
+    ", CASE WHEN j.state = 'queued' THEN (SELECT count(*) FROM jobs q WHERE q.state = 'queued' AND q.account = j.account
        AND (q.priority > j.priority OR (q.priority = j.priority AND q.id < j.id))) END
      FROM jobs j WHERE j.id = $1"
 );
@@ -24,7 +23,8 @@ const LIST: &str = concat!("SELECT ", job_columns!(), ", NULL FROM jobs j WHERE 
 
 const EXISTS: &str = "SELECT id FROM jobs WHERE id = $1";
 const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2";
-const HISTORY: &str = "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 ORDER BY first";
+const HISTORY: &str =
+    "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 AND first < $2 + $3 ORDER BY first";
 const REQUEST: &str = "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
 const RESULT: &str = "SELECT r.body, j.steps, j.attempts, EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
@@ -32,10 +32,9 @@ const FIELDS: &str =
     "SELECT f.first, f.body FROM result_steps s LEFT JOIN field_parts f ON f.job = s.job AND f.step = s.step
          AND f.first = (SELECT max(p.first) FROM field_parts p WHERE p.job = s.job AND p.step = s.step AND p.first <= $3)
      WHERE s.job = $1 AND s.step = $2";
-const ROWS: [(&str, &str); 2] =
-    [("scheduler", "SELECT count(*) FROM scheduler"), ("health", "SELECT count(*) FROM health")];
-const WITHOUT_FLOW: &str = "SELECT id FROM jobs WHERE state = 'queued'
-     AND NOT EXISTS (SELECT 1 FROM flows f WHERE f.id = jobs.flow) ORDER BY id";
+const HEALTH_ROWS: &str = "SELECT count(*) FROM health";
+const WITHOUT_ACCOUNT: &str = "SELECT id FROM jobs WHERE state = 'queued'
+     AND NOT EXISTS (SELECT 1 FROM accounts a WHERE a.id = jobs.account) ORDER BY id";
 const COUNTS: &str = "SELECT state, count(*) FROM jobs GROUP BY state";
 
 /// The job of a row. One damaged row does not hide the others of a list.
@@ -48,6 +47,9 @@ fn readable(row: JobRow) -> Option<JobRecord> {
     record.ok()
 }
 
+/// The number of the first of some iterations, from 0, and the iterations.
+pub(super) type PackedRecords = (i32, Vec<u8>);
+
 /// Questions to a connection.
 pub(in crate::store) trait Reading: Send {
     fn find(&mut self, id: JobId) -> impl Future<Output = Result<JobRecord, StoreError>> + Send;
@@ -55,7 +57,7 @@ pub(in crate::store) trait Reading: Send {
         &mut self,
         id: JobId,
         after: usize,
-    ) -> impl Future<Output = Result<Vec<IterationRecord>, StoreError>> + Send;
+    ) -> impl Future<Output = Result<Vec<PackedRecords>, StoreError>> + Send;
     fn request(&mut self, id: JobId) -> impl Future<Output = Result<Bytes, StoreError>> + Send;
     fn result(&mut self, id: JobId) -> impl Future<Output = Result<Option<ResultHead>, StoreError>> + Send;
     fn step(&mut self, id: JobId, step: usize) -> impl Future<Output = Result<Deflated, StoreError>> + Send;
@@ -87,17 +89,13 @@ macro_rules! reading {
                 row.fetch_optional(self).await?.map_or(Err(StoreError::NotFound), job_record)
             }
 
-            async fn history(&mut self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
+            async fn history(&mut self, id: JobId, after: usize) -> Result<Vec<PackedRecords>, StoreError> {
                 let found = sqlx::query_scalar::<$database, Uuid>(EXISTS).bind(id.uuid());
                 found.fetch_optional(&mut *self).await?.ok_or(StoreError::NotFound)?;
-                let after = i32::try_from(after).unwrap_or(i32::MAX);
-                let rows = sqlx::query_as::<$database, (i32, Vec<u8>)>(HISTORY).bind(id.uuid()).bind(after);
-                let mut records = Vec::new();
-                for (first, packed) in rows.fetch_all(self).await? {
-                    let seen: usize = count((after - first).max(0))?;
-                    records.extend(unpack_records(packed)?.into_iter().skip(seen));
-                }
-                Ok(records)
+                let [after, page] =
+                    [after, HISTORY_PAGE].map(|count| i32::try_from(count).unwrap_or(i32::MAX / 2));
+                let rows = sqlx::query_as::<$database, PackedRecords>(HISTORY).bind(id.uuid());
+                Ok(rows.bind(after).bind(page).fetch_all(self).await?)
             }
 
             async fn request(&mut self, id: JobId) -> Result<Bytes, StoreError> {
@@ -187,13 +185,11 @@ macro_rules! reading {
 
             async fn check_tables(&mut self) -> Result<Vec<String>, StoreError> {
                 let mut found = Vec::new();
-                for (table, statement) in ROWS {
-                    let rows = sqlx::query_scalar::<$database, i64>(statement).fetch_one(&mut *self).await?;
-                    if rows != 1 {
-                        found.push(format!("table {table}: {rows} rows instead of one"));
-                    }
+                let rows = sqlx::query_scalar::<$database, i64>(HEALTH_ROWS).fetch_one(&mut *self).await?;
+                if rows != 1 {
+                    found.push(format!("table health: {rows} rows instead of one"));
                 }
-                let lost = sqlx::query_scalar::<$database, Uuid>(WITHOUT_FLOW).fetch_all(self).await?;
+                let lost = sqlx::query_scalar::<$database, Uuid>(WITHOUT_ACCOUNT).fetch_all(self).await?;
                 let line = |id| format!("job {}: it is queued where nobody looks", JobId::from(id));
                 found.extend(lost.into_iter().map(line));
                 Ok(found)

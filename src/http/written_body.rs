@@ -1,0 +1,132 @@
+//! Bodies that a task writes and the connection sends. A body touches nothing but its channel: the
+//! connection of a client that reads nothing polls no body, and whatever a body held then, a
+//! reader of the store above all, would be held for as long.
+
+use axum::body::{Body, HttpBody as _};
+use axum::response::Response;
+use futures_util::{Stream, StreamExt, stream};
+use tokio::sync::mpsc::{self, Sender};
+use tokio_util::task::AbortOnDropHandle;
+
+use crate::jobs::StoreError;
+
+/// Pieces that wait for a client that reads slowly.
+const WAITING_PIECES: usize = 2;
+
+/// What a task writes, piece by piece. The task ends when the client goes; where it fails, the
+/// body breaks off, so that no client takes it for whole.
+pub(super) fn written<T, W, F>(write: F) -> impl Stream<Item = Result<T, StoreError>> + Send
+where
+    T: Send + 'static,
+    W: Future<Output = Result<(), StoreError>> + Send + 'static,
+    F: FnOnce(Sender<T>) -> W + 'static,
+{
+    let (sender, receiver) = mpsc::channel(WAITING_PIECES);
+    let client = sender.clone();
+    let write = write(sender);
+    let task = AbortOnDropHandle::new(tokio::spawn(async move {
+        tokio::select! {
+            written = write => written,
+            () = client.closed() => Ok(()),
+        }
+    }));
+    stream::unfold((receiver, Some(task)), async |(mut receiver, task)| {
+        if let Some(piece) = receiver.recv().await {
+            return Some((Ok(piece), (receiver, task)));
+        }
+        let error = match task?.await {
+            Ok(Ok(())) => return None,
+            Ok(Err(error)) => error,
+            Err(error) => StoreError::unavailable(error),
+        };
+        log_broken_off(&error);
+        Some((Err(error), (receiver, None)))
+    })
+    // The connection may look for more behind the end.
+    .fuse()
+}
+
+/// An answer that breaks off once `end` is there, if its body is still being sent then.
+pub(super) fn ending(response: Response, end: impl Future<Output = ()> + Send + 'static) -> Response {
+    if response.body().size_hint().exact().is_some() {
+        return response;
+    }
+    let end = AbortOnDropHandle::new(tokio::spawn(end));
+    response.map(|body| {
+        Body::from_stream(stream::unfold((body.into_data_stream(), Some(end)), async |(mut body, end)| {
+            let mut end = end?;
+            tokio::select! {
+                biased;
+                _ = &mut end => Some((Err(axum::Error::new(StoreError::KeyEnded)), (body, None))),
+                piece = body.next() => Some((piece?, (body, Some(end)))),
+            }
+        }))
+    })
+}
+
+/// Leaves a line about an answer that breaks off. That a job was removed while it was read is
+/// nobody's fault.
+fn log_broken_off(error: &StoreError) {
+    if matches!(error, StoreError::NotFound) {
+        tracing::info!("a job was removed while its result was read");
+    } else {
+        tracing::error!(error = error as &dyn std::error::Error, "an answer breaks off");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use http_body_util::BodyExt as _;
+    use tokio::sync::Notify;
+
+    use super::*;
+
+    #[tokio::test]
+    async fn what_is_written_is_sent_and_what_fails_breaks_off() {
+        let write = |end: Result<(), StoreError>| {
+            written(|sender| async move {
+                for piece in ["a", "b", "c", "d"] {
+                    let _ = sender.send(piece).await;
+                }
+                end
+            })
+        };
+        let whole: Vec<_> = write(Ok(())).map(|piece| piece.ok()).collect().await;
+        assert_eq!(whole, [Some("a"), Some("b"), Some("c"), Some("d")]);
+        let broken: Vec<_> = write(Err(StoreError::NotFound)).map(|piece| piece.ok()).collect().await;
+        assert_eq!(broken, [Some("a"), Some("b"), Some("c"), Some("d"), None]);
+    }
+
+    #[tokio::test]
+    async fn a_task_ends_when_its_client_goes() {
+        let held = Arc::new(());
+        let task = Arc::clone(&held);
+        let mut body = Box::pin(written(|sender| async move {
+            let _ = sender.send(()).await;
+            std::future::pending::<()>().await;
+            drop(task);
+            Ok(())
+        }));
+        assert!(body.next().await.is_some());
+        drop(body);
+        while Arc::strong_count(&held) > 1 {
+            tokio::task::yield_now().await;
+        }
+    }
+
+    #[tokio::test]
+    async fn an_answer_breaks_off_at_its_end() {
+        let end = Arc::new(Notify::new());
+        let signal = Arc::clone(&end);
+        let body = Body::from_stream(stream::repeat_with(|| Ok::<_, axum::Error>("x")));
+        let response = ending(Response::new(body), async move { signal.notified().await });
+        let mut body = response.into_body();
+        assert!(body.frame().await.unwrap().is_ok());
+        end.notify_one();
+        while body.frame().await.unwrap().is_ok() {
+            tokio::task::yield_now().await;
+        }
+    }
+}
