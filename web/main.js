@@ -53,7 +53,7 @@ const view = new View({
   },
   stepped: () => {},
 });
-const check = new Check(draft, form, (hertz) => {
+const check = new Check(draft, form, json, (hertz) => {
   sketch(hertz);
   if (!current) view.preview(hertz, draft.job);
 });
@@ -110,7 +110,7 @@ const live = new Live({
     const { total } = report.timings_ms;
     const elements = solved.mesh?.elements_per_half_width;
     const coarse = elements !== job.mesh?.elements_per_half_width ? `, on ${elements} elements while it moves` : '';
-    watch.showLive(`solved in ${duration(total)}${coarse}; Solve makes a job of it that has a link`);
+    watch.showLive(`solved in ${duration(total)}${coarse}; press Solve to keep it as a job with a link`);
     compareWithDraft();
     show();
   },
@@ -122,9 +122,7 @@ const live = new Live({
 });
 
 const list = new JobList({
-  open: (id) => {
-    location.hash = `job=${id}`;
-  },
+  open: openBeside,
   compare,
   colourOf: (id) => compared.get(id)?.colour,
   isChosen: (id) => compared.has(id) || chosen.has(id),
@@ -297,8 +295,18 @@ async function open(id, edited) {
 /** Jobs that were chosen in the list, which may be on their way. @type {Set<string>} */
 const chosen = new Set();
 
+/** Shows a job; those that are laid over stay. @param {string} id */
+function openBeside(id) {
+  location.hash = link.jobFragment(
+    id,
+    [...compared.keys()].filter((one) => one !== id),
+  );
+}
+
 /** @param {string} id @param {boolean} on */
 async function compare(id, on) {
+  // Beside nothing, the first one is shown.
+  if (on && !current) return openBeside(id);
   const job = current?.id;
   if (on) {
     chosen.add(id);

@@ -25,6 +25,10 @@ export const flags = [
   '--enable-unsafe-swiftshader',
 ];
 
+/** How long [ms] a step of a test may take, and how many such times the whole test: more on a slow or busy machine. */
+const PATIENCE = 1000 * Number(process.env.BRINELL_PAGE_PATIENCE ?? 60);
+const STEPS = 5;
+
 export const WIDE = { viewport: { width: 1440, height: 900 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -88,6 +92,7 @@ export const launch = () => chromium.launch({ executablePath: chromiumPath(), he
  */
 export async function visit(browser, url, options = {}) {
   const context = await browser.newContext({ ...WIDE, ...options });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const faults = /** @type {string[]} */ ([]);
   page.on('console', (message) => {
@@ -144,7 +149,7 @@ export function suite(args) {
      * @param {About & import('playwright-core').BrowserContextOptions} [about]
      */
     test: (name, work, { own, hash = '', amiss = false, ...options } = {}) =>
-      test(name, async (context) => {
+      test(name, { timeout: STEPS * PATIENCE }, async (context) => {
         const server = own ? await serve(own) : shared;
         const { page, faults, close } = await visit(browser, `${server.url}/${hash}`, options);
         try {

@@ -4,17 +4,18 @@ import { tab } from '../lib/kept.js';
 import { NOTHING, UNREADABLE, isPassing, wordsOf } from './answers.js';
 import { awaited, reportLost } from './connection.js';
 
-/** @typedef {{pointer: string, detail: string}} FieldError */
+/** @typedef {{pointer: string, detail: string, code?: string}} FieldError */
 
 /**
  * The faults that a problem names; a pointer comes as the fragment of a URI.
- * @param {{errors?: {pointer?: string, parameter?: string, detail: string}[]}} problem
+ * @param {{errors?: {pointer?: string, parameter?: string, detail: string, code?: string}[]}} problem
  * @returns {FieldError[]}
  */
 export const faultsOf = ({ errors = [] }) =>
-  errors.map(({ pointer, parameter = '', detail }) => ({
+  errors.map(({ pointer, parameter = '', detail, code }) => ({
     pointer: pointer === undefined ? parameter : decodeURIComponent(pointer.replace(/^#/, '')),
     detail,
+    code,
   }));
 
 /** An RFC 9457 problem, or no answer (status 0), or one that cannot be read (−1). */

@@ -57,10 +57,30 @@ export function prepare() {
  * @throws {Problem}
  */
 export async function solveNow(job, signal) {
-  const { solved_as: id, ...report } = await ask('v1/solve', { method: 'POST', body: JSON.stringify(job) }, { signal });
+  // A job that is given up has no answer that names it: it is found by its tag.
+  const slider = crypto.getRandomValues(new Uint32Array(2)).join('-');
+  const body = JSON.stringify({ ...job, tags: { ...job.tags, slider } });
+  signal.addEventListener('abort', () => takeAway(slider), { once: true });
+  const { solved_as: id, ...report } = await ask('v1/solve', { method: 'POST', body }, { signal });
   // The list of jobs is for those that somebody meant to keep.
   if (id) request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
   return report;
+}
+
+/** Time [ms] from one look at a job that is given up to the next, and how many. */
+const [LOOK, LOOKS] = [500, 20];
+
+/** Removes the job of this tag as soon as it has ended. @param {string} slider */
+async function takeAway(slider) {
+  for (let k = 0; k < LOOKS; k++) {
+    await new Promise((resolve) => setTimeout(resolve, LOOK));
+    const found = await request(`v1/jobs?tag=slider:${slider}`, {}, (response) => response.json()).catch(
+      () => undefined,
+    );
+    for (const { id, status } of found?.jobs ?? [])
+      if (status !== 'queued' && status !== 'running')
+        return request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {}).catch(() => {});
+  }
 }
 
 /**

@@ -128,6 +128,8 @@ export class CutTool {
             },
           ];
     });
+    const place = (/** @type {Point} */ point) =>
+      point.map((value) => plain(Number((value * scales.length).toPrecision(3)))).join(', ');
     const none = there.length
       ? ''
       : from.every((value, k) => value === to[k])
@@ -137,7 +139,7 @@ export class CutTool {
     this.chart.element.hidden = Boolean(none);
     const highest = Math.max(...there.flatMap(({ y }) => y.map((value) => value ?? -Infinity)));
     this.chart.show({
-      x: `distance along the cut  [${unit('length', scales.units)}]`,
+      x: `distance from ${scales.analysis === 'axisymmetric' ? 'r, z' : 'x, y'} = ${place(from)} to ${place(to)}  [${unit('length', scales.units)}]`,
       y: `${nameOf(quantity, scales.analysis)}${name ? `  [${name}]` : ''}`,
       curves: there,
       words: none || `${nameOf(quantity, scales.analysis)} along the cut, at most ${figure(highest, 4)} ${name}.`,

@@ -5,6 +5,7 @@ import { reconnected } from '../api/connection.js';
 import { h } from '../lib/dom.js';
 import { colour } from '../lib/theme.js';
 import { figure, loaded } from '../lib/units.js';
+import { isUnloaded } from '../result/answers.js';
 import { Panel } from '../result/panel.js';
 import { ColourRange } from './colours.js';
 import { CutTool } from './cut-tool.js';
@@ -28,10 +29,14 @@ export class FieldPanel {
   #fields;
   /** How often something was asked for: an answer to what is not the last question is not shown. */
   #turn = 0;
+  /** Whether somebody has chosen what is shown. */
+  #touched = false;
   /** Kept when what was asked for last is drawn, or cannot be. @type {Promise<void>} */
   settled = Promise.resolve();
   /** Whether something is on its way. */
   busy = false;
+  /** What is shown unless one chooses: the stress that is left when the load is gone. @type {Quantity} */
+  #preset = 'von_mises';
   /** Analysis whose names the quantities have. */
   #named = '';
   /** Fields whose other arrays have been asked for, to be read. @type {Fields | undefined} */
@@ -61,8 +66,7 @@ export class FieldPanel {
       lost: () => {
         this.stage.classList.add('stale');
         this.waiting.hidden = false;
-        this.waiting.textContent =
-          'The browser has taken the graphics back: the field is drawn again as soon as it gives them.';
+        this.waiting.textContent = 'The browser has stopped the graphics. The field is drawn again when they work.';
       },
       restored: () => {
         this.stage.classList.remove('stale');
@@ -116,7 +120,10 @@ export class FieldPanel {
     };
     return fieldTools(
       {
-        choose: () => this.#update(),
+        choose: () => {
+          this.#touched = true;
+          this.#update();
+        },
         exaggerate: later((times) => {
           this.scene.exaggerate(times);
         }),
@@ -153,6 +160,8 @@ export class FieldPanel {
     if (this.#source !== source) this.#forget();
     this.#source = source;
     this.#wanted = asked;
+    const left = isUnloaded(asked.report.steps[asked.at]);
+    if (!this.#touched) this.#preset = left ? 'sigma_x' : 'von_mises';
     this.#update();
   }
 
@@ -179,7 +188,7 @@ export class FieldPanel {
 
   /** Quantity that is to be drawn. */
   get #chosen() {
-    return /** @type {Quantity} */ (this.quantities.value || this.scene.quantity);
+    return this.#touched ? /** @type {Quantity} */ (this.quantities.value) : this.#preset;
   }
 
   /** Draws the step and the quantity that are wanted: at once, or when their arrays have come. */
@@ -269,6 +278,7 @@ export class FieldPanel {
           h('option', { value, selected: value === chosen }, nameOf(/** @type {Quantity} */ (value), analysis)),
         ),
       );
+    this.quantities.value = chosen;
     this.#named = analysis;
     this.range.single = this.scene.shown?.report.steps.length === 1;
   }

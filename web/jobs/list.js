@@ -8,6 +8,7 @@ import { duration, figure, unit, unitsOf } from '../lib/units.js';
 import { asked } from '../result/loads.js';
 import { NAMES, finished } from '../result/watch.js';
 import { loadWords } from './load.js';
+import { materialNames, pairOf } from './names.js';
 
 /** @typedef {import('../types.js').JobDocument} JobDocument */
 
@@ -172,14 +173,15 @@ export class JobList {
   /** @param {JobDocument} job */
   #row(job) {
     const label = labelOf(job);
+    const request = this.#requests.get(job.id);
     const current = this.on.current() === job.id;
     const colour = this.on.colourOf(job.id);
     const box = h('input', {
       type: 'checkbox',
-      checked: this.on.isChosen(job.id),
+      checked: current || this.on.isChosen(job.id),
       disabled: current || !finished(job),
       'aria-label': `Compare ${label}`,
-      title: 'Lay over the one shown',
+      title: current ? 'This one is shown' : 'Lay over the one shown',
       onchange: () => this.on.compare(job.id, box.checked),
     });
     if (colour) box.style.setProperty('accent-color', `var(${colour})`);
@@ -192,9 +194,16 @@ export class JobList {
       h('span', { class: 'load' }, this.#words(job)),
       h('time', { datetime: job.created_at, class: 'quiet' }, age(job.created_at)),
       h('code', { class: 'quiet' }, job.id.slice(-8)),
+      request && h('span', { class: 'quiet bodies' }, `${pairOf(request)}, ${materialNames(request)}`),
       tags,
     );
-    return h('li', { 'data-key': job.id }, box, open, this.#ending(job, label));
+    return h(
+      'li',
+      { 'data-key': job.id },
+      open,
+      h('label', { class: 'compare' }, box, 'Compare'),
+      this.#ending(job, label),
+    );
   }
 
   /** Takes a job from the queue or stops it; removes one that has ended. @param {JobDocument} job @param {string} label */
@@ -219,7 +228,7 @@ export class JobList {
 
   /** @param {JobDocument} job @param {string} label */
   #askToDelete({ id }, label) {
-    const words = `“${label}” and its result are removed from the service, for everyone. Links to it lead nowhere then.`;
+    const words = `“${label}” and its result are removed from the service, for everyone. Links to it no longer work.`;
     dialogue('Delete a job', [h('p', {}, words)], 'Delete', () => {
       this.#do(async () => {
         await request(`v1/jobs/${id}`, { method: 'DELETE' }, () => {});

@@ -1,7 +1,9 @@
 /** What jobs differ in, and names for them that say it. */
 
 import { jobIn } from '../setup/draft.js';
-import { DEFAULTS, allFields } from '../setup/fields.js';
+import { DEFAULTS, LAWS, allFields, lawOf, shapeLabel } from '../setup/fields.js';
+import { allMaterials } from '../setup/library.js';
+import { presetsOf } from '../setup/materials.js';
 import { exact, forceOf, unit, unitsOf } from '../lib/units.js';
 import { historyFigures } from '../setup/history.js';
 import { sweepWords } from '../setup/list.js';
@@ -53,6 +55,28 @@ export function differences(jobs) {
       return { ...one, texts: alike ? one.values.map(writeWhole) : short };
     })
     .sort((a, b) => rank(a.pointer) - rank(b.pointer));
+}
+
+/** What is in contact with what. @param {Job} job */
+export function pairOf({ analysis, upper, lower }) {
+  const [above, below] = [upper, lower].map((body) => body?.shape?.type);
+  if (above === 'hole' || below === 'hole') return analysis === 'axisymmetric' ? 'ball in socket' : 'pin in hole';
+  return `${shapeLabel(above, analysis)} on ${shapeLabel(below, analysis)}`.toLowerCase();
+}
+
+/** What the body is made of: the name of its material, or its hardening. @param {Job} job @param {'upper' | 'lower'} body */
+export function materialName(job, body) {
+  const material = job[body]?.material;
+  return (
+    presetsOf(allMaterials(), material, unitsOf(job))[0]?.name ??
+    `${LAWS[lawOf(material)]?.label.toLowerCase()}, own figures`
+  );
+}
+
+/** Both materials, or the one of both bodies. @param {Job} job */
+export function materialNames(job) {
+  const [upper, lower] = [materialName(job, 'upper'), materialName(job, 'lower')];
+  return upper === lower ? upper : `${upper} on ${lower}`;
 }
 
 /** How many of them are not the same JSON. @param {unknown[]} values */

@@ -1,10 +1,12 @@
 /** The figures that answer a job at one step, with error bar and elastic theory: for the cards of the page and for the report. */
 
-import { exact, figure, forceOf, percent, stiffnessOf, unit } from '../lib/units.js';
+import { nameOf } from '../field/quantities.js';
+import { exact, factor, figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
+import { abscissaOf } from './extent.js';
 import { TARGETS } from '../setup/fields.js';
-import { barOf, strainOf } from './figures.js';
 import { isDented, workPutIn } from './loads.js';
+import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
@@ -21,141 +23,241 @@ import { isDented, workPutIn } from './loads.js';
  * @property {boolean} [long] whether the note is too long for a card
  */
 
-/** Why a stiffness is 0. */
-const APART = 'without load the bodies are apart, and nothing resists';
-
-/** @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} what counts under a load, or what it has left behind, first */
+/**
+ * The figures of a step in the order of what was asked: the force that was looked for, the onset of yield, what a load has left that is
+ * taken away, the strength that is used up; then those of the contact, of which the ones that are 0 come last.
+ * @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]}
+ */
 export function answersOf(job, report, step) {
-  const { units } = report;
+  const asked = [...forceFound(report), ...firstYield(job, report, step)];
+  const used = utilizations(job, report, step);
+  if (isUnloaded(step)) {
+    const left = [...leftBehind(job, report, step), ...residualStress(job, report, step), ...used];
+    return [...asked, ...left, ...contactFigures(report, step).filter(({ value }) => value !== 0)];
+  }
+  const contact = [...contactFigures(report, step), ...shakedown(report, step)];
+  return [
+    ...asked,
+    ...used,
+    ...contact.filter(({ value }) => value !== 0),
+    ...contact.filter(({ value }) => value === 0),
+  ];
+}
+
+/** Whether the load is taken away. @param {Step} step */
+export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
+
+/** Figures of the contact. @param {Report} report @param {Step} step @returns {Answer[]} */
+function contactFigures(report, step) {
   const { contact, hertz } = step;
-  const [length, stress, force] = [unit('length', units), unit('stress', units), unit(forceOf(report), units)];
-  const slope = unit(stiffnessOf(report), units);
   const loaded = contact.force > 0;
   const onset = hertz?.yield_onset_force;
-  const round = report.analysis === 'axisymmetric';
   // Without load there is no contact for Hertz's theory to tell of.
   const elastic = loaded ? hertz : undefined;
   const { width, mean } = widthWords(contact);
   const undented = isDented(report, report.steps.indexOf(step));
-  const first = undented ? 'first yield of undented bodies' : 'first yield';
+  const first = undented ? 'first yield before any dent' : 'first yield';
+  const { peak, width: wide, mean: average, force, strain, stiffness } = STEP_FIGURES;
   return [
+    { ...described(peak, report, step), elastic: elastic?.peak_pressure, undented },
+    { ...described(wide, report, step), elastic: elastic?.half_width, undented, note: width },
+    // Without load it is what a load has left.
+    ...(isUnloaded(step) ? [] : [approach(report, step)]),
     {
-      name: 'Peak pressure',
-      value: contact.peak_pressure,
-      unit: stress,
-      error: barOf(step, 'peak_pressure'),
-      elastic: elastic?.peak_pressure,
-      undented,
-      note: '',
+      ...described(force, report, step),
+      note: onset ? `${figure(contact.force / onset, 3)} × ${first} by elastic theory, ${figure(onset, 4)}` : '',
     },
     {
-      name: round ? 'Contact radius' : 'Half-width',
-      value: contact.half_width,
-      unit: length,
-      error: barOf(step, 'half_width'),
-      elastic: elastic?.half_width,
-      undented,
-      note: width,
-    },
-    {
-      name: 'Approach',
-      value: step.approach,
-      unit: length,
-      error: barOf(step, 'approach'),
-      note: step.approach_datum,
-      long: true,
-    },
-    {
-      name: 'Force',
-      value: contact.force,
-      unit: force,
-      error: barOf(step, 'force'),
-      note: onset
-        ? loaded
-          ? `${figure(contact.force / onset, 3)} × ${first} by elastic theory, ${figure(onset, 4)}`
-          : `${first} by elastic theory at ${figure(onset, 4)}`
-        : '',
-    },
-    {
-      name: 'Mean pressure',
-      value: contact.mean_pressure,
-      unit: stress,
-      elastic: elastic ? meanOf(elastic, round) : undefined,
+      ...described(average, report, step),
+      elastic: elastic ? meanOf(elastic, report.analysis === 'axisymmetric') : undefined,
       undented,
       note: mean,
     },
-    ...(report.target
-      ? [
-          {
-            name: 'Force found',
-            value: report.target.force,
-            unit: force,
-            error: report.target.relative_error ?? undefined,
-            note: targetWords(report),
-          },
-        ]
-      : []),
-    { name: 'Plastic strain', value: 100 * strainOf(step), unit: '%', note: zoneWords(step, length) },
-    {
-      name: 'Contact stiffness',
-      value: step.contact_stiffness,
-      unit: slope,
-      error: barOf(step, 'contact_stiffness'),
-      note: loaded ? 'dP/dα, slope of load over approach' : APART,
-    },
+    { ...described(strain, report, step), note: zoneWords(step, unit('length', report.units)) },
+    { ...described(stiffness, report, step), note: 'dP/dα, slope of load over approach' },
     ...(step.flow
       ? [
           {
             name: 'Unloading stiffness',
             value: step.flow.unloading_stiffness,
-            unit: slope,
-            note: loaded ? 'dP/dα where the load begins to fall' : APART,
-          },
-        ]
-      : []),
-    ...(step.yield_onset
-      ? [
-          {
-            name: 'First yield',
-            value: step.yield_onset.force,
-            unit: force,
-            note: `on this mesh, in ${same(job.upper, job.lower) ? 'both bodies' : `the ${step.yield_onset.body} body`}, ${figure(step.yield_onset.depth, 3)} ${length} deep`,
+            unit: stiffness.unit(report),
+            note: 'dP/dα where the load begins to fall',
           },
         ]
       : []),
   ];
 }
 
-/** What a load has left on both surfaces, and of its work. @param {Report} report @param {Step} step @returns {Answer[]} */
-export function leftBehind(report, step) {
+/** @param {import('./step-figures.js').StepFigure} one @param {Report} report @param {Step} step @returns {Answer} */
+function described(one, report, step) {
+  const title = titleOf(one, report);
+  return {
+    name: title[0].toUpperCase() + title.slice(1),
+    value: one.value(step) ?? 0,
+    unit: one.unit(report),
+    error: one.bar && barOf(step, one.bar),
+    note: '',
+  };
+}
+
+/** @param {Report} report @param {Step} step @returns {Answer} */
+function approach(report, step) {
+  const answer = described(STEP_FIGURES.approach, report, step);
+  return {
+    ...answer,
+    name: isUnloaded(step) ? 'Permanent approach' : answer.name,
+    note: step.approach_datum,
+    long: true,
+  };
+}
+
+/** @param {Report} report @returns {Answer[]} */
+const forceFound = (report) =>
+  report.target
+    ? [
+        {
+          name: 'Force found',
+          value: report.target.force,
+          unit: unit(forceOf(report), report.units),
+          error: report.target.relative_error ?? undefined,
+          note: targetWords(report),
+        },
+      ]
+    : [];
+
+/** @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
+const firstYield = (job, report, { yield_onset: onset }) =>
+  onset
+    ? [
+        {
+          name: 'First yield',
+          value: onset.force,
+          unit: unit(forceOf(report), report.units),
+          note: `on this mesh, in ${same(job.upper, job.lower) ? 'both bodies' : `the ${onset.body} body`}, ${figure(onset.depth, 3)} ${unit('length', report.units)} deep`,
+        },
+      ]
+    : [];
+
+/** The pressure up to which the contact shakes down. @param {Report} report @param {Step} step @returns {Answer[]} */
+function shakedown(report, { hertz }) {
+  const limit = hertz?.shakedown_pressure;
+  return limit
+    ? [
+        {
+          name: 'Shakedown pressure',
+          value: limit,
+          unit: unit('stress', report.units),
+          note: `when it rolls freely, by elastic theory; Hertz’s peak is ${figure(hertz.peak_pressure / limit, 3)} of it`,
+        },
+      ]
+    : [];
+}
+
+/** Bodies that have a profile over depth, two alike as one. @param {Job} job @param {Step} step */
+const profilesOf = (job, { subsurface }) =>
+  (same(job.upper, job.lower) ? /** @type {const} */ (['lower']) : /** @type {const} */ (['upper', 'lower'])).flatMap(
+    (body) => {
+      const profile = subsurface?.[body];
+      return profile ? [{ body, profile }] : [];
+    },
+  );
+
+/** @param {Job} job @param {string} body */
+const bodyWords = (job, body) => (same(job.upper, job.lower) ? 'both bodies' : `${body} body`);
+
+/**
+ * Where a strength that varies over depth is used most, and most below the case.
+ * @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]}
+ */
+function utilizations(job, report, step) {
+  const length = unit('length', report.units);
+  return profilesOf(job, step).flatMap(({ body, profile }) => {
+    const { depth, utilization } = profile;
+    if (!utilization) return [];
+    const most = (/** @type {number} */ from) =>
+      depth.reduce((best, z, k) => (z >= from && !(utilization[k] <= utilization[best]) ? k : best), -1);
+    const [case_, whole] = [caseDepth(job, body, report.units) ?? Infinity, most(0)];
+    const core = most(case_);
+    const alike = same(job.upper, job.lower);
+    const answer = (/** @type {string} */ name, /** @type {number} */ k) => ({
+      name: alike ? name : `${name}, ${body} body`,
+      value: 100 * utilization[k],
+      unit: '%',
+      note: `von Mises stress over yield stress, most at a depth of ${figure(depth[k], 3)} ${length}${depth[k] >= case_ ? ', below the case' : ''}`,
+    });
+    return [
+      answer('Utilization', whole),
+      ...(core >= 0 && core !== whole ? [answer('Utilization of the core', core)] : []),
+    ];
+  });
+}
+
+/** Depth of the hardened case of a body. @param {Job} job @param {'upper' | 'lower'} body @param {Report['units']} units shown @returns {number | undefined} */
+export function caseDepth(job, body, units) {
+  const depth = job[body]?.material?.plasticity?.over_depth?.hardness?.case_depth;
+  return typeof depth === 'number' ? depth * factor('length', unitsOf(job), units) : undefined;
+}
+
+/** The largest tension along the surface or across the section that is left. @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
+function residualStress(job, report, step) {
+  const found = profilesOf(job, step).flatMap(({ body, profile }) =>
+    /** @type {const} */ (['sigma_x', 'sigma_z']).map((component) => {
+      const value = Math.max(...profile[component]);
+      return { body, component, value, depth: profile.depth[profile[component].indexOf(value)] };
+    }),
+  );
+  if (!found.some(({ value }) => value > 0)) return [];
+  const most = found.reduce((a, b) => (b.value > a.value ? b : a));
+  return [
+    {
+      name: 'Residual tension',
+      value: most.value,
+      unit: unit('stress', report.units),
+      note: `${nameOf(most.component, report.analysis)}, ${bodyWords(job, most.body)}, at a depth of ${figure(most.depth, 3)} ${unit('length', report.units)} ${belowWords(step, report)}`,
+    },
+  ];
+}
+
+/** Where the profile over depth lies. @param {Step} step @param {Report} report */
+export function belowWords(step, report) {
+  const { peak_position: at } = step.contact;
+  const name = abscissaOf(step, report.analysis === 'axisymmetric');
+  const where = figure(at, 3);
+  return name === 'along the arc'
+    ? `at ${where} ${unit('length', report.units)} along the arc`
+    : `at ${name} = ${where}${at === 0 ? '' : ` ${unit('length', report.units)}`}`;
+}
+
+/** What a load has left on both surfaces, and of its work. @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
+export function leftBehind(job, report, step) {
   const { flow, contact } = step;
   if (!flow) return [];
   const { units } = report;
   const length = unit('length', units);
   const loaded = contact.force > 0;
+  const alike = same(job.upper, job.lower);
   const surfaces = /** @type {const} */ (['upper', 'lower']).flatMap((body) => {
-    const surface = flow.surfaces[body];
-    if (!surface) return [];
-    return [
-      {
-        name: `${loaded ? 'Depth of the surface' : 'Depth of the dent'}, ${body} body`,
-        value: surface.depth,
-        unit: length,
-        note: `below the undeformed surface${surface.yielded_in_reverse ? '; yielded in reverse' : ''}`,
-      },
-      {
-        name: `Pile-up, ${body} body`,
-        value: surface.pile_up,
-        unit: length,
-        note: 'above the undeformed surface',
-      },
-    ];
+    const surface = alike && body === 'upper' ? null : flow.surfaces[body];
+    return surface ? [{ of: bodyWords(job, body), surface }] : [];
   });
   const put = workPutIn(report, report.steps.indexOf(step));
   const value = (100 * flow.energy.dissipated) / put;
-  return put > 0
-    ? [...surfaces, { name: 'Work dissipated', value, unit: '%', note: 'of the work that the loads put in' }]
-    : surfaces;
+  return [
+    ...surfaces.map(({ of, surface }) => ({
+      name: `${loaded ? 'Depth of the surface' : 'Depth of the dent'}, ${of}`,
+      value: surface.depth,
+      unit: length,
+      note: `below the undeformed surface${surface.yielded_in_reverse ? '; yielded in reverse' : ''}`,
+    })),
+    ...surfaces.map(({ of, surface }) => ({
+      name: `Pile-up, ${of}`,
+      value: surface.pile_up,
+      unit: length,
+      note: `above the undeformed surface, at a distance of ${figure(surface.pile_up_position, 3)} ${length}`,
+    })),
+    ...(loaded ? [] : [approach(report, step)]),
+    ...(put > 0 ? [{ name: 'Work dissipated', value, unit: '%', note: 'of the work that the loads put in' }] : []),
+  ];
 }
 
 /** What widths and means are of, where that is not a plain half-chord. @param {Step['contact']} contact */

@@ -1,44 +1,58 @@
 /** Stresses over depth under the peak pressure, of the components one chooses, with the yield stress marked. */
 
 import { h } from '../lib/dom.js';
-import { factor, figure, unit, unitsOf } from '../lib/units.js';
+import { nameOf as nameOfQuantity } from '../field/quantities.js';
+import { factor, figure, percent, unit, unitsOf } from '../lib/units.js';
 import { hasInitialStress, overDepthOf, yieldName, yieldStress } from '../setup/fields.js';
 import { symbol } from '../setup/entry.js';
+import { belowWords, caseDepth, isUnloaded } from './answers.js';
 import { Chart } from './chart.js';
 import { elasticStresses } from './elastic.js';
 import { beside, isDented } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
-/** @typedef {'von_mises' | 'tau_max' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'equivalent_plastic_strain'} Component */
+/** @typedef {'von_mises' | 'tau_max' | 'sigma_x' | 'sigma_y' | 'sigma_z' | 'equivalent_plastic_strain' | 'utilization'} Component */
 
-/** @type {Record<Component, {label: string, name: string, colour: string}>} */
+/** `name`: where the field calls it otherwise. @type {Record<Component, {name?: string, colour: string}>} */
 const COMPONENTS = {
-  von_mises: { label: 'von Mises', name: 'von Mises', colour: '--curve-1' },
-  tau_max: { label: 'τ_max', name: 'τ max', colour: '--curve-2' },
-  sigma_x: { label: 'σ_x', name: 'σx', colour: '--curve-3' },
-  sigma_y: { label: 'σ_y', name: 'σy', colour: '--curve-4' },
-  sigma_z: { label: 'σ_z', name: 'σz', colour: '--curve-5' },
-  equivalent_plastic_strain: { label: 'ε_p', name: 'plastic strain', colour: '--curve-6' },
+  von_mises: { name: 'von Mises', colour: '--curve-1' },
+  tau_max: { name: 'τmax', colour: '--curve-2' },
+  sigma_x: { colour: '--curve-3' },
+  sigma_y: { colour: '--curve-4' },
+  sigma_z: { colour: '--curve-5' },
+  equivalent_plastic_strain: { colour: '--curve-6' },
+  utilization: { name: 'utilization', colour: '--curve-6' },
+};
+/** Those that are no stresses: of them one has the second ordinate. @type {Component[]} */
+const RIGHT = ['equivalent_plastic_strain', 'utilization'];
+/** What is shown unless one chooses: under a load, where strength varies over depth, and when the load is gone. @type {Record<string, Component[]>} */
+const USUAL = {
+  loaded: ['von_mises', 'tau_max', 'equivalent_plastic_strain'],
+  graded: ['von_mises', 'tau_max', 'utilization'],
+  unloaded: ['sigma_x', 'sigma_z', 'equivalent_plastic_strain'],
 };
 
 /** Lines of components, where colours and dashes tell jobs apart. */
 const WIDTHS = [1.75, 0.9, 2.75, 0.5, 3.5, 1.3];
-
-/** Stresses in axisymmetry have the directions r, z, θ, in this order. */
-const ROUND = /** @type {Partial<Record<Component, string>>} */ ({ sigma_x: 'σr', sigma_y: 'σz', sigma_z: 'σθ' });
 
 /** Largest half-width of all steps. @param {Shown} shown */
 const widest = ({ report }) => Math.max(...report.steps.map(({ contact }) => contact.half_width));
 
 /** @param {Component} component @param {string} analysis */
 const nameOf = (component, analysis) =>
-  (analysis === 'axisymmetric' ? ROUND[component] : undefined) ?? COMPONENTS[component].name;
+  COMPONENTS[component].name ??
+  nameOfQuantity(/** @type {import('../field/quantities.js').Quantity} */ (component), analysis);
+
+/** The same with its index below the line. @param {Component} component @param {string} analysis */
+const labelOf = (component, analysis) => symbol(nameOf(component, analysis).replace(/^([στ])(\w+)$/u, '$1_$2'));
 
 export class DepthPanel {
   /** @type {'upper' | 'lower'} */
   #body = 'lower';
-  #chosen = /** @type {Set<Component>} */ (new Set(['von_mises', 'tau_max', 'equivalent_plastic_strain']));
+  #chosen = new Set(USUAL.loaded);
+  /** Whether somebody has chosen the components. */
+  #touched = false;
   /** @type {[Shown[], number] | undefined} */
   #shown;
 
@@ -48,31 +62,46 @@ export class DepthPanel {
       this.#body = /** @type {'upper' | 'lower'} */ (body);
       this.#again();
     });
-    const components = h(
-      'div',
-      { class: 'chips', role: 'group', 'aria-label': 'Components' },
-      Object.entries(COMPONENTS).map(([key, { label }]) => this.#chip(/** @type {Component} */ (key), label)),
-    );
-    this.panel = new Panel('depth', 'Stress over depth', [components, this.chart.element], {
+    this.chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' });
+    this.panel = new Panel('depth', 'Stress over depth', [this.chips, this.chart.element], {
       controls: [bodies],
       picture: (title) => this.chart.picture(title),
       drawing: (title) => this.chart.drawing(title),
     });
   }
 
-  /** @param {Component} component @param {string} label */
-  #chip(component, label) {
-    const text = h('span', { 'data-component': component }, symbol(label));
-    const input = h('input', {
-      type: 'checkbox',
-      checked: this.#chosen.has(component),
-      onchange: () => {
-        if (input.checked) this.#chosen.add(component);
-        else this.#chosen.delete(component);
-        this.#again();
-      },
-    });
-    return h('label', {}, input, text);
+  /** @param {string} analysis @param {boolean} graded */
+  #offer(analysis, graded) {
+    const all = /** @type {Component[]} */ (Object.keys(COMPONENTS)).filter((one) => graded || one !== 'utilization');
+    const made = `${analysis} ${graded} ${[...this.#chosen].sort()}`;
+    if (this.chips.dataset.made === made) return;
+    this.chips.dataset.made = made;
+    const had = document.activeElement?.closest('[data-component]')?.getAttribute('data-component');
+    this.chips.replaceChildren(
+      ...all.map((component) =>
+        h(
+          'label',
+          { 'data-component': component },
+          h('input', {
+            type: 'checkbox',
+            checked: this.#chosen.has(component),
+            onchange: () => this.#choose(component),
+          }),
+          h('span', {}, labelOf(component, analysis)),
+        ),
+      ),
+    );
+    /** @type {HTMLElement | null} */ (this.chips.querySelector(`[data-component="${had}"] input`))?.focus();
+  }
+
+  /** @param {Component} component */
+  #choose(component) {
+    this.#touched = true;
+    if (!this.#chosen.delete(component)) {
+      if (RIGHT.includes(component)) for (const one of RIGHT) this.#chosen.delete(one);
+      this.#chosen.add(component);
+    }
+    this.#again();
   }
 
   #again() {
@@ -86,19 +115,17 @@ export class DepthPanel {
     const step = first.report.steps[at];
     const { units } = first.report;
     const profile = step.subsurface?.[this.#body];
-    for (const [component, name] of Object.entries(ROUND))
-      this.panel.element
-        .querySelector(`[data-component=${component}]`)
-        ?.replaceChildren(
-          ...symbol(
-            first.report.analysis === 'axisymmetric'
-              ? `${name[0]}_${name[1]}`
-              : COMPONENTS[/** @type {Component} */ (component)].label,
-          ),
-        );
+    const graded = shown.some(({ report }) =>
+      report.steps.some(({ subsurface }) => subsurface?.upper?.utilization || subsurface?.lower?.utilization),
+    );
+    if (!this.#touched) this.#chosen = new Set(USUAL[isUnloaded(step) ? 'unloaded' : graded ? 'graded' : 'loaded']);
+    if (!graded && this.#chosen.delete('utilization')) this.#chosen.add('equivalent_plastic_strain');
+    this.#offer(first.report.analysis, graded);
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
     const sides = beside(shown, at);
+    const below = belowWords(step, first.report);
+    const alike = sides.every(({ one, at }) => belowWords(one.report.steps[at], one.report) === below);
     const curves = sides.flatMap((side) => this.#curves(side, shown.length > 1));
     for (const { one, at, label } of sides) {
       const graded = one.report.steps[at].subsurface?.[this.#body];
@@ -125,15 +152,19 @@ export class DepthPanel {
     if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
-      x: `depth  [${length}]`,
+      x: `depth ${alike ? below : 'below the peaks'}  [${length}]`,
       y: `stress  [${stress}]`,
-      right: curves.some(({ right }) => right) ? 'plastic strain' : undefined,
+      right: curves.some(({ right }) => right)
+        ? this.#chosen.has('utilization')
+          ? 'von Mises over yield stress'
+          : 'plastic strain'
+        : undefined,
       curves,
       // Where the load is taken away, the zone is as wide as under the largest one.
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
-      marks: this.#strengths(shown),
+      marks: [...this.#strengths(shown), ...(shown.length === 1 ? this.#case(first, profile) : [])],
       words: profile
-        ? `Under the peak of the ${this.#body} body: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
+        ? `Under the peak of the ${this.#body} body, ${below}: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
             profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],
             3,
           )} ${length}.`
@@ -160,6 +191,24 @@ export class DepthPanel {
     return common ? distinct.map((one) => ({ ...one, colour: '--yield' })) : distinct;
   }
 
+  /** How deep the case is, and where the strength is used most. @param {Shown} one @param {import('../types.js').Profile | null | undefined} profile @returns {import('./chart.js').Mark[]} */
+  #case({ job, report }, profile) {
+    const [at, used] = [caseDepth(job, this.#body, report.units), profile?.utilization];
+    const most = used ? Math.max(...used) : 0;
+    return [
+      ...(at === undefined ? [] : [{ across: /** @type {const} */ ('x'), at, text: 'case depth' }]),
+      ...(profile && used && this.#chosen.has('utilization')
+        ? [
+            {
+              across: /** @type {const} */ ('x'),
+              at: profile.depth[used.indexOf(most)],
+              text: `utilization ${percent(most, 3)}`,
+            },
+          ]
+        : []),
+    ];
+  }
+
   /** What the stresses would be without yield. @param {Shown} shown @param {number} at @param {number[]} depths @returns {import('./chart.js').Curve[]} */
   #elastic({ job, report }, at, depths) {
     const { hertz } = report.steps[at];
@@ -168,7 +217,7 @@ export class DepthPanel {
     const before = hasInitialStress(job[this.#body]?.material);
     const stresses = elasticStresses(depths, hertz, ratio, report.analysis);
     return [...this.#chosen].flatMap((component) =>
-      component === 'equivalent_plastic_strain'
+      component === 'equivalent_plastic_strain' || component === 'utilization'
         ? []
         : [
             {
@@ -189,7 +238,7 @@ export class DepthPanel {
     if (!profile) return [];
     // Without plastic strain there is nothing to scale an axis by.
     const there = [...this.#chosen].filter(
-      (component) => component !== 'equivalent_plastic_strain' || profile[component].some((value) => value > 0),
+      (component) => !RIGHT.includes(component) || profile[component]?.some((value) => value > 0),
     );
     return there.map((component, k) => {
       const { colour } = COMPONENTS[component];
@@ -200,8 +249,8 @@ export class DepthPanel {
         dash: named ? one.dash : undefined,
         width: named ? WIDTHS[k] : undefined,
         x: profile.depth,
-        y: profile[component],
-        right: component === 'equivalent_plastic_strain',
+        y: profile[component] ?? [],
+        right: RIGHT.includes(component),
       };
     });
   }

@@ -7,6 +7,18 @@ import { Panel } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 
+/** @param {Shown[]} shown @returns {import('../lib/tabular.js').Table} */
+export function differencesTable(shown) {
+  const found = differences(shown.map(({ job }) => job));
+  return {
+    columns: [{ title: 'in the set-up' }, ...shown.map(({ label }) => ({ title: label }))],
+    rows: found.length
+      ? found.map(({ label, unit, texts }) => [unit ? `${label} [${unit}]` : label, ...texts])
+      : [['nothing: the jobs ask the same', ...shown.map(() => '')]],
+    write: String,
+  };
+}
+
 export class DifferencesPanel {
   /** @type {import('../lib/tabular.js').Table} */
   #content = { columns: [], rows: [], write: String };
@@ -27,14 +39,7 @@ export class DifferencesPanel {
   show(shown) {
     this.panel.show(shown.length > 1);
     if (shown.length < 2) return;
-    const found = differences(shown.map(({ job }) => job));
-    this.#content = {
-      columns: [{ title: 'in the set-up' }, ...shown.map(({ label }) => ({ title: label }))],
-      rows: found.length
-        ? found.map(({ label, unit, texts }) => [unit ? `${label} [${unit}]` : label, ...texts])
-        : [['nothing: the jobs ask the same', ...shown.map(() => '')]],
-      write: String,
-    };
+    this.#content = differencesTable(shown);
     this.table.replaceChildren(...tableElements(this.#content));
   }
 }

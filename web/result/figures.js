@@ -2,48 +2,13 @@
 
 import { copy, h } from '../lib/dom.js';
 import { toCsv, toLatex, toMarkdown, toTsv } from '../lib/tabular.js';
-import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
+import { figure } from '../lib/units.js';
 import { save } from './downloads.js';
 import { Panel } from './panel.js';
+import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
-/** @typedef {import('../types.js').Report} Report */
-/** @typedef {import('../lib/units.js').Quantity} Quantity */
-
-/** `round`: its title in axisymmetry. @type {{title: string, round?: string, quantity: (report: Report) => Quantity | 'percent', value: (step: Step) => number | null | undefined, error?: keyof NonNullable<Step['estimated_error']>}[]} */
-const FIGURES = [
-  { title: 'force', quantity: forceOf, value: ({ contact }) => contact.force, error: 'force' },
-  { title: 'approach', quantity: () => 'length', value: ({ approach }) => approach, error: 'approach' },
-  {
-    title: 'peak pressure',
-    quantity: () => 'stress',
-    value: ({ contact }) => contact.peak_pressure,
-    error: 'peak_pressure',
-  },
-  {
-    title: 'half-width',
-    round: 'contact radius',
-    quantity: () => 'length',
-    value: ({ contact }) => contact.half_width,
-    error: 'half_width',
-  },
-  { title: 'mean pressure', quantity: () => 'stress', value: ({ contact }) => contact.mean_pressure },
-  { title: 'plastic strain', quantity: () => 'percent', value: (step) => 100 * strainOf(step) },
-  { title: 'dP/dα', quantity: stiffnessOf, value: ({ contact_stiffness: slope }) => slope, error: 'contact_stiffness' },
-  { title: 'Hertz peak', quantity: () => 'stress', value: ({ hertz }) => hertz?.peak_pressure },
-];
-
-/**
- * The bound of the error of a figure: none of what the job prescribes, and none of a state that is not the answer.
- * @param {Step} step @param {keyof NonNullable<Step['estimated_error']>} name
- */
-export const barOf = ({ status, estimated_error: bars }, name) => (status === 'converged' && bars?.[name]) || undefined;
-
-/** Largest equivalent plastic strain of both bodies. @param {Step} step */
-export const strainOf = ({ plasticity }) =>
-  Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
-
 /** @param {Step} step */
 const stateOf = ({ status }) => status.replaceAll('_', ' ');
 
@@ -54,25 +19,19 @@ const stateOf = ({ status }) => status.replaceAll('_', ' ');
 export function figuresTable(shown) {
   const [{ report }] = shown;
   const several = shown.length > 1;
-  const figures = FIGURES.filter(({ value }) =>
-    shown.some(({ report }) => report.steps.some((step) => value(step) != null)),
-  ).map(({ error, round, ...figure }) => {
-    const title = report.analysis === 'axisymmetric' && round ? round : figure.title;
-    const hasBars = error && shown.some(({ report }) => report.steps.some((step) => barOf(step, error)));
-    return { ...figure, title, error: hasBars ? error : undefined };
-  });
+  const all = shown.flatMap(({ report }) => report.steps);
+  const figures = /** @type {import('./step-figures.js').StepFigure[]} */ (Object.values(STEP_FIGURES))
+    .filter(({ value }) => all.some((step) => value(step) != null))
+    .map(({ bar, ...one }) => ({ ...one, bar: bar && all.some((step) => barOf(step, bar)) ? bar : undefined }));
   // A state that is not the usual one stands where it is seen.
-  const amiss = shown.some(({ report }) => report.steps.some(({ status }) => status !== 'converged'));
+  const amiss = all.some(({ status }) => status !== 'converged');
   const columns = [
     ...(several ? [{ title: 'job' }] : []),
     { title: 'step' },
     ...(amiss ? [{ title: 'state' }] : []),
-    ...figures.flatMap(({ title, quantity, error }) => {
-      const kind = quantity(report);
-      return [
-        { title, unit: kind === 'percent' ? '%' : unit(kind, report.units) },
-        ...(error ? [{ title: '±', of: title, unit: '%' }] : []),
-      ];
+    ...figures.flatMap((one) => {
+      const title = one.short ?? titleOf(one, report);
+      return [{ title, unit: one.unit(report) }, ...(one.bar ? [{ title: '±', of: title, unit: '%' }] : [])];
     }),
     ...(amiss ? [] : [{ title: 'state' }]),
   ];
@@ -81,9 +40,9 @@ export function figuresTable(shown) {
       ...(several ? [label] : []),
       k + 1,
       ...(amiss ? [stateOf(step)] : []),
-      ...figures.flatMap(({ value, error }) => {
-        const bar = error && barOf(step, error);
-        return [value(step) ?? null, ...(error ? [bar === undefined ? null : 100 * bar] : [])];
+      ...figures.flatMap(({ value, bar }) => {
+        const error = bar && barOf(step, bar);
+        return [value(step) ?? null, ...(bar ? [error === undefined ? null : 100 * error] : [])];
       }),
       ...(amiss ? [] : [stateOf(step)]),
     ]),
@@ -96,6 +55,9 @@ export function figuresTable(shown) {
         : figure(cell, columns[k].title === '±' ? 2 : 5);
   return { columns, rows, write };
 }
+
+/** Byte-order mark, by which spreadsheets read a file as UTF-8. */
+const MARK = '\ufeff';
 
 /**
  * Buttons that take a table along.
@@ -111,7 +73,7 @@ export function takeAlong(table, of, name, whole = table) {
     button('Copy', 'Copy for a spreadsheet (tab-separated)', () => copy(toTsv(table()), 'Table')),
     button('Markdown', 'Copy as a Markdown table', () => copy(toMarkdown(table()), 'Markdown')),
     button('LaTeX', 'Copy as a LaTeX table (booktabs)', () => copy(toLatex(table()), 'LaTeX')),
-    button('CSV', 'Save as a file', () => save(new Blob([toCsv(whole())], { type: 'text/csv' }), name())),
+    button('CSV', 'Save as a file', () => save(new Blob([MARK, toCsv(whole())], { type: 'text/csv' }), name())),
   ];
 }
 
@@ -146,9 +108,18 @@ export const tableElements = ({ columns, rows, write }, properties = () => ({}))
   ),
 ];
 
-/** A table that scrolls within its panel. @param {HTMLTableElement} table @param {string} id of the panel */
-export const scrolled = (table, id) =>
-  h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Table of ${id}` }, table);
+/** A table that scrolls within its panel, and says so where columns are out of sight. @param {HTMLTableElement} table @param {string} id of the panel */
+export function scrolled(table, id) {
+  const region = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Table of ${id}` }, table);
+  const more = h('p', { class: 'quiet more' }, 'more columns →');
+  const look = () => {
+    more.hidden = region.scrollLeft + region.clientWidth >= region.scrollWidth - 1;
+  };
+  region.addEventListener('scroll', look);
+  const size = new ResizeObserver(look);
+  for (const one of [region, table]) size.observe(one);
+  return h('div', {}, region, more);
+}
 
 export class FiguresPanel {
   /** @type {Shown[]} */

@@ -3,10 +3,10 @@
 import { byId, h } from '../lib/dom.js';
 import { symbol } from '../setup/entry.js';
 import { help } from '../setup/help.js';
-import { inWords } from '../setup/words.js';
+import { remarkOf } from './remarks.js';
+import { barOf } from './step-figures.js';
 import { figure, grouped, duration, percent } from '../lib/units.js';
 import { answersOf } from './answers.js';
-import { barOf } from './figures.js';
 import { endedEarly } from './loads.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -82,9 +82,17 @@ function known(step) {
 function remarks(job, report, step) {
   const ended = endedEarly(job, report);
   const early = ended ? h('li', { 'data-code': 'ended_early' }, h('b', {}, 'Ended early'), ` ${ended}`) : null;
-  const notes = step.validity.map(({ code, message }) =>
-    h('li', { 'data-code': code }, h('b', {}, title(code)), ' ', symbol(inWords(message))),
-  );
+  const notes = step.validity.map((note) => {
+    const [short, ...rest] = remarkOf(job, report, step, note);
+    return h(
+      'li',
+      { 'data-code': note.code },
+      h('b', {}, title(note.code)),
+      ' ',
+      symbol(short),
+      rest.length ? h('details', {}, h('summary', {}, 'more'), symbol(rest.join(' '))) : null,
+    );
+  });
   const bars =
     step.estimated_error && step.status === 'converged'
       ? h(

@@ -8,7 +8,6 @@ import {
   BACKSTRESS,
   DEFAULTS,
   ELASTIC,
-  INITIAL_STRESS,
   LAWS,
   LOADS,
   OVER_DEPTH,
@@ -18,6 +17,7 @@ import {
   TARGETS,
   THEORIES,
   hasInitialStress,
+  initialStressOf,
   lawOf,
   loadOf,
   overDepthOf,
@@ -27,8 +27,10 @@ import {
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
 import { inWords } from '../setup/words.js';
-import { writeValue, writeWhole } from '../jobs/names.js';
-import { answersOf, leftBehind, targetWords } from './answers.js';
+import { materialName, pairOf, writeValue, writeWhole } from '../jobs/names.js';
+import { browser, isObject, kept } from '../lib/kept.js';
+import { answersOf, isUnloaded, leftBehind, targetWords } from './answers.js';
+import { differencesTable } from './differences.js';
 import { figuresTable, tableElements } from './figures.js';
 import { asked, beside, endedEarly, hertzName } from './loads.js';
 
@@ -105,11 +107,18 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
         `${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
           job.tags ?? {},
         )
+          .filter(([name]) => !HEADINGS.some((one) => one === name))
           .map(([name, text]) => `, ${name}: ${text}`)
           .join('')}`,
       ),
     ),
-    h('div', { class: 'sheet-columns' }, h('section', {}, h('h2', {}, 'Set-up'), inputs(job)), sketch),
+    headings(shown[0]),
+    h(
+      'div',
+      { class: 'sheet-columns' },
+      h('section', {}, h('h2', {}, shown.length > 1 ? `Set-up: ${label}` : 'Set-up'), inputs(job)),
+      sketch,
+    ),
     h('h2', {}, `Figures${step.status === 'converged' ? '' : `: ${step.status.replaceAll('_', ' ')}, not an answer`}`),
     h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Figures' }, answers(shown[0], at)),
     h(
@@ -129,6 +138,21 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
           ),
         ]
       : []),
+    ...(shown.length > 1
+      ? [
+          h('h2', {}, 'Differences'),
+          h(
+            'div',
+            { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Differences' },
+            h('table', {}, tableElements(differencesTable(shown))),
+          ),
+          h(
+            'div',
+            { class: 'sheet-setups' },
+            shown.slice(1).map(({ job, label }) => h('section', {}, h('h2', {}, `Set-up: ${label}`), inputs(job))),
+          ),
+        ]
+      : []),
     h(
       'div',
       { class: 'closing' },
@@ -143,17 +167,40 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
   );
 }
 
+/** What a report is headed with: tags of the job where it has them, else what is typed and kept by the browser. */
+const HEADINGS = /** @type {const} */ (['title', 'part', 'author']);
+const KEPT = 'report-headings';
+/** Reports whose headings the browser keeps. */
+const MANY = 50;
+
+/** Fields to head the report with. @param {Shown} shown */
+function headings({ id, job }) {
+  const all = kept(browser, KEPT, (one) => (Array.isArray(one) ? one.filter(isObject) : undefined)) ?? [];
+  const own = /** @type {Record<string, string>} */ ({ id, ...all.find((one) => one.id === id) });
+  const keep = (/** @type {string} */ name, /** @type {string} */ text) => {
+    own[name] = text;
+    browser.set(KEPT, JSON.stringify([...all.filter((one) => one.id !== id), own].slice(-MANY)));
+  };
+  return h(
+    'div',
+    { class: 'sheet-headings' },
+    HEADINGS.map((name) => {
+      const input = h('input', {
+        type: 'text',
+        placeholder: ' ',
+        value: job.tags?.[name] ?? own[name] ?? '',
+        maxlength: 120,
+        oninput: () => keep(name, input.value),
+      });
+      return h('label', {}, `${name[0].toUpperCase()}${name.slice(1)} `, input);
+    }),
+  );
+}
+
 /** Back to the page. */
 export function close() {
   delete document.documentElement.dataset.view;
   byId('report').focus();
-}
-
-/** What is in contact with what. @param {Job} job */
-function pairOf({ analysis, upper, lower }) {
-  const [above, below] = [upper, lower].map((body) => body?.shape?.type);
-  if (above === 'hole' || below === 'hole') return analysis === 'axisymmetric' ? 'ball in socket' : 'pin in hole';
-  return `${shapeLabel(above, analysis)} on ${shapeLabel(below, analysis)}`.toLowerCase();
 }
 
 /** A length in the units of the job again. @param {number} length @param {Shown} shown */
@@ -235,9 +282,12 @@ function inputs(job) {
         bodies.map((body) => SUPPORTS[body?.support ?? 'clamped']?.toLowerCase()),
         '',
       ),
+      row('Material', '', [materialName(job, 'upper'), materialName(job, 'lower')], ''),
       fieldsOf(
         (body) =>
-          body?.material?.rigid ? [] : [...ELASTIC, ...(hasInitialStress(body?.material) ? [INITIAL_STRESS] : [])],
+          body?.material?.rigid
+            ? []
+            : [...ELASTIC, ...(hasInitialStress(body?.material) ? [initialStressOf(job.analysis)] : [])],
         (body) => body?.material,
       ),
       row(
@@ -286,10 +336,8 @@ function tableOf(shown) {
 /** The figures of one step, error bar and elastic theory beside them; without load, what is left behind comes first. @param {Shown} shown @param {number} at */
 function answers({ job, report }, at) {
   const step = report.steps[at];
-  const [all, left] = [answersOf(job, report, step), leftBehind(report, step)];
-  // Bodies that are apart have no pressure, width or stiffness.
-  const there = all.filter(({ name, value }) => value !== 0 || name === 'Force');
-  const list = step.contact.force > 0 ? [...all, ...left] : [...left, ...there];
+  const all = answersOf(job, report, step);
+  const list = isUnloaded(step) ? all : [...all, ...leftBehind(job, report, step)];
   const hasBars = list.some(({ error }) => error);
   const hasElastic = list.some(({ elastic }) => elastic);
   const rows = list.map(({ name, value, unit: of, error, elastic, note, long }) =>

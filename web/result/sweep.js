@@ -1,10 +1,10 @@
 /** A sweep in curves: force over approach, and every figure over the load. */
 
 import { h } from '../lib/dom.js';
-import { figure, forceOf, stiffnessOf, unit } from '../lib/units.js';
+import { figure, forceOf, unit } from '../lib/units.js';
 import { Chart } from './chart.js';
-import { strainOf } from './figures.js';
 import { Panel, segments } from './panel.js';
+import { STEP_FIGURES, strainOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Step} Step */
@@ -14,45 +14,17 @@ import { Panel, segments } from './panel.js';
  * What is shown over the load. `along`: the same at every increment of a step, where results have it.
  * @typedef {object} OverLoad
  * @property {string} text
- * @property {string} label
- * @property {(step: Step) => number} value
+ * @property {import('./step-figures.js').StepFigure} of
  * @property {(step: Step, report: Report) => (number | undefined)[] | undefined} [along]
  * @property {number} [rest] before the first load, where that is known
- * @property {(report: Report) => string} unit
  */
 
 /** @type {Record<string, OverLoad>} */
 const OVER_LOAD = {
-  peak: {
-    text: 'Peak',
-    label: 'peak pressure',
-    value: ({ contact }) => contact.peak_pressure,
-    along: ({ flow }) => flow?.increments.peak_pressure,
-    rest: 0,
-    unit: ({ units }) => unit('stress', units),
-  },
-  width: {
-    text: 'Half-width',
-    label: 'half-width',
-    value: ({ contact }) => contact.half_width,
-    along: ({ flow }) => flow?.increments.half_width,
-    rest: 0,
-    unit: ({ units }) => unit('length', units),
-  },
-  strain: {
-    text: 'Strain',
-    label: 'plastic strain',
-    value: (step) => 100 * strainOf(step),
-    rest: 0,
-    unit: () => '%',
-  },
-  stiffness: {
-    text: 'dP/dα',
-    label: 'dP/dα',
-    value: ({ contact_stiffness: slope }) => slope,
-    along: slopesAlong,
-    unit: (report) => unit(stiffnessOf(report), report.units),
-  },
+  peak: { text: 'Peak', of: STEP_FIGURES.peak, along: ({ flow }) => flow?.increments.peak_pressure, rest: 0 },
+  width: { text: 'Half-width', of: STEP_FIGURES.width, along: ({ flow }) => flow?.increments.half_width, rest: 0 },
+  strain: { text: 'Strain', of: STEP_FIGURES.strain, rest: 0 },
+  stiffness: { text: 'dP/dα', of: STEP_FIGURES.stiffness, along: slopesAlong },
 };
 
 /** dP/dα at the increments of a step, from the curve of all of them. @param {Step} step @param {Report} report */
@@ -120,7 +92,7 @@ const BETWEEN = { points: false, dash: [1, 6], width: 1.2 };
  * @param {string} why the long pieces are no answers
  * @returns {import('./chart.js').Curve[]}
  */
-function apart(curve, forces, why = 'nothing solved between') {
+function apart(curve, forces, why = 'straight between solved loads') {
   const range = Math.max(...forces) - Math.min(...forces);
   const isFar = (/** @type {number} */ k) => k > 0 && Math.abs(forces[k] - forces[k - 1]) > FAR * range;
   const [near, far] = [0, 1].map(() => ({
@@ -217,7 +189,8 @@ function overApproach(swept, shown, at) {
  * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an order
  * @returns {{x: number[], y: number[]}}
  */
-function overForce(report, { value, along, rest }, inTurn) {
+function overForce(report, { of, along, rest }, inTurn) {
+  const value = (/** @type {Step} */ step) => of.value(step) ?? 0;
   const steps = answered(report);
   if (!inTurn || !steps.every(({ flow }) => flow)) {
     steps.sort((a, b) => a.contact.force - b.contact.force);
@@ -238,9 +211,10 @@ function overForce(report, { value, along, rest }, inTurn) {
 /** @param {Shown[]} swept @param {Shown[]} shown @param {number} at @param {OverLoad} figures @returns {import('./chart.js').Plot} */
 function overLoad(swept, shown, at, figures) {
   const [{ report }] = shown;
-  const { label, value, along, unit: unitOf } = figures;
+  const { of, along } = figures;
+  const label = of.short ?? titleOf(of, report);
   const force = unit(forceOf(report), report.units);
-  const name = unitOf(report);
+  const name = of.unit(report);
   // A load that falls on a body that has yielded has a way back of its own.
   const turns = swept.some(turnsBack);
   return {
@@ -258,6 +232,6 @@ function overLoad(swept, shown, at, figures) {
       return turns ? apart(curve, curve.x, along ? undefined : 'known at the ends of loads alone') : [curve];
     }),
     marks: [...onsets(swept, 'x', 'first yield'), { across: 'x', at: report.steps[at].contact.force, text: 'shown' }],
-    words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(value(report.steps[at]))} ${name}.`,
+    words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(of.value(report.steps[at]))} ${name}.`,
   };
 }

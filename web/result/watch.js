@@ -65,7 +65,7 @@ export class Watch {
     if (!id) return;
     const gone = await ask(`v1/jobs/${id}`).then(() => false, isGone);
     if (gone && this.#shown === id)
-      this.#removed(id, 'Links to it lead nowhere; what is shown stays until another is.');
+      this.#removed(id, 'Links to it no longer work. Its figures stay here until another job is shown.');
   }
 
   /** @param {string} id @param {string} meaning what follows of it */
@@ -136,7 +136,7 @@ export class Watch {
       this.#shown = id;
     } catch (error) {
       if (signal.aborted) return;
-      if (isGone(error)) return this.#removed(id, 'What was set up is beside: Solve makes it anew.');
+      if (isGone(error)) return this.#removed(id, 'Its set-up is in the form: press Solve to solve it again.');
       this.on.titled('No answer');
       this.#put(
         '',

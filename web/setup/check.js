@@ -30,11 +30,13 @@ export class Check {
   /**
    * @param {import('./draft.js').Draft} draft
    * @param {import('./form.js').Form} form
+   * @param {{remark: (words: string) => void}} json
    * @param {(hertz: Hertz | null) => void} on
    */
-  constructor(draft, form, on) {
+  constructor(draft, form, json, on) {
     this.draft = draft;
     this.form = form;
+    this.json = json;
     this.on = on;
     const later = debounce(() => this.now(), QUIET);
     draft.addEventListener('change', () => {
@@ -98,6 +100,7 @@ export class Check {
       h('p', { class: 'error' }, pointer ? [h('code', {}, pointer), ' '] : null, detail),
     );
     byId('check').replaceChildren(...whole, ...rest);
+    this.json.remark(unknownWords(problem.errors));
     const { estimate } = problem.body;
     byId('cost').textContent = estimate ? cost(estimate, job) : '';
   }
@@ -110,6 +113,7 @@ export class Check {
     } else {
       this.valid = true;
       this.form.showError([]);
+      this.json.remark('');
       byId('check').replaceChildren(
         ...(this.hertz ? [figures(job, this.hertz)] : []),
         ...(why ? [h('p', { class: 'quiet' }, `Hertz’s theory does not apply: ${why}.`)] : []),
@@ -118,6 +122,14 @@ export class Check {
     }
     this.on(this.hertz);
   }
+}
+
+/** Keys that no job has, for who writes one as JSON. @param {FieldError[]} errors */
+function unknownWords(errors) {
+  const keys = errors
+    .filter(({ code }) => code === 'unknown_key')
+    .map(({ pointer }) => `“${pointer.split('/').at(-1)}”`);
+  return keys.length ? `no job has ${keys.join(', ')}` : '';
 }
 
 /** Whether a problem is none of the draft. @param {Problem} problem */
@@ -156,7 +168,7 @@ function figures(job, hertz) {
         ? h(
             'p',
             { class: 'verdict yields' },
-            `Yields: the force is ${figure(at.force / onset, 3)} times that of first yield, Hertz no longer holds.`,
+            `Yields: the force is ${figure(at.force / onset, 3)} times that of first yield.`,
           )
         : h('p', { class: 'verdict' }, `Elastic: ${figure((100 * at.force) / onset, 3)} % of the force of first yield.`)
       : null;

@@ -84,11 +84,25 @@ export function entry(field, change, surroundings) {
           move: slide,
         })
       : undefined;
+  const explanation = help(field.help ?? field.key, field.label, `${id}-label`, field.description, true);
+  const keys = { F1: explanation?.querySelector('button'), F2: slides?.button };
+  input.setAttribute(
+    'aria-keyshortcuts',
+    Object.keys(keys)
+      .filter((key) => keys[/** @type {'F1' | 'F2'} */ (key)])
+      .join(' '),
+  );
+  input.addEventListener('keydown', (event) => {
+    const button = keys[/** @type {'F1' | 'F2'} */ (/** @type {KeyboardEvent} */ (event).key)];
+    if (!button) return;
+    event.preventDefault();
+    button.click();
+  });
   return {
     element: h(
       'div',
       { class: `entry ${field.kind === 'terms' ? 'points' : (field.kind ?? 'number')}` },
-      h('span', { class: 'name' }, label, help(field.help ?? field.key, field.label, `${id}-label`, field.description)),
+      h('span', { class: 'name' }, label, explanation),
       h('div', { class: 'value' }, input, unit, slides?.button),
       slides?.element,
       beside ?? null,

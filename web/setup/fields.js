@@ -350,6 +350,10 @@ export function typicalOverDepth(kind, units) {
   return plasticity.over_depth;
 }
 
+/** Its directions have other names in axisymmetry. @param {unknown} analysis @returns {Field} */
+export const initialStressOf = (analysis) =>
+  analysis === 'axisymmetric' ? { ...INITIAL_STRESS, symbol: 'z, σ_r, σ_θ' } : INITIAL_STRESS;
+
 /** @param {Record<string, any> | undefined} material @returns {boolean} */
 export const hasInitialStress = (material) =>
   !material?.rigid && material?.initial_stress !== undefined && material.initial_stress !== null;

@@ -22,6 +22,7 @@ import {
   THEORIES,
   UNIT_SYSTEMS,
   hasInitialStress,
+  initialStressOf,
   lawOf,
   loadOf,
   overDepthOf,
@@ -170,7 +171,7 @@ export class Form {
     const { job } = this.draft;
     const { shape, curve, stress } = this.previews[body];
     shape.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
-    stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job)));
+    stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job), job.analysis === 'axisymmetric'));
     curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
 
@@ -269,7 +270,8 @@ export class Form {
     const at = `/${body}/material`;
     const place = `${at}/${INITIAL_STRESS.key}`;
     // A table that is emptied to take another stays where it is; the choice above takes it away.
-    const stresses = () => this.#place(place, INITIAL_STRESS, (value) => this.draft.set(place, value ?? [], SOURCE));
+    const field = initialStressOf(this.draft.job.analysis);
+    const stresses = () => this.#place(place, field, (value) => this.draft.set(place, value ?? [], SOURCE));
     return [
       this.#choice(`${at}/stress_kind`, 'Initial stress', { none: 'None', given: 'Over depth' }, (kind) =>
         this.kinds.useInitialStress(body, kind === 'given'),

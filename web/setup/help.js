@@ -8,9 +8,9 @@ export const TEXTS = {
   analysis:
     'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres.',
   support:
-    'How the far side of the body is held, at the diametral plane or the base. Clamped: it cannot move at all. Roller: it may slide sideways, as on a greased plate. Far from the contact the difference touches the approach by some per cent and the pressure hardly.',
+    'How the far side of the body is held, at the diametral plane or the base. Clamped: it cannot move. Roller: it slides sideways. Far from the contact this changes the approach by some per cent and the pressure hardly.',
   young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
-  poisson_ratio: 'Contraction across over stretching along: 0.3 for steel, 0.33 for aluminium.',
+  poisson_ratio: 'Lateral contraction over axial extension in a tensile test: 0.3 for steel, 0.33 for aluminium.',
   law: 'How the stress that makes the metal flow grows with plastic strain. Elastic: it never flows. Bilinear: a yield stress and a slope. Swift, Ludwik and Voce: fits of tensile tests. Table: points of a test. Rigid: it neither bends nor flows.',
   target:
     'The load is the answer: it is searched for until the contact has this figure. What stays behind (permanent approach, dent) is known to flow theory alone.',
@@ -53,8 +53,9 @@ let count = 0;
  * @param {string} name
  * @param {string} label id of the element that names it
  * @param {string} [description] where there is no other text
+ * @param {boolean} [ofField] whether a field opens it by F1: it is no stop of its own on the way of Tab
  */
-export function help(key, name, label, description) {
+export function help(key, name, label, description, ofField = false) {
   const text = TEXTS[key] ?? (description && described(description));
   if (!text) return null;
   const id = `help-${++count}`;
@@ -63,7 +64,14 @@ export function help(key, name, label, description) {
     { class: 'help' },
     h(
       'button',
-      { type: 'button', class: 'plain', popovertarget: id, 'aria-label': 'Explanation', 'aria-describedby': label },
+      {
+        type: 'button',
+        class: 'plain',
+        popovertarget: id,
+        'aria-label': 'Explanation',
+        'aria-describedby': label,
+        tabindex: ofField ? -1 : null,
+      },
       '?',
     ),
     h('span', { id, popover: 'auto', role: 'note' }, h('b', {}, name), h('br'), text),

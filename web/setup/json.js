@@ -1,13 +1,15 @@
-/** The job as text beside the form, in step with it both ways. */
+/** The job as text beside the form: a change of one is a change of the other. */
 
 import { byId, debounce } from '../lib/dom.js';
 
 const SOURCE = 'json';
+/** Said where text and form are of the same job. */
+const ALIKE = 'same job as in the form';
 
 /**
  * What is typed and is no job stays until it is put right, or given up for what the form has.
  * @param {import('./draft.js').Draft} draft
- * @returns {{read: () => string, focusFault: () => void}} `read` takes what is typed at once; answers with what is wrong with it
+ * @returns {{read: () => string, focusFault: () => void, remark: (words: string) => void}} `read` takes what is typed at once; answers with what is wrong with it
  */
 export function startJson(draft) {
   const text = /** @type {HTMLTextAreaElement} */ (byId('json-text'));
@@ -16,6 +18,8 @@ export function startJson(draft) {
   let typed = false;
   /** What is wrong with what is typed. */
   let fault = '';
+  /** What the service says of a job that can be read. */
+  let remark = '';
   const show = () => {
     text.value = print(draft.job);
     take('');
@@ -24,7 +28,7 @@ export function startJson(draft) {
     fault = wrong;
     if (wrong) text.setAttribute('aria-invalid', 'true');
     else text.removeAttribute('aria-invalid');
-    state.textContent = wrong || 'in step';
+    state.textContent = wrong || remark || ALIKE;
     give.hidden = !wrong;
     return wrong;
   };
@@ -60,7 +64,14 @@ export function startJson(draft) {
     const at = Number(/position (\d+)/.exec(fault)?.[1] ?? NaN);
     if (at >= 0) text.setSelectionRange(at, at);
   };
-  return { read, focusFault };
+  return {
+    read,
+    focusFault,
+    remark: (words) => {
+      remark = words;
+      take(fault);
+    },
+  };
 }
 
 /** @param {string} key @param {unknown} value @returns {unknown} the same, unless it is a number that JSON cannot carry on */

@@ -49,6 +49,22 @@ export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
 const [SOFTEST, HARDEST] = [136, 622];
 /** Brinell over Vickers hardness, ISO 18265. */
 const BRINELL = 0.95;
+/** Rockwell C and Vickers hardness of unalloyed and low-alloy steels, ISO 18265, table A.1. */
+// prettier-ignore
+const ROCKWELL = [
+  [20.3, 240], [22.2, 250], [24, 260], [25.6, 270], [27.1, 280], [28.5, 290], [29.8, 300], [32.2, 320], [34.4, 340], [36.6, 360],
+  [38.8, 380], [40.8, 400], [42.7, 420], [44.5, 440], [46.1, 460], [47.7, 480], [49.1, 500], [52.3, 550], [55.2, 600], [57.8, 650],
+];
+
+/** @param {number} value @param {string} scale @returns {number} Vickers hardness; nothing where the table has none */
+export function vickersOf(value, scale) {
+  if (scale === 'HBW') return value / BRINELL;
+  if (scale !== 'HRC') return value;
+  const next = ROCKWELL.findIndex(([rockwell]) => rockwell >= value);
+  if (next < 1) return value === ROCKWELL[0][0] ? ROCKWELL[0][1] : NaN;
+  const [[c0, v0], [c1, v1]] = [ROCKWELL[next - 1], ROCKWELL[next]];
+  return v0 + ((v1 - v0) * (value - c0)) / (c1 - c0);
+}
 
 /** @param {Record<string, any>} material in mm, N, MPa @param {(name: string) => void} done */
 export function askToKeep(material, done) {
@@ -96,7 +112,13 @@ export function askToForget(name) {
 /** @param {(material: Record<string, any>) => void} use */
 export function askHardness(use) {
   const figure = h('input', { type: 'text', inputmode: 'decimal' });
-  const scale = h('select', {}, h('option', { value: 'HV' }, 'HV'), h('option', { value: 'HBW' }, 'HBW'));
+  const scale = h(
+    'select',
+    {},
+    h('option', { value: 'HV' }, 'HV'),
+    h('option', { value: 'HBW' }, 'HBW'),
+    h('option', { value: 'HRC' }, 'HRC'),
+  );
   dialogue(
     'Yield stress from hardness',
     [
@@ -104,15 +126,19 @@ export function askHardness(use) {
       h(
         'p',
         { class: 'quiet' },
-        'σy = 2.876 HV − 90.7 MPa, Pavlina and Van Tyne 2008: a line through steels of 300 to 1700 MPa. Rails go by hardness: R260 has 260–300 HBW, R350HT 350–390 HBW (EN 13674-1).',
+        'σy = 2.876 HV − 90.7 MPa, Pavlina and Van Tyne 2008: a line through steels of 300 to 1700 MPa. Rails go by hardness: R260 has 260–300 HBW, R350HT 350–390 HBW (EN 13674-1). HBW and HRC become HV by ISO 18265, table A.1.',
       ),
     ],
     'Use',
     () => {
       const reading = readNumber(figure.value);
       if ('problem' in reading) return reading.problem;
-      const vickers = scale.value === 'HBW' ? reading.value / BRINELL : reading.value;
-      if (!(vickers >= SOFTEST && vickers <= HARDEST)) return `The line stands for ${SOFTEST} to ${HARDEST} HV.`;
+      const vickers = vickersOf(reading.value, scale.value);
+      if (!(vickers >= SOFTEST && vickers <= HARDEST)) {
+        const is =
+          scale.value !== 'HV' && vickers ? `${reading.value} ${scale.value} is ${Math.round(vickers)} HV. ` : '';
+        return `${is}The line stands for ${SOFTEST} to ${HARDEST} HV${scale.value === 'HRC' ? ', 20.3 to 56.3 HRC' : ''}.`;
+      }
       use({
         young_modulus: 210000,
         poisson_ratio: 0.3,

@@ -4,7 +4,7 @@ import { h } from '../lib/dom.js';
 import { columnsInWords, numberOf } from '../lib/number.js';
 import { readTable } from '../lib/table.js';
 import { textOf } from '../lib/text-file.js';
-import { unit } from '../lib/units.js';
+import { inJobUnits, plain, unit } from '../lib/units.js';
 import { same } from '../lib/pointer.js';
 import { fromEngineering, fromTotal } from './hardening.js';
 import { written } from './written.js';
@@ -50,7 +50,8 @@ export function pointsControl(field, id, change, { units, parent }) {
   const take = (text) => {
     const result = table(text);
     if ('points' in result && result.points.length) {
-      put(result.points, [`${result.points.length} points read`, ...result.notes]);
+      const { points, notes } = inOrder(result.points);
+      put(points, [`${points.length} points read`, ...result.notes, ...notes]);
       return true;
     }
     const refused = 'problem' in result ? result.problem : 'no figures in it';
@@ -93,7 +94,7 @@ export function pointsControl(field, id, change, { units, parent }) {
     if (!same(result.points, points)) put(result.points, [result.note]);
   };
   const modulus = () => numberOf(parent()?.young_modulus);
-  const shapes = quantities[1] === 'length' ? heights(convert) : [];
+  const shapes = quantities[1] === 'length' ? heights(convert, units) : [];
   const conversions = quantities[0] === 'strain' ? strains(convert, modulus) : shapes;
   return {
     input,
@@ -148,8 +149,66 @@ function fileButton(open) {
 /** @param {string} text @param {string} title @param {() => void} work */
 const button = (text, title, work) => h('button', { type: 'button', class: 'plain', title, onclick: work }, text);
 
-/** @param {Convert} convert */
-const heights = (convert) => [
+/** Traces that are measured from right to left, turned round. @param {Point[]} points @returns {{points: Point[], notes: string[]}} */
+function inOrder(points) {
+  const falls = points.length > 1 && points.every(([x], k) => k === 0 || x < points[k - 1][0]);
+  return falls ? { points: [...points].reverse(), notes: ['taken from the last to the first'] } : { points, notes: [] };
+}
+
+/** Points in the order of their first column, of those at one place the first. @param {Pair[]} points */
+function sorted(points) {
+  const inTurn = [...points].sort(([a], [b]) => a - b);
+  const kept = inTurn.filter(([x], k) => k === 0 || x > inTurn[k - 1][0]);
+  const left = points.length - kept.length;
+  return {
+    points: kept,
+    note: `sorted by x${left ? `; ${left} further point${left === 1 ? '' : 's'} at the same x left out` : ''}`,
+  };
+}
+
+/** The highest point at the origin. @param {Pair[]} points */
+function centred(points) {
+  const [x0, top] = points.reduce((a, b) => (b[1] > a[1] ? b : a));
+  const less = (/** @type {number} */ value, /** @type {number} */ by) => Number((value - by).toPrecision(12));
+  return {
+    points: points.map(([x, height]) => [less(x, x0), less(height, top)]),
+    note: `moved by ${plain(-x0)} along and ${plain(-top)} up`,
+  };
+}
+
+/** Units of the heights of traces. */
+const HEIGHTS = ['mm', 'µm', 'nm', 'm', 'in'];
+
+/** Heights that are written in another unit than those of the job. @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
+function heightUnit(convert, units) {
+  const choice = h(
+    'select',
+    {
+      onchange: () => {
+        const name = choice.value;
+        choice.value = '';
+        convert((points) => ({
+          points: points.map(([x, height]) => [x, inJobUnits(height, name, 'length', units()) ?? height]),
+          note: `heights converted from ${name}`,
+        }));
+      },
+    },
+    h('option', { value: '' }, 'unit…'),
+    HEIGHTS.map((name) => h('option', {}, name)),
+  );
+  return h(
+    'label',
+    { title: 'Takes the heights that stand in the box for figures in this unit' },
+    'Heights are in ',
+    choice,
+  );
+}
+
+/** @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
+const heights = (convert, units) => [
+  heightUnit(convert, units),
+  button('Sort by x', 'For traces whose x falls or jumps', () => convert(sorted)),
+  button('Top to 0', 'Moves the highest point to x = 0 and height 0', () => convert(centred)),
   button('Flip heights', 'For depths measured into the body: heights count outward', () =>
     convert((points) => ({ points: points.map(([x, height]) => [x, -height || 0]), note: 'heights flipped' })),
   ),

@@ -67,8 +67,8 @@ export function curvePreview(material, units) {
   ];
 }
 
-/** @param {Record<string, any> | undefined} material @param {Units} units */
-export function initialStressPreview(material, units) {
+/** @param {Record<string, any> | undefined} material @param {Units} units @param {boolean} round whether the bodies are turned about an axis */
+export function initialStressPreview(material, units, round) {
   const rows = material?.initial_stress;
   const column = (/** @type {string} */ key) =>
     Array.isArray(rows) ? rows.map((row) => /** @type {Point} */ ([row?.depth, row?.[key]])) : [];
@@ -96,7 +96,7 @@ export function initialStressPreview(material, units) {
       h(
         'figcaption',
         {},
-        `stress before the load [${unit('stress', units)}] over depth [${unit('length', units)}]; dashed: out of plane`,
+        `stress before the load [${unit('stress', units)}] over depth [${unit('length', units)}]; dashed: ${round ? 'around the axis' : 'out of plane'}`,
       ),
     ),
   ];

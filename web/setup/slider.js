@@ -62,6 +62,7 @@ export function slider({ name, value, bounds, refused, typical, move }) {
     {
       type: 'button',
       class: 'plain slide',
+      tabindex: -1,
       'aria-label': 'Slider',
       'aria-pressed': 'false',
       title: `Move ${name.toLowerCase()} by a slider and see it solved at once`,

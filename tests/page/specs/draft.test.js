@@ -32,10 +32,10 @@ service.test('a JSON at fault stays until it is put right or given up', async (p
     true,
     'it is shown, with the cursor in it',
   );
-  await page.getByRole('button', { name: 'Give up, take the form’s' }).click();
+  await page.getByRole('button', { name: 'Discard, show the form’s job' }).click();
   assert.equal(JSON.parse(await text.inputValue()).load.force, 500);
   await text.fill(`\ufeff${broken.replace(',,', '')}`);
-  await page.locator('#json-state').getByText('in step').waitFor();
+  await page.locator('#json-state').getByText('same job as in the form').waitFor();
   await shows(page, '612.6106');
 });
 

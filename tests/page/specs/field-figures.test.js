@@ -288,7 +288,7 @@ service.test('a field whose graphics the browser takes back says so, and is draw
     /** @type {any} */ (globalThis).taken = surface.getContext('webgl2')?.getExtension('WEBGL_lose_context');
     /** @type {any} */ (globalThis).taken.loseContext();
   });
-  const words = page.getByText('The browser has taken the graphics back');
+  const words = page.getByText('The browser has stopped the graphics');
   await words.waitFor();
   await page.locator('#panel-field').getByText('PNG', { exact: true }).click();
   await page.getByText('There is no picture of it yet').waitFor();

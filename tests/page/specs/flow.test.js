@@ -55,7 +55,10 @@ service.test('unloading leaves a dent, a loop and residual stresses', async (pag
     (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
     /highest von Mises stress \d/,
   );
-  await page.locator('#headline').getByText('Unloading stiffness').waitFor();
+  await page.locator('#headline').getByText('Residual tension').waitFor();
+  assert.equal(await page.locator('#panel-field select').first().inputValue(), 'sigma_x');
+  for (const name of ['σx', 'σz'])
+    await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
 });
 
 service.test(
@@ -76,7 +79,7 @@ service.test(
       (await page.locator('#panel-dent .readout').textContent()) ?? '',
     );
     assert.ok(Math.abs(Number(said?.[1]) - loss) < 0.01 * loss, `${said} instead of ${loss}`);
-    await page.locator('#panel-sweep .legend').getByText('force, nothing solved between').waitFor();
+    await page.locator('#panel-sweep .legend').getByText('force, straight between solved loads').waitFor();
     // Those pieces begin and end at points that are solved.
     const [solid, dashed] = await page
       .locator('#panel-sweep .plot g[clip-path] path')
@@ -122,7 +125,7 @@ service.test(
           `${choice} at ${force}: ${drawn[k].y}, ${value}`,
         );
       }
-      await panel.locator('.legend').getByText(', nothing solved between').waitFor();
+      await panel.locator('.legend').getByText(', straight between solved loads').waitFor();
     }
     await panel.getByRole('radio', { name: 'dP/dα', exact: true }).check();
     const slopes = await points(page);
@@ -146,7 +149,7 @@ service.test('what is not solved has dots of its own, the same there and back', 
   const panel = page.locator('#panel-sweep');
   for (const choice of ['Approach', 'Peak']) {
     await panel.getByRole('radio', { name: choice, exact: true }).check();
-    await panel.locator('.legend').getByText(', nothing solved between').waitFor();
+    await panel.locator('.legend').getByText(', straight between solved loads').waitFor();
     const between = panel.locator('.plot g[clip-path] path').nth(1);
     const pieces = ((await between.getAttribute('d')) ?? '').split('M').filter(Boolean);
     assert.ok(pieces.length >= 3, `${pieces.length} pieces`);
@@ -196,7 +199,7 @@ service.test('beside dented bodies Hertz’s figures are said to be of undented 
   await shown(page, { load: { history }, solver: { theory: 'flow' } });
   const [headline, legend] = [page.locator('#headline'), page.locator('#panel-pressure .legend')];
   await headline.getByText('Hertz, undented ').first().waitFor();
-  await headline.getByText('× first yield of undented bodies by elastic theory').waitFor();
+  await headline.getByText('× first yield before any dent by elastic theory').waitFor();
   await legend.getByText('Hertz, undented bodies').waitFor();
   await page.locator('#panel-depth .legend').getByText(', elastic, undented').first().waitFor();
   await page.locator('#report').click();

@@ -53,7 +53,7 @@ service.test('set up, solve, look around in the field', async (page) => {
   await press(page, /^Use$/, 'Enter');
   await type(page, /^Given/, 'Sweep');
   await type(page, /^Forces/, '100 300 612');
-  await press(page, /^Explanation$/, 'Enter');
+  await page.keyboard.press('F1');
   await page.locator('[popover]:popover-open').waitFor();
   await page.keyboard.press('Escape');
   await press(page, /^Solve$/, 'Enter');
@@ -112,9 +112,21 @@ service.test('write the job, undo, move a slider', async (page) => {
   await press(page, /^Undo$/, 'Enter');
   assert.equal(await force.inputValue(), '612.6106');
   await tabTo(page, /^Force/);
-  await press(page, /^Slider$/, 'Enter', 'ArrowRight');
+  await page.keyboard.press('F2');
+  await page.keyboard.press('ArrowRight');
   await page.locator('[data-status=live]').waitFor();
   assert.notEqual(await force.inputValue(), '612.6106');
+});
+
+service.test('from the first field to Solve there is a stop for each field', async (page) => {
+  const stops = await page.evaluate(() => {
+    const all = [...document.querySelectorAll('#setup :is(a, button, input, select, textarea, summary)')];
+    return all.filter((one) => one.checkVisibility() && /** @type {HTMLElement} */ (one).tabIndex >= 0).length;
+  });
+  const fields = await page
+    .locator('#form :is(input, select, textarea)')
+    .evaluateAll((all) => all.filter((one) => one.checkVisibility()).length);
+  assert.ok(stops <= fields + 15, `${stops} stops for ${fields} fields`);
 });
 
 service.test('open points from a file', async (page) => {

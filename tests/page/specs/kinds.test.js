@@ -73,7 +73,7 @@ service.test('“same as” copies the other body as it is now', async (page) =>
   await page.getByRole('button', { name: 'JSON', exact: true }).click();
   const text = page.locator('#json-text');
   await text.fill((await text.inputValue()).replace('50', '44'));
-  await page.getByText('in step').waitFor();
+  await page.getByText('same job as in the form').waitFor();
   await page.waitForFunction(() => JSON.parse(sessionStorage.getItem('draft') ?? '{}').upper.shape.radius === 44);
   assert.deepEqual(await lower(), [44, 70000], 'after the JSON');
   await choose(page, '/units', 'SI');

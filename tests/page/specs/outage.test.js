@@ -39,7 +39,7 @@ service.test(
       route.fulfill({ status: 404, json: { detail: 'there is no such job' } }),
     );
     await server.again();
-    await page.locator('[data-status=removed]').getByText('Solve makes it anew.').waitFor();
+    await page.locator('[data-status=removed]').getByText('press Solve to solve it again').waitFor();
     assert.match(await page.title(), /^Removed/);
   },
   { own: ['--workers', '1'], amiss: true },

@@ -124,7 +124,7 @@ service.test('figures follow a slider, and the last one wins', async (page, { no
     (last) => parseFloat(document.querySelectorAll('#headline .figure')[3]?.textContent ?? '') === last,
     last,
   );
-  await page.locator('[data-status=live]').getByText('Solve makes a job of it').waitFor();
+  await page.locator('[data-status=live]').getByText('press Solve to keep it as a job').waitFor();
   await page.getByRole('button', { name: 'Solve', exact: true }).click();
   await page.waitForSelector(SOLVED);
 });

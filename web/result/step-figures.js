@@ -1,0 +1,83 @@
+/** Figures of a step, each described once: for tiles, the table, curves over the load and the report. */
+
+import { forceOf, stiffnessOf, unit } from '../lib/units.js';
+
+/** @typedef {import('../types.js').Step} Step */
+/** @typedef {import('../types.js').Report} Report */
+/** @typedef {keyof NonNullable<Step['estimated_error']>} Barred a figure whose error the mesh tells */
+/**
+ * @typedef {object} StepFigure
+ * @property {string} title
+ * @property {string} [short] in tables and at axes
+ * @property {string} [round] title in axisymmetry
+ * @property {(report: Report) => string} unit
+ * @property {(step: Step) => number | null | undefined} value
+ * @property {Barred} [bar]
+ */
+
+/**
+ * The bound of the error of a figure: none of what the job prescribes, and none of a state that is not the answer.
+ * @param {Step} step @param {Barred} name
+ */
+export const barOf = ({ status, estimated_error: bars }, name) => (status === 'converged' && bars?.[name]) || undefined;
+
+/** Largest equivalent plastic strain of both bodies. @param {Step} step */
+export const strainOf = ({ plasticity }) =>
+  Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
+
+const length = (/** @type {Report} */ { units }) => unit('length', units);
+const stress = (/** @type {Report} */ { units }) => unit('stress', units);
+
+/** In the order of the table. @satisfies {Record<string, StepFigure>} */
+export const STEP_FIGURES = {
+  force: {
+    title: 'force',
+    unit: (/** @type {Report} */ report) => unit(forceOf(report), report.units),
+    value: (/** @type {Step} */ { contact }) => contact.force,
+    bar: /** @type {const} */ ('force'),
+  },
+  approach: {
+    title: 'approach',
+    unit: length,
+    value: (/** @type {Step} */ { approach }) => approach,
+    bar: /** @type {const} */ ('approach'),
+  },
+  peak: {
+    title: 'peak pressure',
+    unit: stress,
+    value: (/** @type {Step} */ { contact }) => contact.peak_pressure,
+    bar: /** @type {const} */ ('peak_pressure'),
+  },
+  width: {
+    title: 'half-width',
+    round: 'contact radius',
+    unit: length,
+    value: (/** @type {Step} */ { contact }) => contact.half_width,
+    bar: /** @type {const} */ ('half_width'),
+  },
+  mean: {
+    title: 'mean pressure',
+    unit: stress,
+    value: (/** @type {Step} */ { contact }) => contact.mean_pressure,
+  },
+  strain: {
+    title: 'plastic strain',
+    unit: () => '%',
+    value: (/** @type {Step} */ step) => 100 * strainOf(step),
+  },
+  stiffness: {
+    title: 'contact stiffness',
+    short: 'dP/dα',
+    unit: (/** @type {Report} */ report) => unit(stiffnessOf(report), report.units),
+    value: (/** @type {Step} */ { contact_stiffness: slope }) => slope,
+    bar: /** @type {const} */ ('contact_stiffness'),
+  },
+  hertz: {
+    title: 'Hertz peak',
+    unit: stress,
+    value: (/** @type {Step} */ { hertz }) => hertz?.peak_pressure,
+  },
+};
+
+/** @param {StepFigure} figure @param {Report} report @returns {string} */
+export const titleOf = ({ title, round }, { analysis }) => (analysis === 'axisymmetric' && round) || title;
