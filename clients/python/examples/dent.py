@@ -41,8 +41,7 @@ result.plot.residual_stress()
 result.plot.field("sigma_x")
 
 # %% [markdown]
-# The other way round: which force leaves a dent of 10 µm? Two loads were an estimate; the
-# program searches.
+# The other way round: which force leaves a dent of 10 µm?
 
 # %%
 wanted = brinell.job(
