@@ -30,7 +30,7 @@ generate() {
 }
 
 generate "$venv/bin/openapi-python-client" generate --path ../api/openapi.json --output-path generated/brinell_client \
-    --config python/config.yaml --meta none --overwrite --fail-on-warning
+    --config generated_python/config.yaml --meta none --overwrite --fail-on-warning
 generate "$venv/bin/datamodel-codegen" --input ../api/openapi.json --input-file-type openapi \
     --output generated/brinell_models.py --output-model-type pydantic_v2.BaseModel --target-python-version 3.11 \
     --use-annotated --use-standard-collections --disable-timestamp --formatters builtin --capitalise-enum-members
@@ -38,8 +38,8 @@ generate node_modules/.bin/openapi-typescript ../api/openapi.json --output gener
 generate node_modules/.bin/openapi-ts --input ../api/openapi.json --output generated/hey-api --client @hey-api/client-fetch
 generate node_modules/.bin/orval --config orval.config.cjs
 
-export MYPYPATH=$PWD/generated:$PWD/python
-"$venv/bin/mypy" --strict --no-error-summary python/openapi_python_client.py python/pydantic_models.py
+export MYPYPATH=$PWD/generated:$PWD/generated_python
+"$venv/bin/mypy" --strict --no-error-summary generated_python/openapi_python_client.py generated_python/pydantic_models.py
 npm run --silent check
 
 data=$(mktemp -d)
@@ -49,8 +49,8 @@ read -r line <&"${server[0]}"
 url=${line##* }
 
 export PYTHONPATH=$MYPYPATH
-"$venv/bin/python" python/openapi_python_client.py "$url"
-"$venv/bin/python" python/pydantic_models.py "$url"
+"$venv/bin/python" generated_python/openapi_python_client.py "$url"
+"$venv/bin/python" generated_python/pydantic_models.py "$url"
 # Types are checked above; here they are only taken out.
 for client in openapi-fetch hey-api orval; do
     node_modules/.bin/esbuild "typescript/$client.ts" --bundle --platform=node --format=esm --log-level=warning \

@@ -1,0 +1,111 @@
+"""Contact of two bodies that are pressed together so hard that they yield.
+
+import brinell
+
+client = brinell.Client()
+roller = brinell.cylinder(radius=20, material=brinell.steels["52100"])
+result = client.solve(brinell.job(roller, roller, analysis="plane_strain", force=2000))
+result.peak_pressure
+"""
+
+from __future__ import annotations
+
+from importlib.metadata import PackageNotFoundError, version
+
+from ._build import job, material, rigid
+from ._builders import (
+    bilinear,
+    block,
+    cone,
+    cylinder,
+    ellipse,
+    groove,
+    hole,
+    ludwik,
+    parabola,
+    power,
+    profile,
+    punch,
+    ramberg_osgood,
+    swift,
+    table,
+    voce,
+    wedge,
+)
+from ._client import AsyncClient, AsyncJob, AsyncResult, Client, Job
+from ._core import Event
+from ._errors import (
+    BrinellError,
+    Fault,
+    InvalidJob,
+    JobFailed,
+    NotFound,
+    QuotaExceeded,
+    ServerDied,
+    ServerNotFound,
+    ServiceError,
+    StillRunning,
+    Unauthorized,
+    Unavailable,
+)
+from ._fields import BodyFields, Fields
+from ._materials import Materials, materials, steels
+from ._plain import JobLike, Quantity
+from ._result import Pressure, Remark, Result, Step
+
+try:
+    __version__ = version("brinell")
+except PackageNotFoundError:  # pragma: no cover - run from its source without being installed
+    __version__ = "0"
+
+__all__ = [
+    "AsyncClient",
+    "AsyncJob",
+    "AsyncResult",
+    "BodyFields",
+    "BrinellError",
+    "Client",
+    "Event",
+    "Fault",
+    "Fields",
+    "InvalidJob",
+    "Job",
+    "JobFailed",
+    "JobLike",
+    "Materials",
+    "NotFound",
+    "Pressure",
+    "Quantity",
+    "QuotaExceeded",
+    "Remark",
+    "Result",
+    "ServerDied",
+    "ServerNotFound",
+    "ServiceError",
+    "Step",
+    "StillRunning",
+    "Unauthorized",
+    "Unavailable",
+    "bilinear",
+    "block",
+    "cone",
+    "cylinder",
+    "ellipse",
+    "groove",
+    "hole",
+    "job",
+    "ludwik",
+    "material",
+    "materials",
+    "parabola",
+    "power",
+    "profile",
+    "punch",
+    "ramberg_osgood",
+    "rigid",
+    "steels",
+    "swift",
+    "table",
+    "voce",
+    "wedge",
+]

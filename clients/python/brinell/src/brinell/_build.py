@@ -1,0 +1,217 @@
+"""What the builders are made of: bodies, materials, jobs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Literal, TypeAlias, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from . import models
+from ._errors import Fault, InvalidJob
+from ._plain import Number, Quantity, plain
+
+__all__ = ["Material", "Number", "Quantity", "Support", "job", "material", "rigid"]
+
+Material: TypeAlias = models.Deformable | models.Rigid | Mapping[str, Any]
+"""An entry of `materials`, a `material(...)`, `rigid`, or a dict as the service takes it."""
+
+Support: TypeAlias = Literal["clamped", "roller"]
+Analysis: TypeAlias = Literal["plane_strain", "plane_stress", "axisymmetric"]
+M = TypeVar("M", bound=BaseModel)
+
+rigid = models.Rigid(rigid=True)
+"""A body that neither bends nor flows; one of the two has to deform."""
+
+
+def checked(
+    model: type[M],
+    values: Mapping[str, Any],
+    document: Mapping[str, Any] | None = None,
+    at: str = "#",
+) -> M:
+    """The model with these values, or every fault among them.
+
+    `at` is the pointer of the model itself.
+    """
+    try:
+        return model.model_validate(plain(values, document or {}))
+    except ValidationError as error:
+        faults = [_fault(at, one) for one in _chosen(error.errors())]
+        raise InvalidJob(faults, f"not a valid {model.__name__}") from None
+
+
+def _chosen(errors: list[Any]) -> list[Any]:
+    """The errors of the branches of unions that `law` and `type` choose, not of the others."""
+    others = {
+        one["loc"][:-1]
+        for one in errors
+        if one["type"] == "literal_error" and one["loc"][-1:] in (("law",), ("type",))
+    }
+    kept = [e for e in errors if not any(e["loc"][: len(other)] == other for other in others)]
+    return kept or errors
+
+
+def _fault(at: str, error: Any) -> Fault:
+    # Pydantic names the branch of a union by its class or by the word that chose it; a pointer
+    # has no such step.
+    path: list[str] = []
+    before = ""
+    for step in map(str, error["loc"]):
+        if not (hasattr(models, step) or before in ("shape", "plasticity")):
+            path.append(f"/{step}")
+        before = step
+    given = error["input"]
+    said = f", got {given!r}" if isinstance(given, (int, float, str)) else ""
+    what = (
+        "missing"
+        if error["type"] == "missing"
+        else error["msg"][:1].lower() + error["msg"][1:] + said
+    )
+    return Fault(at + "".join(path), error["type"], what)
+
+
+def build_body(
+    model: type[M], material: Material, support: Support | None, /, **shape: Any
+) -> models.ContactBody:
+    """A body of this shape."""
+    kind = str(model.model_fields["type"].annotation.__args__[0])  # type: ignore[union-attr]
+    outline = checked(model, {"type": kind, **shape})
+    made_of = (
+        material
+        if isinstance(material, BaseModel)
+        else checked(models.Deformable, material, at="#/material")
+    )
+    return models.ContactBody.model_construct(shape=outline, material=made_of, support=support)
+
+
+def build_law(model: type[M], /, **values: Any) -> M:
+    """A hardening law."""
+    return checked(model, {"law": str(model.model_fields["law"].annotation.__args__[0]), **values})  # type: ignore[union-attr]
+
+
+def material(
+    *,
+    young_modulus: Number,
+    poisson_ratio: float,
+    plasticity: BaseModel | Mapping[str, Any] | None = None,
+    initial_stress: Sequence[Mapping[str, Any]] | None = None,
+) -> models.Deformable:
+    """An isotropic material, elastic unless it has a hardening law.
+
+    Args:
+        young_modulus: Young's modulus E [MPa].
+        poisson_ratio: Poisson's ratio.
+        plasticity: a hardening law: `bilinear(...)`, `swift(...)` and so on.
+        initial_stress: stress before any load, by depth: `{"depth": 0, "sigma_x": -500,
+            "sigma_z": -500}` and so on.
+    """
+    values = {
+        "young_modulus": young_modulus,
+        "poisson_ratio": poisson_ratio,
+        "plasticity": plasticity,
+        "initial_stress": initial_stress,
+    }
+    return checked(models.Deformable, values)
+
+
+def job(
+    upper: models.ContactBody | Mapping[str, Any],
+    lower: models.ContactBody | Mapping[str, Any],
+    *,
+    analysis: Analysis,
+    force: Number | None = None,
+    forces: Iterable[Number] | Quantity | None = None,
+    approach: Number | None = None,
+    approaches: Iterable[Number] | Quantity | None = None,
+    history: Sequence[Mapping[str, Any]] | None = None,
+    onset: bool = False,
+    target: Mapping[str, Any] | None = None,
+    theory: Literal["deformation", "flow"] | None = None,
+    elements_per_half_width: int | None = None,
+    fields: bool | None = None,
+    tags: Mapping[str, str] | None = None,
+    solver: Mapping[str, Any] | None = None,
+) -> models.ContactJob:
+    """Two bodies and what presses them together, in mm, N and MPa.
+
+    Args:
+        upper: the body above the contact: `cylinder(...)`, `block(...)` and so on.
+        lower: the body below it.
+        analysis: "plane_strain" for long bodies, "plane_stress" for thin discs,
+            "axisymmetric" for bodies of revolution
+            (a cylinder is a sphere there).
+        force: the force [N/mm of thickness; N in axisymmetry].
+        forces: several of them, a step each.
+        approach: how far the supports come together [mm]; the force is an output.
+        approaches: several of them, a step each.
+        history: loads one after the other, `{"force": F}` or `{"approach": a}`; 0 takes the
+            load away (theory "flow").
+        onset: ask for the force at which the contact begins to yield.
+        target: ask for the force under which a figure has a value, as in `{"peak_pressure": 1200}`.
+        theory: "deformation" (default) knows one loading; "flow" follows the loads, with
+            dents and residual stress.
+        elements_per_half_width: how fine the mesh is (default 20).
+        fields: whether the result has mesh and stresses of both bodies, for `result.fields()`.
+        tags: labels, echoed in the result.
+        solver: further settings of the solver, as the service takes them.
+    """
+    loads: dict[str, Any] = {
+        "force": force,
+        "forces": _listed(forces),
+        "approach": approach,
+        "approaches": _listed(approaches),
+        "history": history,
+        "onset": onset or None,
+        "target": target,
+    }
+    given = [name for name, value in loads.items() if value is not None]
+    if len(given) != 1:
+        every = ", ".join(loads)
+        raise InvalidJob(
+            [
+                Fault(
+                    "#/load",
+                    "one_of",
+                    f"exactly one of {every}, got {' and '.join(given) or 'none'}",
+                )
+            ]
+        )
+    load = _load(given[0], loads[given[0]], {"analysis": analysis})
+    settings = {**(solver or {}), **({"theory": theory} if theory else {})}
+    document: dict[str, Any] = {
+        "analysis": analysis,
+        "upper": upper,
+        "lower": lower,
+        "load": load,
+        "mesh": {"elements_per_half_width": elements_per_half_width}
+        if elements_per_half_width is not None
+        else None,
+        "solver": settings or None,
+        "output": {"fields": fields} if fields is not None else None,
+        "tags": tags,
+    }
+    return checked(models.ContactJob, document, document)
+
+
+_LOADS: dict[str, type[BaseModel]] = {
+    "force": models.ForceLoad,
+    "forces": models.ForcesLoad,
+    "approach": models.ApproachLoad,
+    "approaches": models.ApproachesLoad,
+    "history": models.HistoryLoad,
+    "onset": models.OnsetLoad,
+    "target": models.TargetLoad,
+}
+
+
+def _load(name: str, value: Any, document: Mapping[str, Any]) -> BaseModel:
+    return checked(_LOADS[name], {name: value}, document, "#/load")
+
+
+def _listed(values: Any) -> Any:
+    return (
+        values
+        if values is None or isinstance(values, Quantity) or hasattr(values, "tolist")
+        else list(values)
+    )

@@ -1,0 +1,148 @@
+"""Mesh and stresses of a step as arrays.
+
+The one place that knows how the service sends them (docs/results.md).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import pyvista
+
+Array = NDArray[Any]
+
+_TYPES = {"u32": "<u4", "f32": "<f4", "f64": "<f8"}
+_MAGIC = b"BRNFLD01"
+
+
+def decode(data: bytes) -> dict[str, dict[str, Array]]:
+    """The arrays of each body, by their names."""
+    if data[:8] != _MAGIC:
+        raise ValueError(
+            "the service sends fields in a form that this version of the package does not know"
+        )
+    length = int.from_bytes(data[8:12], "little")
+    bodies: dict[str, dict[str, Array]] = {}
+    for array in json.loads(data[16 : 16 + length])["arrays"]:
+        count, components = array["count"], array["components"]
+        values = np.frombuffer(
+            data, _TYPES[array["type"]], count * components, 16 + length + array["offset"]
+        )
+        shaped = values.reshape(count, components) if components > 1 else values
+        bodies.setdefault(array["body"], {})[array["name"]] = shaped
+    return bodies
+
+
+@dataclass(frozen=True)
+class BodyFields(Mapping[str, Array]):
+    """Mesh and stresses of one body, a mapping of names to arrays.
+
+    `y` points from the lower body to the upper.
+    """
+
+    name: str
+    """`upper` or `lower`."""
+    arrays: Mapping[str, Array]
+    symmetric: bool
+    """Whether one half, x ≥ 0, stands for both."""
+
+    def __getitem__(self, name: str) -> Array:
+        return self.arrays[name]
+
+    def __iter__(self) -> Any:
+        return iter(self.arrays)
+
+    def __len__(self) -> int:
+        return len(self.arrays)
+
+    def __repr__(self) -> str:
+        return f"<{self.name} body: {len(self['nodes'])} nodes, {', '.join(self.arrays)}>"
+
+    @property
+    def nodes(self) -> Array:
+        """Nodes before loading, a row [x, y] each."""
+        return self["nodes"]
+
+    @property
+    def elements(self) -> Array:
+        """The four corners of each element, counter-clockwise."""
+        return self["elements"]
+
+    @property
+    def displacement(self) -> Array:
+        """Displacements of the nodes, relative to the body's own support."""
+        return self["displacement"]
+
+    def whole(self) -> BodyFields:
+        """Both halves of a body of which one was meshed."""
+        if not self.symmetric:
+            return self
+        count = len(self.nodes)
+        odd = {"tau_xy": -1.0}
+        arrays: dict[str, Array] = {}
+        for name, values in self.arrays.items():
+            if name == "elements":
+                # The mirror image turns the other way round.
+                arrays[name] = np.concatenate([values, values[:, ::-1] + count])
+            elif values.ndim == 2:
+                arrays[name] = np.concatenate(
+                    [values, values * np.array([-1.0, 1.0], values.dtype)]
+                )
+            else:
+                arrays[name] = np.concatenate(
+                    [values, values * values.dtype.type(odd.get(name, 1.0))]
+                )
+        return BodyFields(self.name, arrays, False)
+
+    def to_pyvista(self) -> pyvista.UnstructuredGrid:
+        """The mesh with its fields for PyVista."""
+        import pyvista
+
+        elements = self.elements.astype(np.int64)
+        cells = np.column_stack([np.full(len(elements), 4), elements]).ravel()
+        flat = np.zeros((len(self.nodes), 1))
+        grid = pyvista.UnstructuredGrid(
+            cells,
+            np.full(len(elements), pyvista.CellType.QUAD, np.uint8),
+            np.hstack([self.nodes.astype(float), flat]),
+        )
+        for name, values in self.arrays.items():
+            if name not in ("nodes", "elements"):
+                grid.point_data[name] = np.hstack([values, flat]) if values.ndim == 2 else values
+        return grid
+
+
+@dataclass(frozen=True)
+class Fields:
+    """Mesh and stresses of a step. A rigid body has none."""
+
+    upper: BodyFields | None
+    lower: BodyFields | None
+
+    @classmethod
+    def of(cls, data: bytes, symmetric: bool) -> Fields:
+        """From what the service sends."""
+        bodies = decode(data)
+        upper, lower = (
+            BodyFields(name, bodies[name], symmetric) if name in bodies else None
+            for name in ("upper", "lower")
+        )
+        return cls(upper, lower)
+
+    @property
+    def bodies(self) -> list[BodyFields]:
+        """Those that there are."""
+        return [body for body in (self.upper, self.lower) if body is not None]
+
+    def to_pyvista(self) -> pyvista.MultiBlock:
+        """Both bodies for PyVista."""
+        import pyvista
+
+        return pyvista.MultiBlock({body.name: body.to_pyvista() for body in self.bodies})

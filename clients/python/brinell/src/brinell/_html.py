@@ -1,0 +1,103 @@
+"""A result in words: remarks first, then figures with their error bars."""
+
+from __future__ import annotations
+
+import math
+from html import escape
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._result import Result
+
+# Figures of one step, with the words and the units [mm_N_MPa, SI] for them.
+ROWS = (
+    ("peak_pressure", "peak pressure", ("MPa", "Pa")),
+    ("half_width", "half-width", ("mm", "m")),
+    ("mean_pressure", "mean pressure", ("MPa", "Pa")),
+    ("approach", "approach", ("mm", "m")),
+    ("force", "force", ("", "")),
+    ("max_plastic_strain", "largest plastic strain", ("", "")),
+    ("dent_depth", "dent", ("mm", "m")),
+)
+# Most steps that are shown.
+SHOWN = 12
+
+
+def unit_of_force(result: Result) -> str:
+    """The unit of the contact force."""
+    if result.analysis == "axisymmetric":
+        return "N"
+    return "N/m" if result.units == "SI" else "N/mm"
+
+
+def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
+    """Name, figure, error bar, Hertz's figure and unit."""
+    lines = []
+    for name, words, units in ROWS:
+        value = getattr(result, name)
+        if math.isnan(value):
+            continue
+        error = result.relative_error.get(name)
+        bar = f"± {100 * error:.2g} %" if error else ""
+        hertz = result.hertz.get(name)
+        unit = unit_of_force(result) if name == "force" else units[result.units == "SI"]
+        lines.append(
+            (words, f"{value:.5g}", bar, f"{hertz:.5g}" if hertz is not None else "", unit)
+        )
+    return lines
+
+
+def _head(result: Result) -> str:
+    steps = f", {len(result.steps)} steps, the last of which" if len(result.steps) > 1 else ""
+    return f"{result.status.replace('_', ' ')}, {result.analysis.replace('_', ' ')}{steps}"
+
+
+def text_of(result: Result) -> str:
+    """For a terminal."""
+    if result.error is not None or not result.steps:
+        return f"<Result: {result.status}{f': {result.error}' if result.error else ''}>"
+    remarks = [f"! {remark.code}: {remark.message}" for remark in result.remarks]
+    rows = [
+        f"{name:24}{value:>12} {unit:5} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
+        for name, value, bar, hertz, unit in _lines(result)
+    ]
+    return "\n".join([_head(result), *remarks, *rows])
+
+
+def html_of(result: Result) -> str:
+    """For a notebook."""
+    if result.error is not None or not result.steps:
+        return f"<p><b>{escape(result.status)}</b> {escape(str(result.error or ''))}</p>"
+    remarks = "".join(
+        f"<li><code>{escape(remark.code)}</code> {escape(remark.message)}</li>"
+        for remark in result.remarks
+    )
+    cells = "".join(
+        f"<tr><th style='text-align:left'>{escape(name)}</th><td>{value}</td>"
+        f"<td>{escape(unit)}</td>"
+        f"<td>{escape(bar)}</td><td>{hertz}</td></tr>"
+        for name, value, bar, hertz, unit in _lines(result)
+    )
+    table = (
+        "<table><thead><tr><th></th><th></th><th></th>"
+        "<th>mesh error</th><th>Hertz, elastic</th></tr></thead>"
+        f"<tbody>{cells}</tbody></table>"
+    )
+    steps = _steps(result) if len(result.steps) > 1 else ""
+    notes = f"<ul>{remarks}</ul>" if remarks else ""
+    return f"<div>{notes}<p><b>{escape(_head(result))}</b></p>{table}{steps}</div>"
+
+
+def _steps(result: Result) -> str:
+    shown = result.steps[:SHOWN]
+    names = ("force", "approach", "peak_pressure", "half_width")
+    head = "".join(f"<th>{name.replace('_', ' ')}</th>" for name in ("step", *names, "status"))
+    rows = "".join(
+        f"<tr><td>{step.place}</td>"
+        + "".join(f"<td>{getattr(step, name):.5g}</td>" for name in names)
+        + f"<td>{escape(step.status)}</td></tr>"
+        for step in shown
+    )
+    more = len(result.steps) - len(shown)
+    rest = f"<p>and {more} more: see <code>summary</code></p>" if more else ""
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{rest}"

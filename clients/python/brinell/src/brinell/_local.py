@@ -1,0 +1,116 @@
+"""A local server of one's own, which ends with this process however that ends."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shutil
+import subprocess
+import sys
+import tempfile
+import weakref
+from pathlib import Path
+
+from ._errors import ServerDied, ServerNotFound
+
+# Bounds of the store in memory [MiB]: what it may take, and what results may before the oldest
+# are removed.
+KEEP_MEMORY, KEEP_STORED = 1024, 512
+# Time for running jobs when the server ends [s]: nobody is left to take their results.
+GRACE = 0.1
+# Time after which a server that does not end by itself is killed [s].
+PATIENCE = 5.0
+
+
+def find_program(program: str | os.PathLike[str] | None = None) -> str:
+    """The `brinell` program: the one named, that of the package `brinell-server`, or the first on
+    PATH.
+    """
+    named = program or os.environ.get("BRINELL_PROGRAM")
+    if named:
+        return os.fspath(named)
+    try:
+        from brinell_server import find_brinell
+    except ImportError:
+        found = shutil.which("brinell")
+    else:
+        found = find_brinell()
+    if found is None:
+        raise ServerNotFound(
+            'there is no brinell program on this machine: pip install "brinell[local]", or name a '
+            "service by brinell.Client(url=...) or BRINELL_URL"
+        )
+    return found
+
+
+class LocalServer:
+    """`brinell serve` on a free loopback port, with a key that nobody else has."""
+
+    def __init__(
+        self, program: str | os.PathLike[str] | None = None, workers: int | None = None
+    ) -> None:
+        program = find_program(program)
+        self.key = secrets.token_hex(32)
+        handle, name = tempfile.mkstemp(prefix="brinell-", suffix=".log")
+        self.log = Path(name)
+        # Settings of another service, meant for another purpose, stay out.
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("BRINELL_")}
+        environment["BRINELL_ONCE_KEY"] = self.key
+        arguments = [
+            *("serve", "--listen", "127.0.0.1:0", "--data-dir", ":memory:", "--log", "info"),
+            *("--once-key-env", "BRINELL_ONCE_KEY", "--exit-with-stdin", "--grace", str(GRACE)),
+            *("--keep-memory", str(KEEP_MEMORY), "--keep-stored", str(KEEP_STORED)),
+            *(("--workers", str(workers)) if workers else ()),
+        ]
+        with os.fdopen(handle, "wb") as log:
+            # A session of its own: Ctrl-C is for the caller, who decides what becomes of the job.
+            self._process = subprocess.Popen(
+                [program, *arguments],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                env=environment,
+                start_new_session=sys.platform != "win32",
+            )
+        self._end = weakref.finalize(self, _end, self._process, self.log)
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline().decode(errors="replace").strip()
+        self.url = line.removeprefix("brinell listening on ")
+        if not self.url.startswith("http"):
+            self._process.wait(PATIENCE)
+            raise self._died()
+
+    @property
+    def pid(self) -> int:
+        """The server's process."""
+        return self._process.pid
+
+    def check(self) -> None:
+        """Raises `ServerDied` if the server has ended."""
+        # The kernel refuses connections a moment before a process that dies can be waited for.
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(GRACE)
+        if self._process.poll() is not None:
+            raise self._died()
+
+    def _died(self) -> ServerDied:
+        self._end.detach()
+        text = self.log.read_text("utf-8", errors="replace").strip()
+        return ServerDied(self._process.returncode, self.log, text.rsplit("\n", 1)[-1])
+
+    def close(self) -> None:
+        """Ends the server."""
+        self._end()
+
+
+def _end(process: subprocess.Popen[bytes], log: Path) -> None:
+    for pipe in (process.stdin, process.stdout):
+        if pipe is not None:
+            pipe.close()
+    try:
+        process.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+    log.unlink(missing_ok=True)

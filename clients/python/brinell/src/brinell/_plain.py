@@ -1,0 +1,179 @@
+"""Jobs as plain JSON: from dicts, files and models, with figures from numpy and quantities from
+pint.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Protocol, TypeAlias, runtime_checkable
+
+from pydantic import BaseModel
+
+
+@runtime_checkable
+class Quantity(Protocol):
+    """A figure with a unit, as pint and others have it: `quantity.to("mm").magnitude`."""
+
+    def to(self, unit: Any, /) -> Any:
+        """The same in another unit."""
+
+    @property
+    def magnitude(self) -> Any:
+        """The figure alone."""
+
+
+Number: TypeAlias = float | Quantity
+"""A figure, in mm, N and MPa unless it is a quantity with a unit of its own."""
+
+JobLike: TypeAlias = Mapping[str, Any] | BaseModel | str | os.PathLike[str]
+"""A job: from `brinell.job(...)`, a dict as the service takes it, or the path of a JSON file."""
+
+LENGTH, STRESS, FORCE, ANGLE, PURE = "length", "stress", "force", "degree", "dimensionless"
+
+# What the figures under a key are. Pairs have one word for each of their two columns.
+_KINDS: dict[str, str | tuple[str, str]] = {
+    **dict.fromkeys(
+        [
+            "radius",
+            "width",
+            "depth",
+            "outer_radius",
+            "tip_radius",
+            "edge_radius",
+            "scale",
+            "semi_axis_x",
+            "semi_axis_y",
+            "case_depth",
+            "approach",
+            "approaches",
+            "permanent_approach",
+            "dent_depth",
+            "half_width",
+        ],
+        LENGTH,
+    ),
+    **dict.fromkeys(
+        [
+            "young_modulus",
+            "yield_stress",
+            "tangent_modulus",
+            "reference_stress",
+            "coefficient",
+            "saturation_stress",
+            "modulus",
+            "sigma_x",
+            "sigma_z",
+            "mean_pressure",
+            "peak_pressure",
+        ],
+        STRESS,
+    ),
+    "force": FORCE,
+    "forces": FORCE,
+    "angle": ANGLE,
+    "over_depth": (LENGTH, PURE),
+    "profile": (LENGTH, PURE),
+    "points": (LENGTH, LENGTH),
+    "points of a law": (PURE, STRESS),
+}
+
+
+def unit_of(kind: str, document: Mapping[str, Any]) -> str:
+    """The unit of a kind of figure in this job."""
+    si = document.get("units") == "SI"
+    per_length = document.get("analysis") != "axisymmetric"
+    return {
+        LENGTH: "m" if si else "mm",
+        STRESS: "Pa" if si else "MPa",
+        FORCE: ("N/m" if si else "N/mm") if per_length else "N",
+    }.get(kind, kind)
+
+
+def plain(value: Any, document: Mapping[str, Any] | None = None, key: str = "") -> Any:
+    """The value in lists, dicts and numbers of Python's own; what is `None` is left out of dicts.
+
+    Quantities are given in the units of the document, by the key that they stand under.
+    """
+    document = document if document is not None else (value if isinstance(value, Mapping) else {})
+    if isinstance(value, BaseModel):
+        return value.model_dump(mode="json", exclude_none=True)
+    if isinstance(value, Mapping):
+        law = "law" in value
+        return {
+            str(k): plain(v, document, "points of a law" if law and k == "points" else str(k))
+            for k, v in value.items()
+            if v is not None
+        }
+    kind = _KINDS.get(key, PURE)
+    if (
+        isinstance(kind, tuple)
+        and isinstance(value, (list, tuple))
+        and len(value) == 2
+        and _is_pair(value)
+    ):
+        return [_figure(v, k, document) for v, k in zip(value, kind, strict=True)]
+    if isinstance(value, (list, tuple)):
+        return [plain(v, document, key) for v in value]
+    return _figure(value, kind if isinstance(kind, str) else kind[0], document)
+
+
+def _is_pair(value: list[Any] | tuple[Any, ...]) -> bool:
+    return not any(isinstance(v, (list, tuple, Mapping)) or getattr(v, "ndim", 0) for v in value)
+
+
+def _figure(value: Any, kind: str, document: Mapping[str, Any]) -> Any:
+    if isinstance(value, Quantity):
+        value = value.to(unit_of(kind, document)).magnitude
+    # Arrays and scalars of numpy, pandas and xarray.
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def document_of(job: JobLike) -> dict[str, Any]:
+    """The job as a document of its own."""
+    if isinstance(job, (str, os.PathLike)):
+        job = json.loads(Path(job).read_text("utf-8"))
+    if not isinstance(job, (Mapping, BaseModel)):
+        raise TypeError(
+            f"a job is brinell.job(...), a dict or the path of a file, not {type(job).__name__}"
+        )
+    document = plain(job)
+    assert isinstance(document, dict)
+    return document
+
+
+def tokens_of(pointer: str) -> list[str]:
+    """The steps of a JSON pointer, with or without `#`."""
+    path = pointer.removeprefix("#")
+    if not path.startswith("/"):
+        raise ValueError(f'a pointer begins with "/" or "#/", as in "/load/force", not {pointer!r}')
+    return [step.replace("~1", "/").replace("~0", "~") for step in path[1:].split("/")]
+
+
+def with_values(document: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of the document with other values at these pointers.
+
+    Objects on the way are made if they are missing.
+    """
+    made: dict[str, Any] = copy.deepcopy(dict(document))
+    for pointer, value in values.items():
+        *way, last = tokens_of(pointer)
+        place: Any = made
+        for step in way:
+            if isinstance(place, list):
+                place = place[int(step)]
+            else:
+                if place.get(step) is None:
+                    place[step] = {}
+                place = place[step]
+        figure = plain(value, made, last if isinstance(place, dict) else way[-1])
+        if isinstance(place, list):
+            place[int(last)] = figure
+        elif isinstance(place, dict):
+            place[last] = figure
+        else:
+            raise ValueError(f"{pointer!r} leads through a figure")
+    return made

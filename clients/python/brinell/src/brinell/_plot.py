@@ -1,0 +1,206 @@
+"""Pictures of a result, by matplotlib. Each takes axes to draw into and returns them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import BrinellError
+from ._fields import BodyFields, Fields
+from ._html import unit_of_force
+from ._result import Result, need
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+TITLES = {
+    "von_mises": "von Mises stress",
+    "tau_max": "largest shear stress",
+    "sigma_x": "tangential stress",
+    "sigma_y": "normal stress",
+    "sigma_z": "out-of-plane stress",
+    "tau_xy": "shear stress",
+    "equivalent_plastic_strain": "equivalent plastic strain",
+    "yield_stress": "yield stress",
+    "utilization": "utilization",
+}
+WITHOUT_UNIT = ("equivalent_plastic_strain", "utilization")
+COLOURS = {"upper": "C0", "lower": "C1"}
+# Part of the field's picture that the contact takes, to each side.
+CONTACT_PART = 0.3
+
+
+class Plot:
+    """Pictures of a result.
+
+    Steps are counted from 0 as in `result.steps`; the last one is shown unless said.
+    """
+
+    def __init__(self, result: Result) -> None:
+        self._result = result
+        si = result.units == "SI"
+        self._length, self._stress = ("m", "Pa") if si else ("mm", "MPa")
+
+    def pressure(self, step: int = -1, ax: Axes | None = None) -> Axes:
+        """Contact pressure, beside Hertz's where there is one."""
+        ax = _axes(ax)
+        one = self._result.steps[step]
+        contact = one.pressure
+        touching = np.abs(contact.x[contact.pressure > 0.0])
+        ends = [*touching, one.half_width, one.hertz.get("half_width") or 0.0]
+        reach = 1.3 * float(max(ends)) if max(ends) > 0.0 else float(np.max(np.abs(contact.x)))
+        ax.plot(contact.x, contact.pressure, label="this contact")
+        if one.hertz and one.hertz["half_width"] > 0.0:
+            a, p = one.hertz["half_width"], one.hertz["peak_pressure"]
+            x = a * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))
+            ax.plot(
+                x, p * np.sqrt(np.maximum(0.0, 1.0 - (x / a) ** 2)), "k:", label="Hertz, elastic"
+            )
+            ax.legend(frameon=False)
+        ax.set(
+            xlim=(-reach, reach), xlabel=f"x [{self._length}]", ylabel=f"pressure [{self._stress}]"
+        )
+        ax.set_ylim(bottom=0.0)
+        return ax
+
+    def depth(
+        self,
+        quantity: str = "von_mises",
+        step: int = -1,
+        body: str | None = None,
+        ax: Axes | None = None,
+    ) -> Axes:
+        """A stress over the depth below the peak pressure.
+
+        Von Mises stress beside the yield stress where that varies.
+        """
+        ax = _axes(ax)
+        one = self._result.steps[step]
+        bodies = {
+            k: v for k, v in (one.data.get("subsurface") or {}).items() if v and body in (None, k)
+        }
+        if not bodies:
+            raise BrinellError("this step has no stresses over depth")
+        # Where both bodies are alike one line hides the other, so that the second is dashed.
+        for (name, values), line in zip(bodies.items(), ("-", "--"), strict=False):
+            ax.plot(
+                values["depth"], values[quantity], line, color=COLOURS[name], label=f"{name} body"
+            )
+            if quantity == "von_mises" and "yield_stress" in values:
+                ax.plot(
+                    values["depth"],
+                    values["yield_stress"],
+                    ":",
+                    color=COLOURS[name],
+                    label=f"{name}: yield stress",
+                )
+        if one.half_width > 0.0:
+            ax.set_xlim(0.0, 5.0 * one.half_width)
+        unit = "" if quantity in WITHOUT_UNIT else f" [{self._stress}]"
+        ax.set(xlabel=f"depth [{self._length}]", ylabel=TITLES.get(quantity, quantity) + unit)
+        ax.legend(frameon=False)
+        return ax
+
+    def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
+        """Tangential and out-of-plane stress over depth, as it is left when the load is zero."""
+        ax = _axes(ax)
+        one = self._result.steps[step]
+        values = (one.data.get("subsurface") or {}).get(body)
+        if not values:
+            raise BrinellError(f"this step has no stresses over depth in the {body} body")
+        for name in ("sigma_x", "sigma_z"):
+            ax.plot(values["depth"], values[name], label=TITLES[name])
+        widest = max(step.half_width for step in self._result.steps)
+        ax.axhline(0.0, color="0.7", linewidth=0.8)
+        ax.set_xlim(0.0, 5.0 * widest if widest > 0.0 else None)
+        ax.set(xlabel=f"depth [{self._length}]", ylabel=f"stress left [{self._stress}]")
+        ax.legend(frameon=False)
+        return ax
+
+    def field(
+        self,
+        name: str = "von_mises",
+        step: int = -1,
+        fields: Fields | None = None,
+        scale: float = 1.0,
+        ax: Axes | None = None,
+    ) -> Axes:
+        """A stress in both bodies near the contact, deformed `scale` times as much as they are."""
+        ax = _axes(ax)
+        fields = fields if fields is not None else self._result.fields(step)
+        one = self._result.steps[step]
+        whole = [body.whole() for body in fields.bodies]
+        low = min(float(body[name].min()) for body in whole)
+        high = max(float(body[name].max()) for body in whole)
+        drawn: Any = None
+        for body in whole:
+            drawn = _draw(ax, body, name, scale, one.approach, low, high)
+        reach = (
+            one.half_width or max(step.half_width for step in self._result.steps)
+        ) / CONTACT_PART
+        ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
+        ax.set(xlabel=f"x [{self._length}]", ylabel=f"y [{self._length}]")
+        unit = "" if name in WITHOUT_UNIT else f" [{self._stress}]"
+        if drawn is not None and ax.figure is not None:
+            ax.figure.colorbar(drawn, ax=ax, label=TITLES.get(name, name) + unit)
+        return ax
+
+    def load_approach(self, ax: Axes | None = None) -> Axes:
+        """Force over approach: the curve of a sweep, the loop of a history."""
+        ax = _axes(ax)
+        curve = self._result.data.get("load_approach")
+        steps = self._result.steps
+        if curve:
+            ax.plot(curve["approach"], curve["force"], "-")
+        ax.plot(
+            [s.approach for s in steps], [s.force for s in steps], "o", color="C0", markersize=3
+        )
+        ax.set(xlabel=f"approach [{self._length}]", ylabel=f"force [{unit_of_force(self._result)}]")
+        return ax
+
+    def dent(self, step: int = -1, ax: Axes | None = None) -> Axes:
+        """Both surfaces beside their undeformed shape (theory `flow`): dent and pile-up where the
+        load is zero.
+        """
+        ax = _axes(ax)
+        flow = self._result.steps[step].data.get("flow")
+        if not flow:
+            raise BrinellError(
+                'only flow theory knows dents: theory="flow" and loads that end with 0'
+            )
+        factor, unit = (1e6, "µm") if self._result.units == "SI" else (1e3, "µm")
+        surfaces = {name: surface for name, surface in flow["surfaces"].items() if surface}
+        for (name, surface), line in zip(surfaces.items(), ("-", "--"), strict=False):
+            height = factor * np.asarray(surface["height"])
+            ax.plot(surface["x"], height, line, color=COLOURS[name], label=f"{name} body")
+        widest = max(step.half_width for step in self._result.steps)
+        ax.axhline(0.0, color="0.7", linewidth=0.8)
+        if widest > 0.0:
+            ax.set_xlim(-3.0 * widest, 3.0 * widest)
+        ax.set(xlabel=f"x [{self._length}]", ylabel=f"height [{unit}]")
+        ax.legend(frameon=False)
+        return ax
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    pyplot = need("matplotlib.pyplot", "plot")
+    made: Axes = pyplot.subplots(layout="constrained")[1]
+    return made
+
+
+def _draw(
+    ax: Axes, body: BodyFields, name: str, scale: float, approach: float, low: float, high: float
+) -> Any:
+    """One body, each element as two triangles."""
+    x, y = (body.nodes + scale * body.displacement).astype(float).T
+    # Displacements are relative to the supports, and that of the upper body comes down by the
+    # approach.
+    if body.name == "upper":
+        y = y - scale * approach
+    a, b, c, d = body.elements.astype(np.int64).T
+    triangles = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    mesh = need("matplotlib.tri", "plot").Triangulation(x, y, triangles)
+    return ax.tripcolor(mesh, body[name].astype(float), shading="gouraud", vmin=low, vmax=high)

@@ -1,0 +1,3225 @@
+# Generated from api/openapi.json by clients/python/scripts/models.sh; do not edit.
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+from uuid import UUID
+
+from pydantic import (
+    AwareDatetime,
+    BaseModel,
+    ConfigDict,
+    Field,
+    RootModel,
+    StringConstraints,
+)
+from typing_extensions import TypeAliasType
+
+
+class ApproachLoad(BaseModel):
+    """
+    An approach; the force is an output.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        float,
+        Field(
+            description='Approach α of the two supports. Range: 1e-9 to 1e6 mm or 1e-12 to 1e3 m.',
+            examples=[0.02],
+            ge=1e-12,
+            le=1000000.0,
+        ),
+    ]
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Approach(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Approach α of the two supports. Range: 1e-9 to 1e6 mm or 1e-12 to 1e3 m.',
+            ge=1e-12,
+            le=1000000.0,
+        ),
+    ]
+
+
+class ApproachesLoad(BaseModel):
+    """
+    A sweep of approaches.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        list[Approach],
+        Field(
+            description='In the order in which they are applied.',
+            examples=[[0.01, 0.02]],
+            max_length=1000,
+            min_length=1,
+        ),
+    ]
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class BackstressTerm(BaseModel):
+    """
+    One term of the backstress X, with dX = 2/3 C dε_p - γ X dp: Prager's law where γ is zero, Armstrong and Frederick's elsewhere; several terms are Chaboche's.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    modulus: Annotated[
+        float,
+        Field(
+            description='Modulus C. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.',
+            examples=[20000.0],
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ]
+    rate: Annotated[
+        float,
+        Field(
+            description='Rate of recovery γ. Without unit.',
+            examples=[100.0],
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Block(BaseModel):
+    """
+    A rectangle, held at its base.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='Height of the rectangle below the contact. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[200.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['block'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width, centred on the contact. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[200.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class ClosedFormStep(BaseModel):
+    """
+    Hertz's contact under one force.
+    """
+
+    force: Annotated[
+        float,
+        Field(
+            description='The force. Unit: N/mm (SI: N/m); N in axisymmetry.',
+            examples=[612.6106],
+            ge=0.0,
+        ),
+    ]
+    half_width: Annotated[
+        float,
+        Field(
+            description='Half-width of the strip, or radius of the circle. Unit: mm (SI: m).',
+            examples=[0.26],
+            ge=0.0,
+        ),
+    ]
+    peak_pressure: Annotated[
+        float,
+        Field(
+            description='Peak pressure. Unit: MPa (SI: Pa).', examples=[1500.0], ge=0.0
+        ),
+    ]
+    yields: Annotated[
+        bool,
+        Field(
+            description="Whether a body yields under this force: then Hertz's figures no longer hold."
+        ),
+    ]
+
+
+class Cone(BaseModel):
+    """
+    A flank of revolution that ends in a tip; only in axisymmetry.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    angle: Annotated[
+        float,
+        Field(
+            description='Angle β of the flank to the tangential plane, in degrees. Without unit.',
+            examples=[5.0],
+            ge=0.001,
+            le=60.0,
+        ),
+    ]
+    depth: Annotated[
+        float,
+        Field(
+            description='From the tip to the base, more than the height of the flank. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    tip_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the tip; sharp if it is left out. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['cone'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Diameter of the base. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[40.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class ContactNodes(BaseModel):
+    """
+    Values at the candidate pairs.
+    """
+
+    force: Annotated[
+        list[float],
+        Field(
+            description='Nodal force along the normal. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+        ),
+    ]
+    gap: Annotated[
+        list[float], Field(description='Gap after loading. Unit: mm (SI: m).')
+    ]
+    pressure: Annotated[
+        list[float], Field(description='Contact pressure. Unit: MPa (SI: Pa).')
+    ]
+    x: Annotated[
+        list[float],
+        Field(
+            description='Tangential position, along the arc for a pin in a hole. Unit: mm (SI: m).'
+        ),
+    ]
+
+
+class Cylinder(BaseModel):
+    """
+    Half a cylinder, a sphere in axisymmetry, held at its diametral plane.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['cylinder'], Field(description='The word that names this kind.')
+    ]
+
+
+class DentDepthTarget(BaseModel):
+    """
+    Depth below the undeformed surface of the deeper of the two dents that are left when the force is taken away.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        float,
+        Field(
+            description='Depth below the undeformed surface of the deeper of the two dents that are left when the force is taken away. Range: 1e-9 to 1e6 mm or 1e-12 to 1e3 m.',
+            examples=[0.001],
+            ge=1e-12,
+            le=1000000.0,
+        ),
+    ]
+    half_width: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    max_plastic_strain: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    mean_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    peak_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    permanent_approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Ellipse(BaseModel):
+    """
+    Half an ellipse, held at its axis along x.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    semi_axis_x: Annotated[
+        float,
+        Field(
+            description='Half its extent along x. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[30.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    semi_axis_y: Annotated[
+        float,
+        Field(
+            description='Half its extent along y. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['ellipse'], Field(description='The word that names this kind.')
+    ]
+
+
+class Energy(BaseModel):
+    """
+    Energies of both bodies: force times length.
+    """
+
+    dissipated: Annotated[
+        float,
+        Field(
+            description='The rest of it. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    elastic: Annotated[
+        float,
+        Field(
+            description='Elastic energy. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    plastic: Annotated[
+        float,
+        Field(
+            description='Work of the stresses on plastic strain. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    stored: Annotated[
+        float,
+        Field(
+            description='The part of that which the backstress stores. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    work: Annotated[
+        float,
+        Field(
+            description='Work of the contact force, the sum of the next two. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+
+
+class ErrorEstimate(BaseModel):
+    """
+    Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about the theory: for that see `validity`.
+    """
+
+    approach: Annotated[
+        float,
+        Field(
+            description='Of the approach; 0 where it is prescribed. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    contact_stiffness: Annotated[
+        float | None,
+        Field(description='Of the contact stiffness. Without unit.', ge=0.0),
+    ] = None
+    force: Annotated[
+        float | None,
+        Field(
+            description='Of the contact force; 0 where it is prescribed. Without unit.',
+            ge=0.0,
+        ),
+    ] = None
+    half_width: Annotated[
+        float, Field(description='Of the half-width. Without unit.', ge=0.0)
+    ]
+    peak_pressure: Annotated[
+        float, Field(description='Of the peak pressure. Without unit.', ge=0.0)
+    ]
+
+
+class Estimate(BaseModel):
+    """
+    What a job will cost.
+    """
+
+    bytes: Annotated[
+        int,
+        Field(
+            description='Peak memory, the fields of a step while they are handed over included. Unit: byte.',
+            ge=0,
+        ),
+    ]
+    equations: Annotated[int, Field(description='Equations of both bodies.', ge=0)]
+    result_bytes: Annotated[
+        int,
+        Field(description='The result of all steps as it is kept. Unit: byte.', ge=0),
+    ]
+
+
+class Fault(BaseModel):
+    """
+    One fault in a job or in a query string.
+    """
+
+    code: Annotated[
+        str,
+        Field(
+            description='The kind of fault, for programs. There may be more in the future.',
+            examples=['required', 'unknown_key', 'duplicate_key', 'wrong_type', 'out_of_range', 'unknown_word', 'wrong_length', 'inconsistent', 'not_solvable', 'more_faults'],
+        ),
+    ]
+    detail: Annotated[
+        str,
+        Field(
+            description='What is wrong and what would be right.',
+            examples=['must be between 0 and 0.499999, got 0.5'],
+        ),
+    ]
+    parameter: Annotated[
+        str | None,
+        Field(description='Name of the query parameter.', examples=['limit']),
+    ] = None
+    pointer: Annotated[
+        str | None,
+        Field(
+            description='JSON pointer of the field as a URI fragment (RFC 6901, section 6); `#` is the whole job.',
+            examples=['#/upper/material/poisson_ratio'],
+            pattern='^#(/.*)?$',
+        ),
+    ] = None
+
+
+class DisplacementItem(RootModel[list[float]]):
+    root: Annotated[list[float], Field(max_length=2, min_length=2)]
+
+
+class ElementItem(RootModel[int]):
+    root: Annotated[int, Field(ge=0)]
+
+
+class Element(RootModel[list[ElementItem]]):
+    root: Annotated[list[ElementItem], Field(max_length=4, min_length=4)]
+
+
+class Node(RootModel[list[float]]):
+    root: Annotated[list[float], Field(max_length=2, min_length=2)]
+
+
+class Fields(BaseModel):
+    """
+    Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
+    """
+
+    displacement: Annotated[
+        list[DisplacementItem],
+        Field(
+            description='Displacements `[u_x, u_y]`, each body relative to its own support. Unit: mm (SI: m).'
+        ),
+    ]
+    elements: Annotated[
+        list[Element],
+        Field(
+            description='Corners of each element, counter-clockwise, counted from 0.'
+        ),
+    ]
+    equivalent_plastic_strain: Annotated[
+        list[float], Field(description='Equivalent plastic strain. Without unit.')
+    ]
+    nodes: Annotated[list[Node], Field(description='Nodes `[x, y]`. Unit: mm (SI: m).')]
+    sigma_x: Annotated[
+        list[float],
+        Field(description='Stress along x, or along the radius. Unit: MPa (SI: Pa).'),
+    ]
+    sigma_y: Annotated[
+        list[float], Field(description='Stress along y. Unit: MPa (SI: Pa).')
+    ]
+    sigma_z: Annotated[
+        list[float],
+        Field(description='Out-of-plane stress, or hoop stress. Unit: MPa (SI: Pa).'),
+    ]
+    tau_xy: Annotated[
+        list[float], Field(description='Shear stress. Unit: MPa (SI: Pa).')
+    ]
+    von_mises: Annotated[
+        list[float], Field(description='Von Mises stress. Unit: MPa (SI: Pa).')
+    ]
+
+
+class FieldsOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        Fields | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        Fields | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class ForceLoad(BaseModel):
+    """
+    A force; the approach is an output.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        float,
+        Field(
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            examples=[612.6106],
+            ge=1e-09,
+            le=1000000000000.0,
+        ),
+    ]
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Force(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            ge=1e-09,
+            le=1000000000000.0,
+        ),
+    ]
+
+
+class ForcesLoad(BaseModel):
+    """
+    A sweep of forces.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        list[Force],
+        Field(
+            description='In the order in which they are applied.',
+            examples=[[200.0, 400.0, 600.0]],
+            max_length=1000,
+            min_length=1,
+        ),
+    ]
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Groove(BaseModel):
+    """
+    A block with a concave circular trough across its whole upper face.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='From the bottom of the trough to the base. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius of the trough. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[30.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['groove'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width, at most twice the radius. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[40.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class HalfWidthTarget(BaseModel):
+    """
+    Half-width of the contact; its radius in axisymmetry.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    half_width: Annotated[
+        float,
+        Field(
+            description='Half-width of the contact; its radius in axisymmetry. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[0.3],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    max_plastic_strain: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    mean_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    peak_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    permanent_approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class HardenedCase(BaseModel):
+    """
+    Vickers hardness of a hardened case.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    case_depth: Annotated[
+        float,
+        Field(
+            description='Case depth: where the hardness has fallen to 550 HV. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[1.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    core: Annotated[
+        float,
+        Field(
+            description='Vickers hardness HV of the core. Without unit.',
+            examples=[380.0],
+            ge=50.0,
+            le=2000.0,
+        ),
+    ]
+    curve: Annotated[
+        Literal['error_function', 'lang'] | None,
+        Field(
+            description='Profile between surface and core: `error_function` unless given.'
+        ),
+    ] = None
+    surface: Annotated[
+        float,
+        Field(
+            description='Vickers hardness HV of the surface. Without unit.',
+            examples=[720.0],
+            ge=50.0,
+            le=2000.0,
+        ),
+    ]
+
+
+class ProfileItemItem(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Depth below the surface. Range: 0e0 to 1e6 mm or 0e0 to 1e3 m.',
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class ProfileItemItem1(RootModel[float]):
+    root: Annotated[
+        float, Field(description='Vickers hardness. Without unit.', ge=50.0, le=2000.0)
+    ]
+
+
+class ProfileItem(RootModel[tuple[ProfileItemItem, ProfileItemItem1]]):
+    root: Annotated[
+        tuple[ProfileItemItem, ProfileItemItem1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class HardnessProfile(BaseModel):
+    """
+    Vickers hardness at points.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    profile: Annotated[
+        list[ProfileItem],
+        Field(
+            description='Points `[depth, HV]`, depths rising, joined by straight lines, constant beyond the ends.',
+            examples=[[[0.0, 720.0], [0.5, 640.0], [1.0, 500.0], [1.5, 400.0], [2.0, 380.0]]],
+            max_length=1000,
+            min_length=1,
+        ),
+    ]
+
+
+class Health(BaseModel):
+    """
+    How the service is.
+    """
+
+    status: Annotated[str, Field(description='In a word.', examples=['ready'])]
+
+
+class Hertz(BaseModel):
+    """
+    Hertz's elastic contact under the same force.
+    """
+
+    half_width: Annotated[
+        float, Field(description='Half-width a. Unit: mm (SI: m).', ge=0.0)
+    ]
+    peak_pressure: Annotated[
+        float, Field(description='Peak pressure. Unit: MPa (SI: Pa).', ge=0.0)
+    ]
+    shakedown_depth: Annotated[
+        float | None,
+        Field(description='Depth that decides on it. Unit: mm (SI: m).', ge=0.0),
+    ]
+    shakedown_pressure: Annotated[
+        float | None,
+        Field(
+            description='Elastic peak pressure up to which the line contact shakes down when it rolls freely, by the orthogonal shear stress over depth: 4 k where strength is the same everywhere. `null` without yield and in other analyses than plane strain. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    yield_onset_depth: Annotated[
+        float | None,
+        Field(description='Depth at which it does. Unit: mm (SI: m).', ge=0.0),
+    ]
+    yield_onset_force: Annotated[
+        float | None,
+        Field(
+            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+
+
+class History(BaseModel):
+    """
+    One load of a history; zero takes it away.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    force: Annotated[
+        float,
+        Field(
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            ge=0.0,
+            le=1000000000000.0,
+        ),
+    ]
+
+
+class History1(BaseModel):
+    """
+    One load of a history; zero takes it away.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        float,
+        Field(
+            description='Approach α of the two supports. Range: 1e-9 to 1e6 mm or 1e-12 to 1e3 m.',
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class HistoryLoad(BaseModel):
+    """
+    Loads one after the other, each on what the one before has left.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        list[History | History1],
+        Field(
+            description='In the order in which they are applied, at least one of them above zero. Under `deformation` each stands alone.',
+            examples=[[{'force': 612.6106}, {'force': 0.0}]],
+            max_length=1000,
+            min_length=1,
+        ),
+    ]
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Hole(BaseModel):
+    """
+    A round hole in the middle of a disc or of a square plate, which holds a `cylinder` with clearance; in axisymmetry the spherical socket of a ball. Its outer edge is the support. Give `outer_radius` or `width`.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    outer_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the disc, larger than that of the hole. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[200.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius of the hole, larger than that of the cylinder in it. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.1],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['hole'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float | None,
+        Field(
+            description='Width of the square plate, in place of `outer_radius`; only in plane analyses. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+
+
+class IncrementNumber(BaseModel):
+    """
+    Where a history of loads is. All numbers are one-based.
+    """
+
+    count: Annotated[int, Field(description='Increments of that load.', ge=0)]
+    load: Annotated[int, Field(description='Number of the load.', ge=0)]
+    loads: Annotated[int, Field(description='Loads of the history.', ge=0)]
+    number: Annotated[
+        int, Field(description='Number of the increment within its load.', ge=0)
+    ]
+
+
+class Iteration(RootModel[int]):
+    root: Annotated[int, Field(ge=0)]
+
+
+class Increments(BaseModel):
+    """
+    The ends of the increments, in order.
+    """
+
+    approach: Annotated[list[float], Field(description='Approach. Unit: mm (SI: m).')]
+    force: Annotated[
+        list[float],
+        Field(
+            description='Contact force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+        ),
+    ]
+    half_width: Annotated[
+        list[float], Field(description='Half-width. Unit: mm (SI: m).')
+    ]
+    iterations: Annotated[list[Iteration], Field(description='Iterations made.')]
+    peak_pressure: Annotated[
+        list[float], Field(description='Largest pressure. Unit: MPa (SI: Pa).')
+    ]
+
+
+class InitialStress(BaseModel):
+    """
+    Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='Depth below the surface. Range: 0e0 to 1e6 mm or 0e0 to 1e3 m.',
+            examples=[0.05],
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ]
+    sigma_x: Annotated[
+        float,
+        Field(
+            description='Stress along the surface in the plane of the section, tension positive. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            examples=[-600.0],
+            ge=-10000000000000.0,
+            le=10000000000000.0,
+        ),
+    ]
+    sigma_z: Annotated[
+        float,
+        Field(
+            description='Stress along the surface out of that plane, in axisymmetry equal to `sigma_x`, in plane stress zero. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            examples=[-600.0],
+            ge=-10000000000000.0,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Iteration1(BaseModel):
+    """
+    One outer iteration. Counts are of this iteration alone.
+    """
+
+    approach: Annotated[float, Field(description='Approach α. Unit: mm (SI: m).')]
+    contact_pairs: Annotated[int, Field(description='Pairs in contact.', ge=0)]
+    contact_pivots: Annotated[
+        int,
+        Field(
+            description='Simplex pivots, or active-set changes, of the contact solve.',
+            ge=0,
+        ),
+    ]
+    displacement_change: Annotated[
+        float,
+        Field(
+            description="`‖u - u_previous‖ / ‖u‖`, the paper's criterion. Without unit.",
+            ge=0.0,
+        ),
+    ]
+    elapsed_ms: Annotated[
+        float, Field(description='Since the start of the job. Unit: ms.', ge=0.0)
+    ]
+    equilibrium_residual: Annotated[
+        float,
+        Field(
+            description='`‖∫Bᵀσ dV - R‖ / ‖R‖` over the free degrees of freedom. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    factorizations: Annotated[int, Field(description='Stiffness factorizations.', ge=0)]
+    force_change: Annotated[
+        float, Field(description='`‖R - R_previous‖ / ‖R‖`. Without unit.', ge=0.0)
+    ]
+    increment: Annotated[
+        IncrementNumber | None,
+        Field(
+            description='The increment of a history to which the iteration belongs; absent where loads are not divided.'
+        ),
+    ] = None
+    initial_stress_updates: Annotated[
+        int,
+        Field(
+            description='Initial-stress loads, or sets of secant moduli, put into effect.',
+            ge=0,
+        ),
+    ]
+    iteration: Annotated[int, Field(description='One-based.', ge=0)]
+    peak_pressure: Annotated[
+        float,
+        Field(description='Largest contact pressure. Unit: MPa (SI: Pa).', ge=0.0),
+    ]
+    plastic_points: Annotated[
+        int, Field(description='Gauss points beyond yield, both bodies.', ge=0)
+    ]
+
+
+class Limits(BaseModel):
+    """
+    Bounds on single requests.
+    """
+
+    batch_jobs: Annotated[
+        int,
+        Field(
+            description='Most jobs in one request to `/v1/batch`.', examples=[100], ge=0
+        ),
+    ]
+    body_bytes: Annotated[
+        int, Field(description='Largest body. Unit: byte.', examples=[1048576], ge=0)
+    ]
+    job_memory_bytes: Annotated[
+        int, Field(description='Largest estimated memory of a job. Unit: byte.', ge=0)
+    ]
+    job_seconds: Annotated[
+        float,
+        Field(description='Longest time \\[s\\] a job is solved for.', examples=[600]),
+    ]
+    result_bytes: Annotated[
+        int, Field(description='Largest estimated result of a job. Unit: byte.', ge=0)
+    ]
+    solve_seconds: Annotated[
+        float,
+        Field(
+            description='Longest time \\[s\\] `POST /v1/solve` waits for its result.',
+            examples=[30],
+        ),
+    ]
+    wait_seconds: Annotated[
+        float,
+        Field(
+            description='Longest time \\[s\\] `?wait=` and `Prefer: wait` wait.',
+            examples=[60],
+        ),
+    ]
+
+
+class Links(BaseModel):
+    """
+    Addresses that belong to a job: those that answer in its present state.
+    """
+
+    cancel: Annotated[
+        str | None, Field(description='Where to POST to stop it; until it is done.')
+    ] = None
+    depth_svg: Annotated[
+        str | None,
+        Field(description='Stresses over depth, drawn; where the job asks for them.'),
+    ] = None
+    events: Annotated[str, Field(description='Its events as they happen.')]
+    field_vtu: Annotated[
+        str | None,
+        Field(description='Mesh and fields for ParaView; where the job asks for them.'),
+    ] = None
+    increments_csv: Annotated[
+        str | None,
+        Field(
+            description='The increments of all loads; by flow theory. So are the following.'
+        ),
+    ] = None
+    load_approach_svg: Annotated[
+        str | None,
+        Field(
+            description='Force over approach, drawn; where all of several loads have converged.'
+        ),
+    ] = None
+    pressure_csv: Annotated[
+        str | None, Field(description='Contact pressure of all steps.')
+    ] = None
+    pressure_svg: Annotated[
+        str | None, Field(description='Contact pressure, drawn.')
+    ] = None
+    request: Annotated[str, Field(description='What was submitted.')]
+    result: Annotated[
+        str | None,
+        Field(description='Its result; as soon as it has one. So are the following.'),
+    ] = None
+    self: Annotated[
+        str,
+        Field(
+            description='The job itself.',
+            examples=['/v1/jobs/0197e1f0-0000-7000-8000-000000000000'],
+        ),
+    ]
+    subsurface_csv: Annotated[
+        str | None,
+        Field(
+            description='Stresses over depth; where the job asks for them. In a list of jobs this and the following are left out.'
+        ),
+    ] = None
+    summary_csv: Annotated[
+        str | None, Field(description='One row of figures for each step.')
+    ] = None
+    surface_csv: Annotated[
+        str | None, Field(description='The surfaces of both bodies after every load.')
+    ] = None
+    surface_svg: Annotated[
+        str | None, Field(description='The surfaces of both bodies, drawn.')
+    ] = None
+
+
+class LoadApproach(BaseModel):
+    """
+    Force over approach, only of converged steps: in order of the approach or, of a history, in the order of the increments with the bodies at rest before them.
+    """
+
+    approach: Annotated[list[float], Field(description='Approach α. Unit: mm (SI: m).')]
+    force: Annotated[
+        list[float],
+        Field(
+            description='Contact force P. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+        ),
+    ]
+    stiffness: Annotated[
+        list[float],
+        Field(
+            description='dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between the ends of the loads of a history it is the slope of the parabola through a point and its neighbours. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).'
+        ),
+    ]
+
+
+class MaxPlasticStrainTarget(BaseModel):
+    """
+    Largest equivalent plastic strain of both bodies.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    half_width: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    max_plastic_strain: Annotated[
+        float,
+        Field(
+            description='Largest equivalent plastic strain of both bodies. Without unit.',
+            examples=[0.01],
+            ge=1e-09,
+            le=1.0,
+        ),
+    ]
+    mean_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    peak_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    permanent_approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class MeanPressureTarget(BaseModel):
+    """
+    Force over the width of the contact or, in axisymmetry, over its area.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    half_width: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    max_plastic_strain: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    mean_pressure: Annotated[
+        float,
+        Field(
+            description='Force over the width of the contact or, in axisymmetry, over its area. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[1200.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+    peak_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    permanent_approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class Mesh(BaseModel):
+    """
+    The mesh that was solved on.
+    """
+
+    contact_pairs: Annotated[
+        int, Field(description='Candidate node pairs of the meshed part.', ge=0)
+    ]
+    elements: Annotated[int, Field(description='Elements of both bodies.', ge=0)]
+    enlargements: Annotated[
+        int,
+        Field(
+            description='Times the mesh was enlarged because the contact reached its edge.',
+            ge=0,
+        ),
+    ]
+    equations: Annotated[int, Field(description='Equations of both bodies.', ge=0)]
+    max_aspect_ratio: Annotated[
+        float,
+        Field(
+            description='Largest ratio of element side lengths. Without unit.', ge=0.0
+        ),
+    ]
+    min_jacobian_ratio: Annotated[
+        float,
+        Field(
+            description='Smallest ratio of Jacobian determinants within one element; 1 is a parallelogram. Without unit.'
+        ),
+    ]
+    nodes: Annotated[int, Field(description='Nodes of both bodies.', ge=0)]
+    passes: Annotated[
+        int, Field(description='Mesh passes made, the sizing ones included.', ge=0)
+    ]
+    spacing: Annotated[
+        float,
+        Field(
+            description='Tangential spacing in the contact. Unit: mm (SI: m).', ge=0.0
+        ),
+    ]
+    symmetric: Annotated[
+        bool, Field(description='Whether one half stands for both by symmetry.')
+    ]
+
+
+class MeshSettings(BaseModel):
+    """
+    The mesh.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    elements_per_half_width: Annotated[
+        int | None,
+        Field(
+            description='Elements over one contact half-width. Default: `20`.',
+            ge=4,
+            le=320,
+        ),
+    ] = None
+
+
+class OnsetLoad(BaseModel):
+    """
+    The force at which the contact begins to yield is the answer.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[Literal[True], Field(description='Always true.')]
+    target: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class OutputSettings(BaseModel):
+    """
+    What the result contains beside the contact itself.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    fields: Annotated[
+        bool | None,
+        Field(description='Mesh and nodal fields, some megabytes. Default: `false`.'),
+    ] = None
+    subsurface: Annotated[
+        bool | None,
+        Field(
+            description='Stresses over depth under the peak pressure. Default: `true`.'
+        ),
+    ] = None
+
+
+class Parabola(BaseModel):
+    """
+    A block with the surface y = −x²/2R.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='From the vertex to the base, more than the fall of the surface at its ends. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius of curvature at the vertex. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['parabola'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[30.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Patch(BaseModel):
+    """
+    One connected part of the contact. The outer ends of all are interpolated to where the pressure vanishes, those between two parts are loaded nodes. Of a body of revolution they are radii.
+    """
+
+    left: Annotated[float, Field(description='Left end. Unit: mm (SI: m).')]
+    right: Annotated[float, Field(description='Right end. Unit: mm (SI: m).')]
+
+
+class PeakPressureTarget(BaseModel):
+    """
+    Largest contact pressure.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    half_width: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    max_plastic_strain: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    mean_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    peak_pressure: Annotated[
+        float,
+        Field(
+            description='Largest contact pressure. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[1200.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+    permanent_approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class PermanentApproachTarget(BaseModel):
+    """
+    Approach that is left when the force is taken away.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    dent_depth: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    half_width: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    max_plastic_strain: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    mean_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    peak_pressure: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    permanent_approach: Annotated[
+        float,
+        Field(
+            description='Approach that is left when the force is taken away. Range: 1e-9 to 1e6 mm or 1e-12 to 1e3 m.',
+            examples=[0.001],
+            ge=1e-12,
+            le=1000000.0,
+        ),
+    ]
+
+
+class OutlineItem(RootModel[list[float]]):
+    root: Annotated[list[float], Field(max_length=2, min_length=2)]
+
+
+class PlasticZone(BaseModel):
+    """
+    Extent of plastic flow in one body.
+    """
+
+    area: Annotated[
+        float,
+        Field(
+            description='Area of the plastic zone in the section x–y, both sides of the axis; summed over the Gauss points. Unit: mm² (SI: m²).',
+            ge=0.0,
+        ),
+    ]
+    depth: Annotated[float, Field(description='Depth of that point. Unit: mm (SI: m).')]
+    max_equivalent_plastic_strain: Annotated[
+        float,
+        Field(
+            description='Largest equivalent plastic strain at a Gauss point. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    outline: Annotated[
+        list[list[OutlineItem]],
+        Field(
+            description='Outline of the plastic zone: closed polygons of points `[x, depth]`, the first one not repeated, both sides of the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either body. Counter-clockwise in the axes `(x, depth)`; holes clockwise. Unit: mm (SI: m).'
+        ),
+    ]
+    position: Annotated[float, Field(description='x of that point. Unit: mm (SI: m).')]
+    reached_surface: Annotated[
+        bool,
+        Field(
+            description='Whether the plastic zone includes a part of the free surface.'
+        ),
+    ]
+    yielded: Annotated[
+        bool, Field(description='Whether any Gauss point is beyond yield.')
+    ]
+
+
+class PlasticZoneOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        PlasticZone | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        PlasticZone | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class Power(BaseModel):
+    """
+    A block with the surface y = −L (|x|/L)^n.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='From the vertex to the base, more than the fall of the surface at its ends. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    exponent: Annotated[
+        float,
+        Field(
+            description='Exponent n; 2 is a parabola, a large one nearly a flat punch. Without unit.',
+            examples=[4.0],
+            ge=1.05,
+            le=50.0,
+        ),
+    ]
+    scale: Annotated[
+        float,
+        Field(
+            description='Length L, the distance at which the surface has fallen by as much. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[30.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    type: Annotated[
+        Literal['power'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[30.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class PrescribedApproach(BaseModel):
+    """
+    Approach. Unit: mm (SI: m).
+    """
+
+    approach: Annotated[float, Field(description='Approach. Unit: mm (SI: m).')]
+
+
+class PrescribedForce(BaseModel):
+    """
+    Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.
+    """
+
+    force: Annotated[
+        float,
+        Field(
+            description='Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+
+
+class Problem(BaseModel):
+    """
+    An error (RFC 9457).
+    """
+
+    column: Annotated[
+        int | None, Field(description='Column in that line (`invalid-json`).', ge=0)
+    ] = None
+    detail: Annotated[
+        str, Field(description='About this occurrence.', examples=['3 fields at fault'])
+    ]
+    errors: Annotated[
+        list[Fault] | None,
+        Field(
+            description='Every fault, in the order of the document or of the query string.'
+        ),
+    ] = None
+    estimate: Annotated[
+        Estimate | None, Field(description='What the job would cost (`job-too-large`).')
+    ] = None
+    instance: Annotated[
+        str | None,
+        Field(
+            description='This occurrence, by the id of its request as `X-Request-Id` has it: what to name to those who run the service.',
+            examples=['/requests/7d5bf0b5-4d4e-4c3a-8f0e-0b8f7a1f4c55'],
+        ),
+    ] = None
+    limit_bytes: Annotated[
+        int | None,
+        Field(
+            description='The limit (`body-too-large`, `job-too-large`). Unit: byte.',
+            ge=0,
+        ),
+    ] = None
+    line: Annotated[
+        int | None,
+        Field(
+            description='Line of the body at which the JSON ends, from 1 (`invalid-json`).',
+            ge=0,
+        ),
+    ] = None
+    quota: Annotated[
+        str | None,
+        Field(
+            description='Which quota of the API key is used up (`quota-exceeded`). There may be more in the future.',
+            examples=['queued_jobs', 'stored_bytes', 'priority'],
+        ),
+    ] = None
+    status: Annotated[
+        int,
+        Field(
+            description="The HTTP status; of a job's `error`, the one that `POST /v1/solve` would have answered with.",
+            examples=[422],
+            ge=400,
+            le=599,
+        ),
+    ]
+    title: Annotated[
+        str,
+        Field(
+            description='The kind in words, the same for every occurrence.',
+            examples=['The job is not valid'],
+        ),
+    ]
+    type: Annotated[
+        str,
+        Field(
+            description='The kind of error: a relative address that this service answers with an explanation. There may be more in the future.',
+            examples=['/problems/invalid-json', '/problems/invalid-query', '/problems/invalid-header', '/problems/invalid-job', '/problems/invalid-batch', '/problems/job-too-large', '/problems/unauthorized', '/problems/forbidden', '/problems/unknown-host', '/problems/not-found', '/problems/job-not-found', '/problems/step-not-found', '/problems/method-not-allowed', '/problems/body-timeout', '/problems/job-unfinished', '/problems/no-result', '/problems/not-in-result', '/problems/head-too-large', '/problems/body-too-large', '/problems/unsupported-media-type', '/problems/idempotency-key-reused', '/problems/queue-full', '/problems/too-many-jobs', '/problems/quota-exceeded', '/problems/too-many-streams', '/problems/too-many-bodies', '/problems/solve-failed', '/problems/internal', '/problems/store-unavailable', '/problems/damaged-record', '/problems/insufficient-storage', '/problems/shutting-down'],
+        ),
+    ]
+
+
+class PointItem(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='x, tangential. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class PointItem1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Height. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Point(RootModel[tuple[PointItem, PointItem1]]):
+    root: Annotated[
+        tuple[PointItem, PointItem1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class Profile(BaseModel):
+    """
+    A block whose upper face passes through points, smooth or straight between them.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='From height 0 to the base; every height is above it. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    interpolation: Annotated[
+        Literal['smooth', 'linear'] | None,
+        Field(
+            description='What the face is like between its points: `smooth` to the first derivative, without overshoot, or `linear`, so that points are corners. If it is left out, the face is smooth, and refused where that would round off a corner in the contact.'
+        ),
+    ] = None
+    points: Annotated[
+        list[Point],
+        Field(
+            description='Points `[x, height]`, x rising and passing 0. A face that starts or ends at x = 0 is completed by its mirror image.',
+            examples=[[[-10.0, -2.5], [-4.0, -0.4], [0.0, 0.0], [4.0, -0.4], [10.0, -2.5]]],
+            max_length=10000,
+            min_length=2,
+        ),
+    ]
+    type: Annotated[
+        Literal['profile'], Field(description='The word that names this kind.')
+    ]
+
+
+class Progress(BaseModel):
+    """
+    How far a job has come.
+    """
+
+    iterations: Annotated[int, Field(description='Iterations made.', ge=0)]
+    latest: Iteration1 | None
+
+
+class Punch(BaseModel):
+    """
+    A rigid flat punch with sharp or rounded edges.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    depth: Annotated[
+        float,
+        Field(
+            description='Height of the side walls, more than the edge radius. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    edge_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the edges, less than half the width; sharp if it is 0 or left out. Range: 0e0 to 1e6 mm or 0e0 to 1e3 m.',
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['punch'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width with the edges, the diameter in axisymmetry. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[10.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Queue(BaseModel):
+    """
+    The queue.
+    """
+
+    capacity: Annotated[
+        int, Field(description='Most jobs that may wait.', examples=[10000], ge=0)
+    ]
+    queued: Annotated[int, Field(description='Jobs waiting.', ge=0)]
+    running: Annotated[int, Field(description='Jobs being solved.', ge=0)]
+
+
+class Rigid(BaseModel):
+    """
+    A body that does not deform.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    initial_stress: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    plasticity: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    poisson_ratio: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    rigid: Annotated[Literal[True], Field(description='Always true.')]
+    young_modulus: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+
+
+class StrengthFactorItem(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Depth below the surface. Range: 0e0 to 1e6 mm or 0e0 to 1e3 m.',
+            ge=0.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class StrengthFactorItem1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Factor of the stresses of the hardening curve. Without unit.',
+            ge=0.01,
+            le=100.0,
+        ),
+    ]
+
+
+class StrengthFactor(RootModel[tuple[StrengthFactorItem, StrengthFactorItem1]]):
+    root: Annotated[
+        tuple[StrengthFactorItem, StrengthFactorItem1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class StrengthFactors(RootModel[list[StrengthFactor]]):
+    """
+    Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.
+    """
+
+    root: Annotated[
+        list[StrengthFactor],
+        Field(
+            description='Points `[depth, factor]`, depths rising, joined by straight lines, constant beyond the ends.',
+            examples=[[[0.0, 1.8], [0.5, 1.6], [1.5, 1.0]]],
+            max_length=1000,
+            min_length=1,
+        ),
+    ]
+
+
+class Subsurface(BaseModel):
+    """
+    Stresses along the normal under the peak pressure.
+    """
+
+    depth: Annotated[
+        list[float],
+        Field(description='Depth below the surface, from 0. Unit: mm (SI: m).'),
+    ]
+    equivalent_plastic_strain: Annotated[
+        list[float], Field(description='Equivalent plastic strain. Without unit.')
+    ]
+    initial_sigma_x: Annotated[
+        list[float] | None,
+        Field(
+            description='Tangential stress before the load, what is left of an initial stress after the body has relaxed; a part of `sigma_x`. Unit: MPa (SI: Pa).'
+        ),
+    ] = None
+    initial_sigma_y: Annotated[
+        list[float] | None,
+        Field(description='Normal stress before the load. Unit: MPa (SI: Pa).'),
+    ] = None
+    initial_sigma_z: Annotated[
+        list[float] | None,
+        Field(description='Out-of-plane stress before the load. Unit: MPa (SI: Pa).'),
+    ] = None
+    sigma_x: Annotated[
+        list[float], Field(description='Tangential stress. Unit: MPa (SI: Pa).')
+    ]
+    sigma_y: Annotated[
+        list[float], Field(description='Normal stress. Unit: MPa (SI: Pa).')
+    ]
+    sigma_z: Annotated[
+        list[float], Field(description='Out-of-plane stress. Unit: MPa (SI: Pa).')
+    ]
+    tau_max: Annotated[
+        list[float],
+        Field(
+            description='Largest shear stress, half the difference of the extreme principal stresses. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    utilization: Annotated[
+        list[float] | None,
+        Field(description='Von Mises stress over that yield stress. Without unit.'),
+    ] = None
+    von_mises: Annotated[
+        list[float], Field(description='Von Mises stress. Unit: MPa (SI: Pa).')
+    ]
+    yield_stress: Annotated[
+        list[float] | None,
+        Field(
+            description='Yield stress; only where it varies with the depth. Unit: MPa (SI: Pa).'
+        ),
+    ] = None
+
+
+class SubsurfaceOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        Subsurface | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        Subsurface | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class Surface(BaseModel):
+    """
+    The surface of one body near the contact.
+    """
+
+    depth: Annotated[
+        float,
+        Field(
+            description='Depth of the deepest point below the undeformed surface. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    height: Annotated[
+        list[float],
+        Field(
+            description='How far each has moved outward from the undeformed surface; a dent is negative. Unit: mm (SI: m).'
+        ),
+    ]
+    max_reverse_strain: Annotated[
+        float,
+        Field(
+            description='Largest equivalent plastic strain gained since then. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    pile_up: Annotated[
+        float,
+        Field(
+            description='Height of the highest point above the undeformed surface. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    pile_up_position: Annotated[
+        float, Field(description='|x| of that point. Unit: mm (SI: m).', ge=0.0)
+    ]
+    reverse_area: Annotated[
+        float,
+        Field(
+            description='Area of these points in the section x–y, both sides of the axis. Unit: mm² (SI: m²).',
+            ge=0.0,
+        ),
+    ]
+    x: Annotated[
+        list[float],
+        Field(
+            description='x of the nodes, both sides of the axis; arc lengths for a pin in a hole. Unit: mm (SI: m).'
+        ),
+    ]
+    yielded_in_reverse: Annotated[
+        bool,
+        Field(
+            description='Whether any point yielded since the load last began to fall.'
+        ),
+    ]
+
+
+class SurfaceOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        Surface | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        Surface | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
+class Point1Item(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Plastic strain, rising; the first is 0. Without unit.',
+            ge=0.0,
+            le=100.0,
+        ),
+    ]
+
+
+class Point1Item1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Stress, never falling. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Point1(RootModel[tuple[Point1Item, Point1Item1]]):
+    root: Annotated[
+        tuple[Point1Item, Point1Item1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+TagsAdditionalProperty = TypeAliasType(
+    "TagsAdditionalProperty",
+    Annotated[
+        str, Field(max_length=256, pattern='^[^\\u0000-\\u001f\\u007f-\\u009f]*$')
+    ],
+)
+
+
+class Tags(
+    RootModel[dict[Annotated[str, StringConstraints(pattern=r'^[^\u0000-\u001f\u007f-\u009f]*$', min_length=1, max_length=64)], TagsAdditionalProperty]]
+):
+    root: Annotated[
+        dict[Annotated[str, StringConstraints(pattern=r'^[^\u0000-\u001f\u007f-\u009f]*$', min_length=1, max_length=64)], TagsAdditionalProperty],
+        Field(
+            description='Labels: key to text, without control characters.',
+            examples=[{'bearing': 'NU-210'}],
+            max_length=32,
+        ),
+    ]
+
+
+class TargetLoad(BaseModel):
+    """
+    The force under which a figure of the contact has a value is the answer.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    approach: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    approaches: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    force: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    forces: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    history: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    onset: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    target: Annotated[
+        PermanentApproachTarget | DentDepthTarget | PeakPressureTarget | MeanPressureTarget | HalfWidthTarget | MaxPlasticStrainTarget,
+        Field(
+            description='A figure of the contact and the value that it is to have: exactly one of these.',
+            examples=[{'peak_pressure': 1200.0}],
+        ),
+    ]
+
+
+class TargetResult(BaseModel):
+    """
+    The force under which a figure of the contact has the value that a job asked for.
+    """
+
+    figure: Annotated[
+        str,
+        Field(
+            description='Which figure: `permanent_approach`, `dent_depth`, `peak_pressure`, `mean_pressure`, `half_width` or `max_plastic_strain`.'
+        ),
+    ]
+    force: Annotated[
+        float,
+        Field(
+            description='The force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    reached: Annotated[
+        float,
+        Field(
+            description='The value that it has under the force. Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one.'
+        ),
+    ]
+    relative_error: Annotated[
+        float | None,
+        Field(
+            description='Estimated bound of the relative error of the force: what the figure is off by, and what the mesh may have done to it. `null` where there is no estimate for the figure. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    sensitivity: Annotated[
+        float,
+        Field(
+            description='Relative change of the figure over the relative change of the force. Without unit.'
+        ),
+    ]
+    wanted: Annotated[
+        float,
+        Field(
+            description='The value that it was to have. Unit: that of the figure, mm or MPa (SI: m or Pa); plastic strain without one.'
+        ),
+    ]
+
+
+class Timings(BaseModel):
+    """
+    Wall time by phase, all passes and steps together. Unit: ms.
+    """
+
+    assembly: Annotated[
+        float, Field(description='Stiffness assembly. Unit: ms.', ge=0.0)
+    ]
+    contact: Annotated[float, Field(description='Contact solves. Unit: ms.', ge=0.0)]
+    flexibility: Annotated[
+        float, Field(description='Contact flexibility matrix. Unit: ms.', ge=0.0)
+    ]
+    mesh: Annotated[float, Field(description='Mesh generation. Unit: ms.', ge=0.0)]
+    numeric: Annotated[
+        float, Field(description='Numeric factorization. Unit: ms.', ge=0.0)
+    ]
+    ordering: Annotated[
+        float, Field(description='Fill-reducing ordering. Unit: ms.', ge=0.0)
+    ]
+    output: Annotated[
+        float, Field(description='Final fields and this report. Unit: ms.', ge=0.0)
+    ]
+    plasticity: Annotated[
+        float,
+        Field(description='Plastic law and initial-stress loads. Unit: ms.', ge=0.0),
+    ]
+    solves: Annotated[
+        float,
+        Field(
+            description='Forward and back substitutions, the contact stiffness among them. Unit: ms.',
+            ge=0.0,
+        ),
+    ]
+    symbolic: Annotated[
+        float, Field(description='Symbolic factorization. Unit: ms.', ge=0.0)
+    ]
+    total: Annotated[float, Field(description='Everything. Unit: ms.', ge=0.0)]
+
+
+class Validation(BaseModel):
+    """
+    Answer to a job that could be solved.
+    """
+
+    estimate: Annotated[Estimate, Field(description='What it would cost.')]
+    valid: Annotated[
+        bool,
+        Field(
+            description='Always true; a job at fault is answered by a problem.',
+            examples=[True],
+        ),
+    ]
+
+
+class ValidityNote(BaseModel):
+    """
+    One remark on the validity of the answer.
+    """
+
+    code: Annotated[
+        str,
+        Field(
+            description='Stable identifier. There may be more in the future.',
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units'],
+        ),
+    ]
+    message: Annotated[str, Field(description='For a person.')]
+
+
+class Wedge(BaseModel):
+    """
+    Two plane flanks that meet in a tip; only in plane analyses.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    angle: Annotated[
+        float,
+        Field(
+            description='Angle β of the flanks to the tangential plane, in degrees. Without unit.',
+            examples=[5.0],
+            ge=0.001,
+            le=60.0,
+        ),
+    ]
+    depth: Annotated[
+        float,
+        Field(
+            description='From the tip to the base, more than the height of the flanks. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[50.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    tip_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the tip; sharp if it is left out. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['wedge'], Field(description='The word that names this kind.')
+    ]
+    width: Annotated[
+        float,
+        Field(
+            description='Full width. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[40.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
+class YieldOnset(BaseModel):
+    """
+    The onset of yield, found numerically for the job's own shapes.
+    """
+
+    approach: Annotated[
+        float, Field(description='Approach under it. Unit: mm (SI: m).')
+    ]
+    body: Annotated[
+        Literal['upper', 'lower'],
+        Field(description='Which body yields first; of two alike, the lower one.'),
+    ]
+    depth: Annotated[
+        float, Field(description='Depth of that middle. Unit: mm (SI: m).')
+    ]
+    force: Annotated[
+        float,
+        Field(
+            description='Force P_Y. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    peak_pressure: Annotated[
+        float, Field(description='Peak pressure under it. Unit: MPa (SI: Pa).', ge=0.0)
+    ]
+    position: Annotated[
+        float,
+        Field(
+            description='x of the middle of the first element to yield; a symmetric contact has its mirror image as well. Unit: mm (SI: m).'
+        ),
+    ]
+
+
+class BatchOfIds(BaseModel):
+    """
+    Jobs that exist.
+    """
+
+    ids: Annotated[
+        list[UUID], Field(description='Their ids.', max_length=100, min_length=1)
+    ]
+
+
+class Callback(BaseModel):
+    """
+    The announcement of a job's end.
+    """
+
+    attempts: Annotated[int, Field(description='Attempts so far.', ge=0)]
+    delivered_at: Annotated[
+        AwareDatetime | None, Field(description='When the receiver took it.')
+    ] = None
+    id: Annotated[
+        UUID,
+        Field(
+            description='What the receiver finds in `webhook-id`, the same in every attempt.'
+        ),
+    ]
+    last_error: Annotated[
+        str | None, Field(description='Why the last attempt failed.')
+    ] = None
+    last_status: Annotated[
+        int | None,
+        Field(
+            description='HTTP status of the last attempt, if there was one.',
+            ge=100,
+            le=999,
+        ),
+    ] = None
+    next_attempt_at: Annotated[
+        AwareDatetime | None, Field(description='When the next attempt is made.')
+    ] = None
+    state: Annotated[
+        Literal['waiting', 'pending', 'delivered', 'failed'],
+        Field(description='How far it has come.'),
+    ]
+
+
+class Capacity(BaseModel):
+    """
+    What a node can do and how busy the queue is.
+    """
+
+    limits: Annotated[Limits, Field(description='What a single request may ask for.')]
+    memory_bytes: Annotated[
+        int, Field(description='Memory that they may need together. Unit: byte.', ge=0)
+    ]
+    queue: Annotated[Queue, Field(description='The queue, of all nodes that share it.')]
+    solvers: Annotated[
+        int,
+        Field(
+            description='Jobs solved here at the same time; 0 on a node without solvers.',
+            examples=[8],
+            ge=0,
+        ),
+    ]
+
+
+class ClosedForm(BaseModel):
+    """
+    Hertz's contact of the bodies of a job, in the units of the job.
+    """
+
+    effective_radius: Annotated[
+        float,
+        Field(
+            description='Effective radius of the two surfaces. Unit: mm (SI: m).',
+            examples=[10.0],
+            gt=0.0,
+        ),
+    ]
+    steps: Annotated[
+        list[ClosedFormStep], Field(description='One for each force of the load.')
+    ]
+    units: Annotated[
+        str,
+        Field(
+            description='Units of all figures: `mm_N_MPa` or `SI`.',
+            examples=['mm_N_MPa'],
+        ),
+    ]
+    yield_onset_force: Annotated[
+        float | None,
+        Field(
+            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in axisymmetry.',
+            examples=[218.99],
+            ge=0.0,
+        ),
+    ]
+
+
+class Contact(BaseModel):
+    """
+    Contact pressure and its resultants, both sides of the axis.
+    """
+
+    force: Annotated[
+        float,
+        Field(
+            description='Sum of the nodal forces along the approach. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            ge=0.0,
+        ),
+    ]
+    half_angle: Annotated[
+        float | None,
+        Field(
+            description='Angle over which a pin touches its hole to each side of the middle; only of these. Unit: degree.',
+            ge=0.0,
+        ),
+    ] = None
+    half_width: Annotated[
+        float,
+        Field(
+            description='Half of the distance between the ends of the pressure, along the arc for a pin in a hole. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    mean_pressure: Annotated[
+        float,
+        Field(
+            description='Force over width, or over the area of the contact circle; of a pin in a hole over those across the approach. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    nodes: Annotated[
+        ContactNodes, Field(description='The candidate pairs in order of x.')
+    ]
+    patches: Annotated[
+        list[Patch],
+        Field(description='The connected parts of the contact, from left to right.'),
+    ]
+    peak_position: Annotated[
+        float,
+        Field(
+            description='x of the largest pressure; where nothing touches, of the largest that the history had. Unit: mm (SI: m).'
+        ),
+    ]
+    peak_pressure: Annotated[
+        float, Field(description='Largest pressure. Unit: MPa (SI: Pa).', ge=0.0)
+    ]
+
+
+class Flow(BaseModel):
+    """
+    What only flow theory knows of a step.
+    """
+
+    energy: Annotated[
+        Energy,
+        Field(
+            description='Where the work of the force has gone since the bodies were at rest.'
+        ),
+    ]
+    increments: Annotated[Increments, Field(description='The increments of this load.')]
+    surfaces: Annotated[
+        SurfaceOfBodies,
+        Field(
+            description='The surface of each body: the dent where the force is zero.'
+        ),
+    ]
+    unloading_stiffness: Annotated[
+        float,
+        Field(
+            description='dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).',
+            ge=0.0,
+        ),
+    ]
+
+
+class HardnessOverDepth(BaseModel):
+    """
+    Vickers hardness over depth, of which the yield stress follows by σ_y = 2.876 HV − 90.7 MPa.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    hardness: Annotated[
+        HardnessProfile | HardenedCase,
+        Field(description='Measured at points, or of a case.'),
+    ]
+
+
+class SolverSettings(BaseModel):
+    """
+    Iteration controls.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    contact: Annotated[
+        Literal['active_set', 'simplex'] | None,
+        Field(
+            description='The method that solves the contact conditions. Default: `active_set`.'
+        ),
+    ] = None
+    coupling: Annotated[
+        Literal['accelerated', 'strong', 'weak', 'secant_stiffness'] | None,
+        Field(
+            description='How the contact iteration and the plastic iteration alternate. Default: `accelerated`.'
+        ),
+    ] = None
+    increments: Annotated[
+        int | None,
+        Field(
+            description='Increments of each load of a history, of equal size. Without it the program chooses them. Only with `flow`.',
+            ge=1,
+            le=10000,
+        ),
+    ] = None
+    max_iterations: Annotated[
+        int | None,
+        Field(description='Iteration limit. Default: `500`.', ge=1, le=100000),
+    ] = None
+    theory: Annotated[
+        Literal['deformation', 'flow'] | None,
+        Field(
+            description='Theory of plasticity: `deformation` knows no unloading, `flow` follows the loads as a history. Default: `deformation`.'
+        ),
+    ] = None
+    tolerance: Annotated[
+        float | None,
+        Field(
+            description='Relative tolerance on the displacement change and on the out-of-balance force. Without unit. Default: `1e-6`.',
+            examples=[1e-06],
+            ge=1e-12,
+            le=0.1,
+        ),
+    ] = None
+
+
+class Step(BaseModel):
+    """
+    One load step.
+    """
+
+    approach: Annotated[
+        float, Field(description='Approach α of the supports. Unit: mm (SI: m).')
+    ]
+    approach_datum: Annotated[
+        str, Field(description='Between which two boundaries α is counted.')
+    ]
+    contact: Annotated[
+        Contact, Field(description='Contact pressure and its resultants.')
+    ]
+    contact_stiffness: Annotated[
+        float,
+        Field(
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped and where the bodies do not bear the load. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).'
+        ),
+    ]
+    estimated_error: ErrorEstimate | None
+    fields: Annotated[
+        FieldsOfBodies | None,
+        Field(description='Mesh and nodal fields; absent unless asked for.'),
+    ] = None
+    flow: Annotated[
+        Flow | None,
+        Field(
+            description='What only flow theory knows: increments, dents, energies; absent under deformation theory.'
+        ),
+    ] = None
+    hertz: Hertz | None
+    history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
+    load: Annotated[
+        PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
+    ]
+    plasticity: Annotated[
+        PlasticZoneOfBodies,
+        Field(description='Plastic zone of each body; `null` for a rigid one.'),
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='How this step ended.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    subsurface: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='Stresses over depth; absent when not asked for, and where the step was stopped.'
+        ),
+    ] = None
+    validity: Annotated[
+        list[ValidityNote], Field(description='What to keep in mind about this answer.')
+    ]
+    yield_onset: Annotated[
+        YieldOnset | None,
+        Field(
+            description='The onset of yield; only of a job with `"load": {"onset": true}`.'
+        ),
+    ] = None
+
+
+class Swift(BaseModel):
+    """
+    q = σ_y (1 + ε_p/ε_0)^n.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    exponent: Annotated[
+        float,
+        Field(
+            description='Exponent n. Without unit.', examples=[0.2], ge=0.001, le=1.0
+        ),
+    ]
+    law: Annotated[
+        Literal['swift'], Field(description='The word that names this kind.')
+    ]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    strain_offset: Annotated[
+        float,
+        Field(
+            description='Strain offset ε_0. Without unit.',
+            examples=[0.002],
+            ge=1e-09,
+            le=1000.0,
+        ),
+    ]
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Yield stress σ_y. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Table(BaseModel):
+    """
+    A measured curve.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    law: Annotated[
+        Literal['table'], Field(description='The word that names this kind.')
+    ]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    points: Annotated[
+        list[Point1],
+        Field(
+            description='Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.',
+            examples=[[[0.0, 500.0], [0.01, 600.0], [0.05, 750.0]]],
+            max_length=10000,
+            min_length=1,
+        ),
+    ]
+
+
+class Voce(BaseModel):
+    """
+    q = σ_y + (σ_s − σ_y) (1 − exp(−b ε_p)).
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    law: Annotated[Literal['voce'], Field(description='The word that names this kind.')]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    rate: Annotated[
+        float,
+        Field(
+            description='Rate b. Without unit.', examples=[50.0], ge=1e-06, le=1000000.0
+        ),
+    ]
+    saturation_stress: Annotated[
+        float,
+        Field(
+            description='Saturation stress σ_s, at least σ_y. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[750.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Yield stress σ_y. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Bilinear(BaseModel):
+    """
+    A straight line beyond the yield stress.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    law: Annotated[
+        Literal['bilinear'], Field(description='The word that names this kind.')
+    ]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    tangent_modulus: Annotated[
+        float,
+        Field(
+            description='Slope E_t of stress over total strain beyond yield, below E; 0 is perfectly plastic. Range: 0e0 to 1e8 MPa or 0e0 to 1e14 Pa.',
+            examples=[10500.0],
+            ge=0.0,
+            le=100000000000000.0,
+        ),
+    ]
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Yield stress σ_y. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Ludwik(BaseModel):
+    """
+    q = σ_y + k ε_p^n.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    coefficient: Annotated[
+        float,
+        Field(
+            description='Coefficient k. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+    exponent: Annotated[
+        float,
+        Field(
+            description='Exponent n. Without unit.', examples=[0.5], ge=0.001, le=1.0
+        ),
+    ]
+    law: Annotated[
+        Literal['ludwik'], Field(description='The word that names this kind.')
+    ]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    yield_stress: Annotated[
+        float,
+        Field(
+            description='Yield stress σ_y. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class RambergOsgood(BaseModel):
+    """
+    ε_p = a (σ_0/E) (q/σ_0)^m.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    backstress: Annotated[
+        list[BackstressTerm] | None,
+        Field(description='Terms of the backstress, for flow theory.', max_length=4),
+    ] = None
+    exponent: Annotated[
+        float,
+        Field(
+            description='Exponent m, from linear to, for every purpose, perfectly plastic. Without unit.',
+            examples=[5.0],
+            ge=1.0,
+            le=200.0,
+        ),
+    ]
+    law: Annotated[
+        Literal['ramberg_osgood'], Field(description='The word that names this kind.')
+    ]
+    offset: Annotated[
+        float,
+        Field(
+            description='Offset a. Without unit.',
+            examples=[0.3],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    over_depth: Annotated[
+        StrengthFactors | HardnessOverDepth | None,
+        Field(description='How the stresses of the curve vary with the depth.'),
+    ] = None
+    reference_stress: Annotated[
+        float,
+        Field(
+            description='Reference stress σ_0. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            examples=[500.0],
+            ge=1e-06,
+            le=10000000000000.0,
+        ),
+    ]
+
+
+class Report(BaseModel):
+    """
+    The answer to a job.
+    """
+
+    analysis: Annotated[
+        Literal['plane_strain', 'plane_stress', 'axisymmetric'],
+        Field(
+            description='Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line of approach.'
+        ),
+    ]
+    load_approach: Annotated[
+        LoadApproach | None, Field(description='The load–approach curve of a sweep.')
+    ] = None
+    mesh: Annotated[Mesh, Field(description='The mesh of the last step.')]
+    status: Annotated[
+        str,
+        Field(
+            description='The least good status of all steps.',
+            examples=['converged', 'not_converged', 'cancelled', 'timed_out'],
+        ),
+    ]
+    steps: Annotated[list[Step], Field(description='One entry for each load.')]
+    tags: Tags | None = None
+    target: Annotated[
+        TargetResult | None,
+        Field(
+            description='The force that was asked for by what it does; only of a job with `load.target`.'
+        ),
+    ] = None
+    timings_ms: Annotated[Timings, Field(description='Where the time went.')]
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'],
+        Field(
+            description='Units of every figure of the job and of its result: mm, N, MPa or m, N, Pa.'
+        ),
+    ]
+    version: Annotated[str, Field(description='Version of the program.')]
+
+
+class Job(BaseModel):
+    """
+    A job: where it stands, where to go from here and, when it finishes within the time its client waits, its result.
+    """
+
+    attempts: Annotated[int, Field(description='How often it was taken up.', ge=0)]
+    callback: Annotated[
+        Callback | None,
+        Field(
+            description='The announcement of its end, where it was handed in with a `callback_url`; not in lists of jobs.'
+        ),
+    ] = None
+    cancel_requested: Annotated[
+        bool, Field(description='Whether somebody asked it to stop.')
+    ]
+    created_at: Annotated[AwareDatetime, Field(description='When it was accepted.')]
+    done: Annotated[
+        bool, Field(description='Whether nothing can happen to it any more.')
+    ]
+    error: Annotated[Problem | None, Field(description='Why it failed.')] = None
+    expires_at: Annotated[
+        AwareDatetime | None,
+        Field(
+            description='When it is removed with its result; `null` until it is done.'
+        ),
+    ]
+    finished_at: Annotated[
+        AwareDatetime | None, Field(description='When it reached its final state.')
+    ]
+    has_result: Annotated[
+        bool,
+        Field(
+            description='Whether there is a result to fetch, of a stopped job as far as it came.'
+        ),
+    ]
+    id: Annotated[UUID, Field(description='Its name.')]
+    links: Annotated[Links, Field(description='Where to go from here.')]
+    priority: Annotated[int, Field(description='Larger goes first.', ge=-100, le=100)]
+    progress: Annotated[Progress, Field(description='How far it has come.')]
+    queue_position: Annotated[
+        int | None,
+        Field(description='Jobs before it in the queue, while it is queued.', ge=0),
+    ] = None
+    result: Annotated[
+        Report | None,
+        Field(
+            description='The result; only in the answer to a client that waits, and only if the job is done by then.'
+        ),
+    ] = None
+    started_at: Annotated[
+        AwareDatetime | None, Field(description='When its latest attempt began.')
+    ]
+    status: Annotated[
+        str,
+        Field(
+            description='Where it stands.',
+            examples=['queued', 'running', 'succeeded', 'not_converged', 'failed', 'cancelled', 'timed_out'],
+        ),
+    ]
+    tags: Tags | None = None
+
+
+class JobList(BaseModel):
+    """
+    A page of jobs.
+    """
+
+    jobs: Annotated[
+        list[Job],
+        Field(
+            description='Newest first. Places in the queue are told job by job only.'
+        ),
+    ]
+    next_cursor: UUID | None
+
+
+class BatchItem(BaseModel):
+    """
+    What became of one job: `job` or `problem`.
+    """
+
+    id: Annotated[
+        UUID | None,
+        Field(
+            description='The job that was asked for; of jobs that are handed in, its new id is in `job`.'
+        ),
+    ] = None
+    job: Annotated[Job | None, Field(description='The job as it is now.')] = None
+    problem: Annotated[
+        Problem | None,
+        Field(description='Why not; pointers are those of the job by itself.'),
+    ] = None
+    replayed: Annotated[
+        bool | None,
+        Field(description='The same submission came before under its idempotency key.'),
+    ] = None
+    status: Annotated[
+        int,
+        Field(
+            description='The HTTP status that a request for this job alone would have been answered with.',
+            examples=[202],
+            ge=200,
+            le=599,
+        ),
+    ]
+
+
+class Deformable(BaseModel):
+    """
+    An isotropic body, elastic unless it has a hardening curve.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    initial_stress: Annotated[
+        list[InitialStress] | None,
+        Field(
+            description='Stress before any load, by depth: straight between depths, constant beyond the ends. It is relaxed before the load; what is left is reported.',
+            max_length=1000,
+            min_length=1,
+        ),
+    ] = None
+    plasticity: Annotated[
+        Bilinear | RambergOsgood | Table | Swift | Ludwik | Voce | None,
+        Field(description='The hardening curve; a body without one stays elastic.'),
+    ] = None
+    poisson_ratio: Annotated[
+        float,
+        Field(
+            description="Poisson's ratio ν. What is incompressible has 0.499999. Without unit.",
+            examples=[0.3],
+            ge=0.0,
+            le=0.499999,
+        ),
+    ]
+    rigid: Annotated[
+        None, Field(description='Belongs to another kind of object; not given here.')
+    ] = None
+    young_modulus: Annotated[
+        float,
+        Field(
+            description="Young's modulus E. Range: 1e-3 to 1e8 MPa or 1e3 to 1e14 Pa.",
+            examples=[210000.0],
+            ge=0.001,
+            le=100000000000000.0,
+        ),
+    ]
+
+
+class BatchAnswer(BaseModel):
+    """
+    What became of the jobs of a request, in their order.
+    """
+
+    accepted: Annotated[
+        int, Field(description='How many there were of which nothing is wrong.', ge=0)
+    ]
+    jobs: Annotated[
+        list[BatchItem],
+        Field(description='One for each job of the request, in the same order.'),
+    ]
+    refused: Annotated[int, Field(description='How many were refused.', ge=0)]
+
+
+class ContactBody(BaseModel):
+    """
+    One body, described in its own frame: the contact starts at the origin, heights are counted along the outward normal. At most one of the two is rigid.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    material: Annotated[
+        Deformable | Rigid, Field(description='What a body is made of.')
+    ]
+    shape: Annotated[
+        Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power,
+        Field(description='The undeformed outline of a body.', discriminator='type'),
+    ]
+    support: Annotated[
+        Literal['clamped', 'roller'] | None,
+        Field(description='How the far boundary is held. Default: `clamped`.'),
+    ] = None
+
+
+class ContactJob(BaseModel):
+    """
+    Two bodies, what presses them together, and how to solve it. An unknown key is an error; null is the same as leaving a member out.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    analysis: Annotated[
+        Literal['plane_strain', 'plane_stress', 'axisymmetric'],
+        Field(
+            description='Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line of approach.'
+        ),
+    ]
+    load: Annotated[
+        ForceLoad | ForcesLoad | ApproachLoad | ApproachesLoad | HistoryLoad | OnsetLoad | TargetLoad,
+        Field(
+            description='What presses the bodies together: exactly one of these. Several values are a sweep, one step each.'
+        ),
+    ]
+    lower: Annotated[ContactBody, Field(description='The body below the contact.')]
+    mesh: Annotated[MeshSettings | None, Field(description='The mesh.')] = None
+    output: Annotated[
+        OutputSettings | None, Field(description='What the result contains.')
+    ] = None
+    solver: Annotated[
+        SolverSettings | None, Field(description='Iteration controls.')
+    ] = None
+    tags: Annotated[
+        Tags | None,
+        Field(
+            description='Free labels, echoed in the result; jobs can be listed by them.'
+        ),
+    ] = None
+    units: Annotated[
+        Literal['mm_N_MPa', 'SI'] | None,
+        Field(
+            description='Units of every figure of the job and of its result. Default: `mm_N_MPa`.'
+        ),
+    ] = None
+    upper: Annotated[ContactBody, Field(description='The body above the contact.')]
+
+
+class Example(BaseModel):
+    """
+    A job with its name.
+    """
+
+    job: ContactJob
+    name: Annotated[
+        str,
+        Field(
+            description='Its name, as that of its file in `api/examples`.',
+            examples=['two_cylinders'],
+        ),
+    ]
+
+
+class ExampleList(BaseModel):
+    """
+    Jobs to begin with, each with its keys in the order of its file.
+    """
+
+    examples: Annotated[list[Example], Field(description='Each under its name.')]
+
+
+class BatchedJob(BaseModel):
+    """
+    One of the jobs to hand in.
+    """
+
+    callback_url: Annotated[
+        str | None,
+        Field(
+            description='As `?callback_url=`: where to announce the end of the job.',
+            examples=['https://hooks.example/brinell'],
+            max_length=2000,
+        ),
+    ] = None
+    idempotency_key: Annotated[
+        str | None,
+        Field(
+            description='As the header `Idempotency-Key`, for this job alone; goes before the header.',
+            examples=['press-7'],
+            pattern='^[!-~]{1,255}$',
+        ),
+    ] = None
+    job: ContactJob
+    priority: Annotated[
+        int | None,
+        Field(description='As `?priority=`: larger goes first.', ge=-100, le=100),
+    ] = None
+
+
+class BatchOfJobs(BaseModel):
+    """
+    Jobs to hand in.
+    """
+
+    jobs: Annotated[
+        list[BatchedJob],
+        Field(
+            description='The jobs, in the order in which they are queued.',
+            max_length=100,
+            min_length=1,
+        ),
+    ]

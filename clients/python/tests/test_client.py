@@ -1,0 +1,391 @@
+"""A client and the real program."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import EXAMPLES, roller
+
+import brinell
+from brinell import Client
+
+SLOW = {"analysis": "plane_strain", "force": 612.6106, "elements_per_half_width": 160}
+
+
+def test_the_reference_problem(client: Client, job: Any) -> None:
+    result = client.solve(job)
+    assert result.converged
+    assert result.peak_pressure == pytest.approx(1182.4, rel=1e-4)
+    assert result.approach == pytest.approx(0.017910, rel=1e-4)
+    assert result.hertz["peak_pressure"] == pytest.approx(1500, rel=1e-4)
+    assert 0 < result.relative_error["peak_pressure"] < 0.01
+    assert result.report.steps[0].contact.peak_pressure == result.peak_pressure
+    assert np.isnan(result.dent_depth)
+    assert client.solve(EXAMPLES / "two_cylinders.json").peak_pressure == result.peak_pressure
+
+
+def test_what_is_not_in_order_names_every_field(client: Client) -> None:
+    job = json.loads((EXAMPLES / "two_cylinders.json").read_text())
+    job["upper"]["shape"]["radius"] = -20
+    job["lower"]["colour"] = "red"
+    with pytest.raises(brinell.InvalidJob) as caught:
+        client.solve(job)
+    assert {fault.pointer for fault in caught.value.errors} == {
+        "#/upper/shape/radius",
+        "#/lower/colour",
+    }
+    with pytest.raises(brinell.InvalidJob):
+        client.validate(job)
+    assert client.validate(EXAMPLES / "two_cylinders.json")["equations"] > 1000
+    with pytest.raises(brinell.NotFound):
+        client.job("0197e1f0-0000-7000-8000-000000000000")
+
+
+def test_a_job_is_followed_and_cancelled(client: Client) -> None:
+    slow = client.submit(brinell.job(roller(), roller(), **SLOW))
+    assert slow.status in ("queued", "running")
+    assert not slow.wait(0.01)
+    with pytest.raises(brinell.StillRunning):
+        slow.result(0.01)
+    slow.cancel()
+    assert slow.wait()
+    assert slow.status == "cancelled"
+    assert client.job(slow.id).done
+
+
+def test_events_are_told_from_the_first_to_the_last(client: Client, job: Any) -> None:
+    events = list(client.submit(job).events())
+    iterations = [event.data["iteration"] for event in events if event.kind == "iteration"]
+    assert iterations == list(range(1, len(iterations) + 1))
+    assert iterations
+    assert events[-1].kind == "state"
+    assert events[-1].data["status"] == "succeeded"
+    seen: list[str] = []
+    assert client.solve(job, progress=lambda event: seen.append(event.kind)).converged
+    assert seen.count("iteration") == len(iterations)
+    # A job whose events are left in the middle goes on.
+    left = client.submit(job)
+    assert len(list(itertools.islice(left.events(), 2))) == 2
+    assert left.result().converged
+
+
+def test_a_bar_counts_iterations(
+    client: Client, job: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    client.solve(job, progress=True)
+    assert "iterations" in capsys.readouterr().err
+
+
+def test_many_jobs_come_in_their_order_and_what_fails_is_a_value(client: Client) -> None:
+    jobs: list[Any] = [
+        brinell.job(
+            roller(), roller(), analysis="plane_strain", force=force, elements_per_half_width=6
+        )
+        for force in np.linspace(100, 600, 150)
+    ]
+    jobs[3] = {"analysis": "plane_strain"}
+    jobs[5] = brinell.job(
+        roller(), roller(), analysis="plane_strain", force=600, solver={"max_iterations": 1}
+    )
+    pairs = list(client.map(iter(jobs), in_flight=40))
+    assert [job for job, _ in pairs] == jobs
+    results = [result for _, result in pairs]
+    assert results[3].status == "invalid"
+    assert isinstance(results[3].error, brinell.InvalidJob)
+    with pytest.raises(brinell.InvalidJob):
+        _ = results[3].peak_pressure
+    assert results[5].status == "not_converged"
+    good = [result for place, result in enumerate(results) if place not in (3, 5)]
+    assert all(result.converged for result in good)
+    forces = [result.force for result in good]
+    assert forces == sorted(forces)
+    unordered = list(client.map(jobs[:20], ordered=False, progress=True))
+    assert sorted(str(job) for job, _ in unordered) == sorted(str(job) for job in jobs[:20])
+
+
+def test_jobs_of_a_map_that_is_left_are_cancelled(client: Client) -> None:
+    jobs = [brinell.job(roller(500 + k), roller(), **SLOW, tags={"left": "yes"}) for k in range(6)]
+    first = brinell.job(roller(), roller(), analysis="plane_strain", force=100)
+    for _ in client.map([first, *jobs], ordered=False):
+        break
+    listed = client._run(client._core.json("GET", "/v1/jobs", params={"tag": "left:yes"}))["jobs"]
+    assert len(listed) == 6
+    assert all(client.job(one["id"]).wait(60) for one in listed)
+    assert {client.job(one["id"]).status for one in listed} == {"cancelled"}
+
+
+def test_a_sweep_is_a_table(client: Client, job: Any) -> None:
+    table = client.sweep(
+        job,
+        {
+            "/load/force": np.array([300.0, 600.0]),
+            (
+                "#/upper/material/plasticity/yield_stress",
+                "/lower/material/plasticity/yield_stress",
+            ): [400, 500],
+        },
+    )
+    assert table.columns[:2].tolist() == ["/load/force", "#/upper/material/plasticity/yield_stress"]
+    assert table["/load/force"].tolist() == [300.0, 300.0, 600.0, 600.0]
+    assert (table["status"] == "converged").all()
+    assert table["peak_pressure"].iloc[3] == pytest.approx(1177.8, rel=0.01)
+    assert table["peak_pressure"].iloc[2] < table["peak_pressure"].iloc[3]
+
+    def at(force: float, radius: float) -> Any:
+        body = brinell.cylinder(radius=20, material=brinell.steels["S355"])
+        upper = {
+            "shape": {"type": "cylinder", "radius": radius},
+            "material": brinell.steels["S355"],
+        }
+        return brinell.job(upper, body, analysis="plane_strain", force=force) if radius > 0 else {}
+
+    table = client.sweep(at, {"force": [200], "radius": [10, -1]})
+    assert table["status"].tolist() == ["converged", "invalid"]
+    assert np.isnan(table["peak_pressure"].iloc[1])
+    assert "analysis" in table["error"].iloc[1]
+
+
+def test_the_same_by_awaiting(job: Any) -> None:
+    async def use() -> None:
+        async with brinell.AsyncClient() as client:
+            result = await client.solve(job)
+            assert result.peak_pressure == pytest.approx(1182.4, rel=1e-4)
+            handle = await client.submit(job)
+            kinds = [event.kind async for event in handle.events()]
+            assert kinds[-1] == "state"
+            assert "iteration" in kinds
+            assert (await handle.refresh()).status == "succeeded"
+            assert (await handle.result()).converged
+            pairs = [pair async for pair in client.map([job, job])]
+            assert [result.converged for _, result in pairs] == [True, True]
+            table = await client.sweep(job, {"/load/force": [100, 200]})
+            assert (table["status"] == "converged").all()
+            slow = asyncio.create_task(
+                client.solve(brinell.job(roller(), roller(), **SLOW, tags={"slow": "yes"}))
+            )
+            mine = {"tag": "slow:yes"}
+            while not (
+                listed := (await client._run(client._core.json("GET", "/v1/jobs", params=mine)))[
+                    "jobs"
+                ]
+            ):
+                pass
+            slow.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await slow
+            stopped = await client.job(listed[0]["id"])
+            assert await stopped.wait(60)
+            assert stopped.status == "cancelled"
+            with_fields = await client.solve(
+                brinell.job(roller(), roller(), analysis="plane_strain", force=600, fields=True)
+            )
+            with pytest.raises(RuntimeError):
+                with_fields.fields()
+            await with_fields.fetch_fields()
+            assert with_fields.fields().upper is not None
+
+    asyncio.run(use())
+
+
+def test_an_answer_that_is_lost_is_asked_for_again(
+    client: Client, job: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import httpx
+
+    before = len(client._run(client._core.json("GET", "/v1/jobs", params={"limit": "100"}))["jobs"])
+    http = client._client()
+    real, sent = http.request, []
+
+    def lossy(**options: Any) -> httpx.Response:
+        response = real(**options)
+        if options["method"] == "POST":
+            sent.append(options["headers"]["Idempotency-Key"])
+            if len(sent) == 1:
+                raise httpx.ReadError("the line was cut")
+        return response
+
+    monkeypatch.setattr(http, "request", lossy)
+    monkeypatch.setattr("brinell._core.PAUSE", 0.01)
+    tagged = {**json.loads((EXAMPLES / "two_cylinders.json").read_text()), "tags": {"lost": "once"}}
+    assert client.submit(tagged).result().converged
+    assert len(sent) == 2
+    assert sent[0] == sent[1]
+    jobs = client._run(client._core.json("GET", "/v1/jobs", params={"tag": "lost:once"}))["jobs"]
+    assert len(jobs) == 1, before
+
+
+def test_what_passes_is_tried_again_and_what_does_not_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    import httpx
+
+    from brinell._core import Send, Sleep, call
+
+    def ask(*answers: httpx.Response | Exception, retries: int = 2) -> tuple[Any, list[float]]:
+        flow = call(retries, "POST", "/v1/jobs", body={})
+        pauses: list[float] = []
+        effect = next(flow)
+        given = iter(answers)
+        try:
+            while True:
+                if isinstance(effect, Sleep):
+                    pauses.append(effect.seconds)
+                    effect = flow.send(None)
+                    continue
+                assert isinstance(effect, Send)
+                answer = next(given)
+                effect = flow.throw(answer) if isinstance(answer, Exception) else flow.send(answer)
+        except StopIteration as end:
+            return end.value, pauses
+        except brinell.BrinellError as error:
+            return error, pauses
+
+    busy = httpx.Response(
+        429, headers={"Retry-After": "3"}, json={"type": "/problems/queue-full", "title": "full"}
+    )
+    good = httpx.Response(202, json={})
+    answer, pauses = ask(busy, good)
+    assert answer is good
+    assert 3.0 <= pauses[0] <= 6.0
+    answer, pauses = ask(httpx.ConnectError("refused"), httpx.Response(503, json={}), good)
+    assert answer is good
+    assert 0.2 <= pauses[0] <= 0.4 <= pauses[1] <= 0.8
+    error, pauses = ask(busy, busy, busy)
+    assert isinstance(error, brinell.QuotaExceeded)
+    assert (error.retry_after, error.kind, len(pauses)) == (3.0, "queue-full", 2)
+    error, pauses = ask(*[httpx.ConnectError("refused")] * 3)
+    assert isinstance(error, brinell.Unavailable)
+    for status in (400, 401, 404, 422):
+        error, pauses = ask(httpx.Response(status, json={"title": "no"}))
+        assert isinstance(error, brinell.BrinellError)
+        assert pauses == []
+
+
+# The local server.
+
+
+def test_a_server_that_dies_is_an_exception_that_names_its_log(job: Any) -> None:
+    with Client() as client:
+        assert client._server is not None
+        os.kill(client._server.pid, signal.SIGKILL)
+        with pytest.raises(brinell.ServerDied) as caught:
+            client.solve(job)
+        assert caught.value.exit_code == -signal.SIGKILL
+        assert caught.value.log.exists()
+        assert str(caught.value.log) in str(caught.value)
+        caught.value.log.unlink()
+
+
+def test_a_server_that_does_not_start_says_why(tmp_path: Path) -> None:
+    program = tmp_path / "brinell"
+    program.write_text("#!/bin/sh\necho 'error: no memory' >&2\nexit 3\n")
+    program.chmod(0o755)
+    with pytest.raises(brinell.ServerDied, match="no memory") as caught:
+        Client(program=program)
+    assert caught.value.exit_code == 3
+    caught.value.log.unlink()
+
+
+def test_without_a_program_one_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("BRINELL_PROGRAM")
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.setitem(sys.modules, "brinell_server", None)
+    with pytest.raises(brinell.ServerNotFound, match=r"brinell\[local\]"):
+        Client()
+
+
+def test_the_key_is_the_only_one_and_a_url_needs_it(client: Client, job: Any) -> None:
+    with Client(client.url) as stranger, pytest.raises(brinell.Unauthorized):
+        stranger.solve(job)
+    assert client._server is not None
+    with Client(client.url, api_key=client._server.key) as friend:
+        assert friend.solve(job).converged
+
+
+PARENT = """
+import sys, brinell
+client = brinell.Client()
+job = brinell.job(
+    brinell.cylinder(radius=20, material=brinell.steels["S355"]),
+    brinell.cylinder(radius=20, material=brinell.steels["S355"]),
+    analysis="plane_strain", force=600, elements_per_half_width=160)
+client.submit(job)
+print(client._server.pid, flush=True)
+sys.stdin.read()
+"""
+
+
+def gone(pid: int) -> bool:
+    """Whether no such process runs: it has been waited for, or waits for it."""
+    try:
+        stat = Path(f"/proc/{pid}/stat").read_text()
+    except FileNotFoundError:
+        return True
+    return stat.rsplit(")", 1)[1].split()[0] in "ZX"
+
+
+@pytest.mark.skipif(not Path("/proc").exists(), reason="asks the kernel of Linux")
+@pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGTERM, None])
+def test_the_server_ends_with_its_parent(way: int | None) -> None:
+    parent = subprocess.Popen(
+        [sys.executable, "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert parent.stdout is not None
+    assert parent.stdin is not None
+    pid = int(parent.stdout.readline())
+    assert not gone(pid)
+    handle = os.pidfd_open(pid)
+    if way is None:
+        parent.stdin.close()
+    else:
+        parent.send_signal(way)
+    parent.wait(10)
+    import select
+
+    # Readable as soon as the process has ended.
+    ready, _, _ = select.select([handle], [], [], 20)
+    os.close(handle)
+    assert ready
+    assert gone(pid)
+
+
+CTRL_C = """
+import threading, signal, os, brinell, sys
+client = brinell.Client()
+job = brinell.job(
+    brinell.cylinder(radius=20, material=brinell.steels["S355"]),
+    brinell.cylinder(radius=20, material=brinell.steels["S355"]),
+    analysis="plane_strain", force=600, elements_per_half_width=160, tags={"stopped": "yes"})
+def listed():
+    return other._run(other._core.json("GET", "/v1/jobs", params={"tag": "stopped:yes"}))["jobs"]
+other = brinell.Client(client.url, api_key=client._server.key)
+def interrupt():
+    while not listed():
+        pass
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=interrupt).start()
+try:
+    client.solve(job, progress=bool(int(sys.argv[1])))
+except KeyboardInterrupt:
+    stopped = client.job(listed()[0]["id"])
+    stopped.wait(60)
+    print(stopped.status)
+"""
+
+
+@pytest.mark.parametrize("progress", ["0", "1"])
+def test_ctrl_c_cancels_the_job_and_leaves_the_server(progress: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", CTRL_C, progress], capture_output=True, text=True, timeout=60
+    )
+    assert done.stdout.strip() == "cancelled", done.stderr

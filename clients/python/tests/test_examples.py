@@ -1,0 +1,31 @@
+"""The notebooks run from their first to their last line."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+EXAMPLES = ROOT / "clients/python/examples"
+FIGURES = {"first_contact": 3, "sweep": 2, "dent": 4, "fit": 1, "hardness": 1}
+
+
+def test_every_notebook_is_run() -> None:
+    assert {path.stem for path in EXAMPLES.glob("*.py")} == set(FIGURES)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_notebook(name: str, tmp_path: Path) -> None:
+    script = ROOT / "clients/python/scripts/run_example.py"
+    subprocess.run(
+        [sys.executable, script, EXAMPLES / f"{name}.py", tmp_path], check=True, timeout=300
+    )
+    figures = sorted(tmp_path.glob("*.png"))
+    assert len(figures) == FIGURES[name]
+    assert {path.name for path in figures} == {
+        path.name for path in (EXAMPLES / "figures").glob(f"{name}-*.png")
+    }

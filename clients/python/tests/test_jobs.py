@@ -1,0 +1,121 @@
+"""Jobs before they are sent."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import pint
+import pytest
+from conftest import EXAMPLES, roller
+
+import brinell
+from brinell._plain import document_of, with_values
+
+
+@pytest.mark.parametrize(
+    ("build", "pointer"),
+    [
+        (lambda: brinell.cylinder(radius=-20, material=brinell.rigid), "#/radius"),
+        (lambda: brinell.cylinder(radius="wide", material=brinell.rigid), "#/radius"),
+        (lambda: brinell.swift(yield_stress=500, strain_offset=0.002, exponent=2), "#/exponent"),
+        (lambda: brinell.material(young_modulus=2e5, poisson_ratio=0.5), "#/poisson_ratio"),
+        (
+            lambda: brinell.material(
+                young_modulus=2e5, poisson_ratio=0.3, plasticity={"law": "voce", "yield_stress": 1}
+            ),
+            "#/plasticity/saturation_stress",
+        ),
+        (
+            lambda: brinell.block(width=1, depth=1, material={"poisson_ratio": 0.3}),
+            "#/material/young_modulus",
+        ),
+        (
+            lambda: brinell.job(roller(), roller(), analysis="plane_strain", force=-1),
+            "#/load/force",
+        ),
+        (lambda: brinell.job(roller(), roller(), analysis="plane_strain"), "#/load"),
+        (lambda: brinell.job(roller(), roller(), analysis="plane", force=1), "#/analysis"),
+    ],
+)
+def test_mistakes_are_found_before_sending(build: Any, pointer: str) -> None:
+    with pytest.raises(brinell.InvalidJob) as caught:
+        build()
+    assert pointer in [fault.pointer for fault in caught.value.errors]
+    assert len(caught.value.errors) <= 2
+    assert pointer in str(caught.value)
+
+
+def test_every_fault_is_named() -> None:
+    with pytest.raises(brinell.InvalidJob) as caught:
+        brinell.block(width=-1, depth=0, material=brinell.rigid)
+    assert {fault.pointer for fault in caught.value.errors} == {"#/width", "#/depth"}
+
+
+def test_quantities_are_taken_in_their_units() -> None:
+    q = pint.UnitRegistry().Quantity
+    steel = brinell.material(
+        young_modulus=q(210, "GPa"),
+        poisson_ratio=0.3,
+        plasticity=brinell.bilinear(yield_stress=q(5e8, "Pa"), tangent_modulus=q(10.5, "GPa")),
+    )
+    body = brinell.cylinder(radius=q(2, "cm"), material=steel)
+    job = document_of(brinell.job(body, body, analysis="plane_strain", forces=q([1, 2], "kN/mm")))
+    plain = document_of(
+        brinell.job(roller(), roller(), analysis="plane_strain", forces=[1000, 2000])
+    )
+    assert json.dumps(job) == json.dumps(plain)
+    sphere = document_of(brinell.job(body, body, analysis="axisymmetric", force=q(1, "kN")))
+    assert sphere["load"] == {"force": 1000.0}
+    si = with_values(
+        {**job, "units": "SI"}, {"/upper/shape/radius": q(20, "mm"), "#/load/force": q(3, "N/mm")}
+    )
+    assert (si["upper"]["shape"]["radius"], si["load"]["force"]) == (0.02, 3000.0)
+    with pytest.raises(pint.DimensionalityError):
+        brinell.cylinder(radius=q(2, "MPa"), material=steel)
+
+
+def test_arrays_are_taken() -> None:
+    law = brinell.table(points=np.array([[0.0, 500.0], [0.01, 600.0]]))
+    assert document_of({"a": law})["a"]["points"] == [[0.0, 500.0], [0.01, 600.0]]
+    job = brinell.job(roller(), roller(), analysis="plane_strain", forces=np.linspace(100, 300, 3))
+    assert document_of(job)["load"] == {"forces": [100.0, 200.0, 300.0]}
+
+
+def test_files_dicts_and_models_are_the_same_job() -> None:
+    path = EXAMPLES / "two_cylinders.json"
+    by_dict = json.loads(path.read_text())
+    assert document_of(path) == document_of(str(path)) == document_of(by_dict)
+    with pytest.raises(TypeError, match="not int"):
+        document_of(5)  # type: ignore[arg-type]
+
+
+def test_values_are_set_by_pointer() -> None:
+    job = {"load": {"forces": [1, 2]}, "upper": {"shape": {"radius": 1}}}
+    made = with_values(
+        job, {"/load/forces/1": 7, "#/solver/theory": "flow", "/upper/shape/radius": np.float64(3)}
+    )
+    assert made == {
+        "load": {"forces": [1, 7]},
+        "solver": {"theory": "flow"},
+        "upper": {"shape": {"radius": 3.0}},
+    }
+    assert job["load"] == {"forces": [1, 2]}
+    for bad in ("load/force", "", "force"):
+        with pytest.raises(ValueError, match="a pointer begins with"):
+            with_values(job, {bad: 1})
+    with pytest.raises(ValueError, match="leads through a figure"):
+        with_values(job, {"/upper/shape/radius/x": 1})
+
+
+def test_materials_are_found_by_any_name() -> None:
+    bearing = brinell.steels["52100"]
+    assert bearing == brinell.materials["100cr6"] == brinell.materials[" 100Cr6"]
+    assert bearing.plasticity is not None
+    assert bearing.plasticity.law == "swift"
+    assert "945 MPa" in brinell.steels.source("52100")
+    assert "CuSn7Zn2Pb3-C" in brinell.materials
+    assert "CuSn7Zn2Pb3-C" not in brinell.steels
+    with pytest.raises(KeyError, match="S355"):
+        brinell.steels["unobtainium"]

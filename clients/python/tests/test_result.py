@@ -1,0 +1,121 @@
+"""What a result shows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from conftest import EXAMPLES, roller
+
+import brinell
+from brinell import Client, Result
+
+
+@pytest.fixture(scope="module")
+def sweep(client: Client) -> Result:
+    return client.solve(
+        brinell.job(roller(), roller(), analysis="plane_strain", forces=[200, 400, 612.6106])
+    )
+
+
+def test_tables_have_a_row_for_each_step(sweep: Result) -> None:
+    summary = sweep.summary
+    assert summary.index.tolist() == [1, 2, 3]
+    assert summary["force"].tolist() == pytest.approx([200, 400, 612.6106])
+    assert summary["peak_pressure"].is_monotonic_increasing
+    assert summary["peak_pressure"].iloc[-1] == sweep.peak_pressure == sweep[-1].peak_pressure
+    assert len(sweep.load_approach) >= 3
+    depth = sweep.subsurface
+    assert set(depth["body"]) == {"upper", "lower"}
+    assert depth.loc[depth["body"] == "lower", "von_mises"].max() > 500
+
+
+def test_pressure_is_arrays_that_carry_the_force(sweep: Result) -> None:
+    pressure = sweep.pressure
+    assert pressure.force.sum() == pytest.approx(sweep.force, rel=1e-6)
+    assert np.trapezoid(pressure.pressure, pressure.x) == pytest.approx(sweep.force, rel=1e-2)
+    assert pressure.to_xarray().pressure.max() == pytest.approx(sweep.peak_pressure, rel=1e-2)
+    assert list(pressure.to_frame()) == ["x", "pressure", "force", "gap"]
+
+
+def test_a_dent_is_left(dent: Result) -> None:
+    assert len(dent) == 2
+    assert dent[0].force == pytest.approx(612.6106)
+    assert dent.force == 0
+    assert dent.dent_depth > 1e-4
+    assert dent.surface["height"].min() < 0
+
+
+def test_fields_are_those_of_the_document(client: Client, dent: Result) -> None:
+    whole = client._run(
+        client._core.json(
+            "GET", f"/v1/jobs/{dent.id}/result", params={"fields": "fields", "step": "1"}
+        )
+    )
+    said = whole["steps"][0]["fields"]["lower"]
+    lower = dent.fields(0).lower
+    assert lower is not None
+    assert set(lower) == set(said)
+    for name, values in said.items():
+        np.testing.assert_allclose(
+            lower[name], np.asarray(values), rtol=1e-6, atol=1e-4, err_msg=name
+        )
+    assert lower.symmetric
+    both = lower.whole()
+    assert len(both.nodes) == 2 * len(lower.nodes)
+    for elements, nodes in ((lower.elements, lower.nodes), (both.elements, both.nodes)):
+        a, b, c, d = (nodes[elements[:, k]] for k in range(4))
+        area = np.cross(np.pad(c - a, ((0, 0), (0, 1))), np.pad(d - b, ((0, 0), (0, 1))))[:, 2]
+        assert (area > 0).all(), "counter-clockwise"
+
+
+def test_what_is_in_words_has_error_bars_and_remarks_on_top(client: Client, job: Any) -> None:
+    good = client.solve(job)
+    text, html = repr(good), good._repr_html_()
+    assert text.startswith("converged, plane strain")
+    assert "Hertz 1500" in text
+    assert "±" in text
+    assert "N/mm" in text
+    assert "<table>" in html
+    bad = client.solve({**brinell._plain.document_of(job), "solver": {"max_iterations": 1}})
+    assert bad.status == "not_converged"
+    assert bad.remarks[0].code == "not_converged"
+    assert bad._repr_html_().startswith("<div><ul><li><code>not_converged</code>")
+    stopped = Result(None, error=brinell.InvalidJob([], "no <good>"))
+    assert "no &lt;good&gt;" in stopped._repr_html_()
+    assert "invalid" in repr(stopped)
+
+
+@pytest.mark.parametrize(
+    "name", ["pressure", "depth", "load_approach", "field", "dent", "residual_stress"]
+)
+def test_pictures_are_drawn(dent: Result, name: str) -> None:
+    plot = getattr(dent.plot, name)
+    ax = plot() if name not in ("pressure",) else plot(step=0)
+    assert ax.get_xlabel()
+    assert ax.get_ylabel()
+    assert ax.has_data()
+    ax.figure.canvas.draw()
+    plt.close(ax.figure)
+
+
+def test_what_cannot_be_drawn_says_why(sweep: Result) -> None:
+    with pytest.raises(brinell.BrinellError, match="flow"):
+        sweep.plot.dent()
+    with pytest.raises(brinell.BrinellError):
+        sweep.fields()
+    plt.close("all")
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.json")), ids=lambda path: path.stem)
+@pytest.mark.full
+def test_every_example_is_shown(client: Client, path: Any) -> None:
+    result = client.solve(path)
+    assert result.converged
+    assert result._repr_html_()
+    assert len(result.summary) == len(result)
+    assert result.report.status == "converged"
+    result.plot.pressure(step=0)
+    plt.close("all")
