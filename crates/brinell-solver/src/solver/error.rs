@@ -6,7 +6,7 @@ use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::job::Target;
 use crate::solver::conforming::MAX_HALF_ANGLE;
-use crate::solver::observer::{Interrupt, Observer, ask};
+use crate::solver::observer::Interrupt;
 use sparse_cholesky::FactorizationError;
 
 /// Why a job has no solution to report.
@@ -127,9 +127,4 @@ pub enum UnreachableReason {
     SmallestForce,
     /// The figure is the same under all forces nearby.
     Insensitive,
-}
-
-/// Asks the observer whether to stop, where there is nothing to report yet.
-pub(crate) fn checkpoint(observer: &mut dyn Observer) -> Result<(), SolveError> {
-    ask(observer).map_err(SolveError::Interrupted)
 }

@@ -17,8 +17,9 @@ use crate::solver::body_system::system::{BlockVector, Design, System};
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome, Scales};
 use crate::solver::observer::ask;
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
+use crate::solver::run::Run;
 use crate::solver::solution::CoarseFigures;
 use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, couplings};
 
@@ -51,20 +52,15 @@ pub(crate) struct ReusableMesh {
 
 impl ReusableMesh {
     /// The system, its previous states, and where the load of a request starts; linearized there if the coupling wants it.
-    fn resume(
-        self,
-        request: &MeshSolveRequest<'_>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
-    ) -> Result<Resumed, SolveError> {
+    fn resume(self, request: &MeshSolveRequest<'_>, run: &mut Run<'_>) -> Result<Resumed, SolveError> {
         let mut start = self.start(request.load.magnitude());
         let Self { mut system, states } = self;
-        phases.time(Phase::Plasticity, observer, || system.set_plastic_region(request.search_region));
+        run.time(Phase::Plasticity, || system.set_plastic_region(request.search_region));
         if let Some(previous) = request.previous {
-            start = Some(system.linearize_by(previous, phases, observer)?);
+            start = Some(system.linearize_by(previous, run)?);
         } else if couplings::of(request.solver.coupling).uses_tangent_moduli() {
             let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
-            system.linearize(at, phases, observer)?;
+            system.linearize(at, run)?;
         }
         Ok((system, states, start))
     }
@@ -113,8 +109,6 @@ pub(crate) struct MeshSolve {
     pub is_within_earlier_contact: bool,
     /// Times the zone was widened.
     pub enlargements: usize,
-    /// Meshes made.
-    pub meshes: usize,
     /// States of previous loads on the same mesh.
     previous_states: Vec<(f64, BlockVector)>,
 }
@@ -132,7 +126,6 @@ impl MeshSolve {
             meets,
             is_within_earlier_contact: false,
             enlargements: 0,
-            meshes: 1,
             previous_states: Vec::new(),
         }
     }
@@ -224,25 +217,24 @@ pub(crate) fn run(
     problem: &Problem,
     request: &MeshSolveRequest<'_>,
     reusable: Option<ReusableMesh>,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<MeshSolve, SolveError> {
     let mut request = request.clone();
     let previous = request.previous;
     let most_columns = most_columns(&request.zone);
     let mut available = reusable;
-    let (mut enlargements, mut meshes, mut widenings, mut narrowings) = (0, 0, 0, 0);
+    let (mut enlargements, mut widenings, mut narrowings) = (0, 0, 0);
     // Iterations made while a smaller region was searched.
     let mut history = Vec::new();
     loop {
         let (mut system, states, start) = if let Some(reusable) = available.take() {
-            reusable.resume(&request, phases, observer)?
+            reusable.resume(&request, run)?
         } else {
-            meshes += 1;
+            *run.passes += 1;
             let MeshSolveRequest { zone, refinement, search_region, cache, .. } = &request;
             let (refinement, search_region, cache) = (*refinement, *search_region, *cache);
             let design = Design { zone, refinement, search_region, cache };
-            let (system, start) = match System::build(problem, design, previous, phases, observer) {
+            let (system, start) = match System::build(problem, design, previous, run) {
                 // A contact that reaches the edge of the narrower zone is reported.
                 Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
                     narrowings += 1;
@@ -258,13 +250,12 @@ pub(crate) fn run(
             history: std::mem::take(&mut history),
             ..InitialState::default()
         };
-        let mut outcome = iterate(&mut system, &request, initial, phases, observer)?;
-        let fields =
-            phases.time_observed(Phase::Output, observer, |observer| fields(&system, &mut outcome, observer));
+        let mut outcome = iterate(&mut system, &request, initial, run)?;
+        let fields = run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
         let interrupted = outcome.status.is_stopped();
         let is_watched_in_part = request.search_region != PlasticSearchRegion::WholeBody;
         let Found { patch, reaches_edge, meets } =
-            phases.time(Phase::Output, observer, || find_contact(problem, &system, &outcome, &fields));
+            run.time(Phase::Output, || find_contact(problem, &system, &outcome, &fields));
         let mut pass = MeshSolve {
             system,
             outcome,
@@ -274,12 +265,10 @@ pub(crate) fn run(
             meets,
             is_within_earlier_contact: false,
             enlargements,
-            meshes,
             previous_states: states,
         };
-        let yields_outside_region = phases.time(Phase::Output, observer, || {
-            !interrupted && is_watched_in_part && pass.yields_outside_region()
-        });
+        let yields_outside_region =
+            run.time(Phase::Output, || !interrupted && is_watched_in_part && pass.yields_outside_region());
         if yields_outside_region {
             let outline = pass.yielded_envelope().scaled(WIDENING);
             request.search_region = if widenings == 0 {
@@ -402,8 +391,7 @@ pub(crate) fn iterate(
     system: &mut System,
     request: &MeshSolveRequest<'_>,
     initial: InitialState,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<Outcome, SolveError> {
     let coupling = couplings::of(request.solver.coupling);
     let controls = Controls {
@@ -415,17 +403,17 @@ pub(crate) fn iterate(
         scales: request.scales,
         increment: request.increment,
     };
-    let first = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
+    let first = coupling.iterate(Iteration::new(system, controls, initial, run.reborrow()))?;
     if !first.stalled {
         return Ok(first);
     }
     let at = (&first.state.response.displacement, ReferenceModuli::Tangent);
-    match system.linearize(Some(at), phases, observer) {
+    match system.linearize(Some(at), run) {
         Ok(()) => {}
         // What has been iterated is worth keeping.
         Err(SolveError::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
         Err(SolveError::Factorization(_)) => {
-            return couplings::newton::run(system, controls, first, phases, observer);
+            return couplings::newton::run(system, controls, first, run);
         }
         Err(error) => return Err(error),
     }
@@ -436,9 +424,9 @@ pub(crate) fn iterate(
         factorizations: system.bodies.len(),
         contact: Some(state.response.contact),
     };
-    let second = coupling.iterate(Iteration::new(system, controls, initial, observer, phases))?;
+    let second = coupling.iterate(Iteration::new(system, controls, initial, run.reborrow()))?;
     if second.stalled {
-        return couplings::newton::run(system, controls, second, phases, observer);
+        return couplings::newton::run(system, controls, second, run);
     }
     Ok(second)
 }

@@ -23,6 +23,7 @@ mod phases;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
+mod run;
 mod solution;
 
 pub use body_system::contact_patch::ContactPatch;

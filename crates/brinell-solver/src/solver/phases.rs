@@ -2,8 +2,6 @@
 
 use std::time::Duration;
 
-use crate::solver::Observer;
-
 /// A kind of work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
@@ -38,25 +36,9 @@ pub struct PhaseTimes {
 }
 
 impl PhaseTimes {
-    /// Runs `work` and books its time.
-    pub fn time<T>(&mut self, phase: Phase, observer: &dyn Observer, work: impl FnOnce() -> T) -> T {
-        let start = observer.elapsed();
-        let outcome = work();
-        self.spent[phase as usize] += observer.elapsed().saturating_sub(start);
-        outcome
-    }
-
-    /// Runs work that asks the observer itself, and books its time.
-    pub fn time_observed<T>(
-        &mut self,
-        phase: Phase,
-        observer: &mut dyn Observer,
-        work: impl FnOnce(&mut dyn Observer) -> T,
-    ) -> T {
-        let start = observer.elapsed();
-        let outcome = work(observer);
-        self.spent[phase as usize] += observer.elapsed().saturating_sub(start);
-        outcome
+    /// Books time spent on one kind of work.
+    pub(crate) fn book(&mut self, phase: Phase, time: Duration) {
+        self.spent[phase as usize] += time;
     }
 
     /// Time of one kind of work.

@@ -8,14 +8,14 @@ use crate::fem::assembly::{
 };
 use crate::fem::mesh::Mesh;
 use crate::material::{ElasticModuli, ReferenceModuli};
+use crate::solver::SolveError;
 use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
 use crate::solver::body_system::transfer::{NodalField, TransferredField};
-use crate::solver::error::checkpoint;
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
 use crate::solver::problem::GivenStress;
-use crate::solver::{Observer, SolveError};
+use crate::solver::run::Run;
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, Reach};
 
@@ -56,7 +56,7 @@ pub(crate) struct PlasticRegion {
     elements: Vec<bool>,
     /// Whether an iteration loads or reads each node: those of these elements and the contact nodes.
     nodes: Vec<bool>,
-    /// The active_equations: the equations of these nodes.
+    /// The equations of these nodes.
     pub active_equations: Vec<u32>,
     /// Supernodes of the active equations.
     pub reach: Reach,
@@ -73,26 +73,24 @@ impl BodyModel {
         material: BodyMaterial<'_>,
         search_region: PlasticSearchRegion,
         previous: Option<NodalField<'_>>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
         let BodyMaterial { model, initial_stress } = material;
         let initial_stress = match initial_stress {
             Some(given) => {
-                elastic.factorize(&mut factor, None, phases, observer)?;
+                elastic.factorize(&mut factor, None, run)?;
                 Some(Arc::new(InitialState::relaxed(&elastic, &factor, model.elastic(), given)))
             }
             None => None,
         };
-        let (plastic_region, transferred) = phases.time(Phase::Plasticity, observer, || {
+        let (plastic_region, transferred) = run.time(Phase::Plasticity, || {
             let mut plastic_region =
                 PlasticRegion::new(&elastic, model, initial_stress.as_deref(), search_region);
             let transferred = previous.map(|field| plastic_region.linearize_by(field, &elastic));
             (plastic_region, transferred)
         });
-        checkpoint(observer)?;
-        let flexibility =
-            elastic.factorize(&mut factor, plastic_region.points.as_deref(), phases, observer)?;
+        run.checkpoint()?;
+        let flexibility = elastic.factorize(&mut factor, plastic_region.points.as_deref(), run)?;
         let is_softened = plastic_region.is_softened();
         let model = Arc::clone(model);
         Ok((
@@ -111,19 +109,18 @@ impl BodyModel {
     pub fn linearize(
         &mut self,
         at: Option<(&[f64], ReferenceModuli)>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(), SolveError> {
         let ElasticBody { mesh, equations, .. } = &*self.elastic;
         let Some(points) = &mut self.plastic_region.points else { return Ok(()) };
-        phases.time(Phase::Plasticity, observer, || match at {
+        run.time(Phase::Plasticity, || match at {
             Some((u, reference)) => points.linearize(reference, &mut |element, quad| {
                 let nodes = mesh.elements[element];
                 quad.strain(&nodes.map(|node| equations.of_node(node).map(|k| u[k as usize])))
             }),
             None => points.refer_to_elastic(),
         });
-        self.factorize(phases, observer)
+        self.factorize(run)
     }
 
     /// Factorizes anew, with the tangent moduli of an answer on another mesh; returns its displacements, transferred to the
@@ -131,13 +128,11 @@ impl BodyModel {
     pub fn linearize_by(
         &mut self,
         previous: NodalField<'_>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<Vec<f64>, SolveError> {
         let Self { elastic, plastic_region, .. } = self;
-        let transferred =
-            phases.time(Phase::Plasticity, observer, || plastic_region.linearize_by(previous, elastic));
-        self.factorize(phases, observer)?;
+        let transferred = run.time(Phase::Plasticity, || plastic_region.linearize_by(previous, elastic));
+        self.factorize(run)?;
         Ok(transferred)
     }
 
@@ -147,13 +142,11 @@ impl BodyModel {
         &mut self,
         from: &[f64],
         change: NodalField<'_>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<Vec<f64>, SolveError> {
         let Self { elastic, plastic_region, .. } = self;
-        let after = phases
-            .time(Phase::Plasticity, observer, || plastic_region.linearize_after(from, change, elastic));
-        self.factorize(phases, observer)?;
+        let after = run.time(Phase::Plasticity, || plastic_region.linearize_after(from, change, elastic));
+        self.factorize(run)?;
         Ok(after)
     }
 
@@ -163,11 +156,11 @@ impl BodyModel {
         plastic_region.extend(elastic, &**model, initial_stress.as_deref(), search_region, accepted);
     }
 
-    fn factorize(&mut self, phases: &mut PhaseTimes, observer: &mut dyn Observer) -> Result<(), SolveError> {
+    fn factorize(&mut self, run: &mut Run<'_>) -> Result<(), SolveError> {
         let is_softened = self.plastic_region.is_softened();
         if is_softened || self.is_softened {
             let points = self.plastic_region.points.as_deref();
-            self.flexibility = self.elastic.factorize(&mut self.factor, points, phases, observer)?;
+            self.flexibility = self.elastic.factorize(&mut self.factor, points, run)?;
             self.is_softened = is_softened;
         }
         Ok(())
@@ -264,7 +257,7 @@ impl PlasticRegion {
         Self { elements, nodes, active_equations, reach, points }
     }
 
-    /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the active_equations, zero where
+    /// Takes the tangent moduli of an answer on another mesh; returns its displacements on the active equations, zero where
     /// nothing yields.
     fn linearize_by(&mut self, previous: NodalField<'_>, elastic: &ElasticBody) -> Vec<f64> {
         let ElasticBody { mesh, equations, .. } = elastic;

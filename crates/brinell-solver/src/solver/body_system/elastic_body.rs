@@ -7,8 +7,8 @@ use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembl
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
-use crate::solver::error::checkpoint;
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
+use crate::solver::run::Run;
 use crate::solver::{Observer, SolveError};
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
@@ -49,20 +49,19 @@ impl ElasticBody {
     pub fn new(
         key: BodyKey,
         like: impl FnOnce(&dyn Fn(&Self) -> bool) -> Option<Arc<Self>>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<Self, SolveError> {
         let BodyKey { outline, zone, refinement, constants, support, .. } = &key;
-        let mesh = phases.time(Phase::Mesh, observer, || Mesh::generate(outline, zone, *refinement))?;
-        checkpoint(observer)?;
+        let mesh = run.time(Phase::Mesh, || Mesh::generate(outline, zone, *refinement))?;
+        run.checkpoint()?;
         // Here and not where it is reported: a job that is stopped must not wait for it.
-        let quality = phases.time(Phase::Mesh, observer, || Quality::of(&mesh));
-        checkpoint(observer)?;
+        let quality = run.time(Phase::Mesh, || Quality::of(&mesh));
+        run.checkpoint()?;
         let restraint = Restraint::new(&mesh, *support);
         let is_like = |body: &Self| body.is_structured_like(&mesh, &restraint);
-        let (equations, symbolic) = match phases.time(Phase::Ordering, observer, || like(&is_like)) {
+        let (equations, symbolic) = match run.time(Phase::Ordering, || like(&is_like)) {
             Some(body) => (Arc::clone(&body.equations), Arc::clone(&body.symbolic)),
-            None => structure(&mesh, &restraint, phases, observer)?,
+            None => structure(&mesh, &restraint, run)?,
         };
         let shear = constants.shear_modulus();
         let spread_support = key
@@ -86,10 +85,9 @@ impl ElasticBody {
             quality,
             key,
         };
-        checkpoint(observer)?;
-        body.stiffness =
-            phases.time(Phase::Assembly, observer, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
-        checkpoint(observer)?;
+        run.checkpoint()?;
+        body.stiffness = run.time(Phase::Assembly, || body.stiffness_with(|_| [shear; QUADRATURE_POINTS]));
+        run.checkpoint()?;
         Ok(body)
     }
 
@@ -128,14 +126,13 @@ impl ElasticBody {
         &self,
         factor: &mut Cholesky,
         points: Option<&dyn PlasticPoints>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<SymmetricMatrix, SolveError> {
-        let values = phases.time(Phase::Assembly, observer, || self.softened_by(points));
-        checkpoint(observer)?;
-        phases.time_observed(Phase::Numeric, observer, |observer| refactor(factor, values, observer))?;
-        checkpoint(observer)?;
-        Ok(phases.time(Phase::Flexibility, observer, || self.flexibility(factor)))
+        let values = run.time(Phase::Assembly, || self.softened_by(points));
+        run.checkpoint()?;
+        run.time_observed(Phase::Numeric, |observer| refactor(factor, values, observer))?;
+        run.checkpoint()?;
+        Ok(run.time(Phase::Flexibility, || self.flexibility(factor)))
     }
 
     /// Inward normal displacements of the contact nodes under unit forces that press on them, with a factor of this body
@@ -302,19 +299,18 @@ fn contact_equations(mesh: &Mesh, equations: &Equations) -> usize {
 fn structure(
     mesh: &Mesh,
     restraint: &Restraint,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<(Arc<Equations>, Arc<SymbolicCholesky>), SolveError> {
-    let (equations, graph) = phases.time(Phase::Ordering, observer, || {
+    let (equations, graph) = run.time(Phase::Ordering, || {
         let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
         let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
         (Equations::new(&order, restraint, mesh.contact_nodes.len()), graph)
     });
-    checkpoint(observer)?;
-    let pattern = phases.time(Phase::Symbolic, observer, || equations.pattern(&graph));
-    checkpoint(observer)?;
-    let symbolic = phases.time(Phase::Symbolic, observer, || SymbolicCholesky::new(pattern))?;
-    checkpoint(observer)?;
+    run.checkpoint()?;
+    let pattern = run.time(Phase::Symbolic, || equations.pattern(&graph));
+    run.checkpoint()?;
+    let symbolic = run.time(Phase::Symbolic, || SymbolicCholesky::new(pattern))?;
+    run.checkpoint()?;
     Ok((Arc::new(equations), symbolic))
 }
 

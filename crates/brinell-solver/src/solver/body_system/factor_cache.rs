@@ -181,15 +181,16 @@ mod tests {
     use super::*;
     use crate::job::Support;
     use crate::solver::body_system::{elastic_body::tests, preparation};
-    use crate::solver::{PhaseTimes, Unobserved};
+    use crate::solver::run::Run;
+    use crate::solver::{Solution, Unobserved};
 
     fn key(radius: f64) -> BodyKey {
         tests::key(radius, 210e3, Support::Clamped)
     }
 
     fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
-        let phases = &mut PhaseTimes::default();
-        preparation::prepare(key(radius), None, cache, phases, &mut Unobserved).unwrap()
+        let (solution, observer) = (&mut Solution::default(), &mut Unobserved);
+        preparation::prepare(key(radius), None, cache, &mut Run::new(solution, observer)).unwrap()
     }
 
     #[test]

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::elastic_body::{BodyKey, ElasticBody};
 use super::factor_cache::FactorCache;
 use crate::solver::SolveError;
-use crate::solver::observer::Observer;
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
+use crate::solver::run::Run;
 
 /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
 /// the cache has it already.
@@ -14,13 +14,12 @@ pub(crate) fn prepare(
     key: BodyKey,
     other: Option<&Arc<ElasticBody>>,
     cache: Option<&FactorCache>,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<Arc<ElasticBody>, SolveError> {
     if let Some(body) = other.filter(|other| other.key == key) {
         return Ok(Arc::clone(body));
     }
-    let find = |cache: &FactorCache| phases.time(Phase::Mesh, observer, || cache.find(&key));
+    let find = |cache: &FactorCache| run.time(Phase::Mesh, || cache.find(&key));
     if let Some(body) = cache.and_then(find) {
         return Ok(body);
     }
@@ -28,9 +27,9 @@ pub(crate) fn prepare(
         let body = other.filter(|other| serves(other)).cloned();
         body.or_else(|| cache?.find_like(serves))
     };
-    let body = Arc::new(ElasticBody::new(key, like, phases, observer)?);
+    let body = Arc::new(ElasticBody::new(key, like, run)?);
     if let Some(cache) = cache {
-        phases.time(Phase::Mesh, observer, || cache.keep(&body));
+        run.time(Phase::Mesh, || cache.keep(&body));
     }
     Ok(body)
 }
@@ -39,8 +38,8 @@ pub(crate) fn prepare(
 mod tests {
     use super::*;
     use crate::job::Support;
-    use crate::solver::Unobserved;
     use crate::solver::body_system::elastic_body::tests::key;
+    use crate::solver::{Solution, Unobserved};
 
     fn cylinder(
         radius: f64,
@@ -48,8 +47,9 @@ mod tests {
         support: Support,
         other: Option<&Arc<ElasticBody>>,
     ) -> Arc<ElasticBody> {
-        let (key, mut phases) = (key(radius, young, support), PhaseTimes::default());
-        prepare(key, other, None, &mut phases, &mut Unobserved).unwrap()
+        let (solution, observer) = (&mut Solution::default(), &mut Unobserved);
+        let key = key(radius, young, support);
+        prepare(key, other, None, &mut Run::new(solution, observer)).unwrap()
     }
 
     #[test]

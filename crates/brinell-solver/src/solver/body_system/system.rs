@@ -7,6 +7,7 @@ use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, Co
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::material::ReferenceModuli;
+use crate::solver::SolveError;
 use crate::solver::body_system::axis;
 use crate::solver::body_system::body::{BodyMaterial, BodyModel};
 use crate::solver::body_system::elastic_body::BodyKey;
@@ -15,9 +16,9 @@ use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::preparation::prepare;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::conforming::ConformingPair;
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
-use crate::solver::{Observer, SolveError};
+use crate::solver::run::Run;
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
@@ -71,8 +72,7 @@ impl System {
         problem: &Problem,
         design: Design<'_>,
         previous: Option<&[NodalField<'_>]>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(Self, Option<BlockVector>), SolveError> {
         let Design { zone, refinement, search_region, cache } = design;
         let mut models: Vec<(BodyKey, BodyMaterial<'_>)> = Vec::new();
@@ -102,13 +102,12 @@ impl System {
         for (k, (key, material)) in models.into_iter().enumerate() {
             // The second body may share the order and the analysis of the first.
             let first = bodies.first().map(|body| &body.elastic);
-            let elastic = prepare(key, first, cache.map(|cache| &**cache), phases, observer)?;
+            let elastic = prepare(key, first, cache.map(|cache| &**cache), run)?;
             let own = || PooledFactor::own(Cholesky::empty(&elastic.symbolic));
-            let factor = phases
-                .time(Phase::Numeric, observer, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
+            let factor = run.time(Phase::Numeric, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());
             let (body, displacement) =
-                BodyModel::new(elastic, factor, material, search_region, previous, phases, observer)?;
+                BodyModel::new(elastic, factor, material, search_region, previous, run)?;
             bodies.push(body);
             transferred.push(displacement);
         }
@@ -136,11 +135,10 @@ impl System {
     pub fn linearize(
         &mut self,
         at: Option<(&BlockVector, ReferenceModuli)>,
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(), SolveError> {
         for (k, body) in self.bodies.iter_mut().enumerate() {
-            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), phases, observer)?;
+            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), run)?;
         }
         self.sum_flexibility();
         Ok(())
@@ -151,14 +149,13 @@ impl System {
     pub fn linearize_by(
         &mut self,
         previous: &[NodalField<'_>],
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<BlockVector, SolveError> {
         let transferred = self
             .bodies
             .iter_mut()
             .zip(previous)
-            .map(|(body, &field)| body.linearize_by(field, phases, observer))
+            .map(|(body, &field)| body.linearize_by(field, run))
             .collect::<Result<_, _>>()?;
         self.sum_flexibility();
         Ok(transferred)
@@ -170,12 +167,11 @@ impl System {
         &mut self,
         from: &BlockVector,
         change: &[NodalField<'_>],
-        phases: &mut PhaseTimes,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<BlockVector, SolveError> {
         let mut after = Vec::with_capacity(self.bodies.len());
         for ((body, from), change) in self.bodies.iter_mut().zip(from).zip(change) {
-            after.push(body.linearize_after(from, *change, phases, observer)?);
+            after.push(body.linearize_after(from, *change, run)?);
         }
         self.sum_flexibility();
         Ok(after)
@@ -277,15 +273,14 @@ impl System {
         solver: &dyn ContactSolver,
         load: ContactLoad,
         warm: Option<&ActiveSet>,
-        phases: &mut PhaseTimes,
-        observer: &dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<Response, SolveError> {
-        let (forward, gap_opening) = phases.time(Phase::Solves, observer, || self.eliminate(loads));
+        let (forward, gap_opening) = run.time(Phase::Solves, || self.eliminate(loads));
         let gap: Vec<f64> =
             self.initial_gap.iter().zip(gap_opening).map(|(gap, gap_opening)| gap + gap_opening).collect();
         let problem = self.contact_problem(&gap, load);
-        let contact = phases.time(Phase::Contact, observer, || solver.solve(&problem, warm))?;
-        let displacement = phases.time(Phase::Solves, observer, || self.substitute(forward, &contact.force));
+        let contact = run.time(Phase::Contact, || solver.solve(&problem, warm))?;
+        let displacement = run.time(Phase::Solves, || self.substitute(forward, &contact.force));
         Ok(Response { displacement, contact })
     }
 

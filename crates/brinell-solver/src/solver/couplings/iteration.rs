@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::body_system::system::{BlockVector, Response, System};
-use crate::solver::phases::{Phase, PhaseTimes};
-use crate::solver::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveError, SolveStatus};
+use crate::solver::phases::Phase;
+use crate::solver::run::Run;
+use crate::solver::{IncrementNumber, Interrupt, IterationRecord, SolveError, SolveStatus};
 use sparse_cholesky::Cholesky;
 
 /// What an iteration is run with.
@@ -95,11 +96,10 @@ struct Counts {
 pub(crate) struct Iteration<'a> {
     pub system: &'a System,
     pub controls: Controls<'a>,
-    pub observer: &'a mut dyn Observer,
-    pub phases: &'a mut PhaseTimes,
+    pub run: Run<'a>,
     counts: Counts,
     history: Vec<IterationRecord>,
-    /// Length of the history at the initial.
+    /// Records of earlier linearizations in the history.
     begun: usize,
     /// Displacements to start from.
     start: Option<BlockVector>,
@@ -110,18 +110,11 @@ pub(crate) struct Iteration<'a> {
 }
 
 impl<'a> Iteration<'a> {
-    pub fn new(
-        system: &'a System,
-        controls: Controls<'a>,
-        initial: InitialState,
-        observer: &'a mut dyn Observer,
-        phases: &'a mut PhaseTimes,
-    ) -> Self {
+    pub fn new(system: &'a System, controls: Controls<'a>, initial: InitialState, run: Run<'a>) -> Self {
         Self {
             system,
             controls,
-            observer,
-            phases,
+            run,
             counts: Counts { factorizations: initial.factorizations, ..Counts::default() },
             begun: initial.history.len(),
             history: initial.history,
@@ -148,8 +141,7 @@ impl<'a> Iteration<'a> {
     pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, SolveError> {
         let Controls { contact, load, .. } = self.controls;
         let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let response =
-            self.system.solve_equilibrium(loads, contact, load, warm, self.phases, self.observer)?;
+        let response = self.system.solve_equilibrium(loads, contact, load, warm, &mut self.run)?;
         self.counts.pivots += response.contact.pivots;
         Ok(response)
     }
@@ -165,7 +157,7 @@ impl<'a> Iteration<'a> {
     pub fn solve_contact(&mut self, problem: &ContactProblem<'_>) -> Result<ContactSolution, SolveError> {
         let warm = self.previous.as_ref().map(|contact| &contact.active_set);
         let solver = self.controls.contact;
-        let contact = self.phases.time(Phase::Contact, self.observer, || solver.solve(problem, warm))?;
+        let contact = self.run.time(Phase::Contact, || solver.solve(problem, warm))?;
         self.counts.pivots += contact.pivots;
         Ok(contact)
     }
@@ -173,21 +165,19 @@ impl<'a> Iteration<'a> {
     /// `u = K⁻¹ (P_e + R)` on the active equations.
     pub fn displacement(&mut self, loads: &BlockVector, force: &[f64]) -> BlockVector {
         let system = self.system;
-        self.phases.time(Phase::Solves, self.observer, || system.displacement(loads, force))
+        self.run.time(Phase::Solves, || system.displacement(loads, force))
     }
 
     /// `‖u - u_start‖ / ‖u‖` on the active equations.
     pub fn displacement_change(&mut self, start: &BlockVector, u: &BlockVector) -> f64 {
         let (system, least) = (self.system, self.controls.scales.displacement);
-        self.phases.time(Phase::Plasticity, self.observer, || {
-            relative(system.distance(u, start), system.norm(u).max(least))
-        })
+        self.run.time(Phase::Plasticity, || relative(system.distance(u, start), system.norm(u).max(least)))
     }
 
     /// Initial-stress loads of given displacements.
     pub fn initial_stress(&mut self, displacement: &BlockVector, loads: &mut BlockVector) -> usize {
         let system = self.system;
-        self.phases.time(Phase::Plasticity, self.observer, || system.initial_stress(displacement, loads))
+        self.run.time(Phase::Plasticity, || system.initial_stress(displacement, loads))
     }
 
     /// Counts one initial-stress load, or set of secant moduli, put into effect.
@@ -238,11 +228,11 @@ impl<'a> Iteration<'a> {
             contact_pairs: self.system.mirrored_count(&response.contact.active_set),
             approach: response.contact.approach,
             peak_pressure: self.system.peak_pressure(&response.contact.force),
-            elapsed_ms: 1e3 * self.observer.elapsed().as_secs_f64(),
+            elapsed_ms: 1e3 * self.run.observer.elapsed().as_secs_f64(),
             increment: self.controls.increment,
         };
         self.previous = Some(response.contact.clone());
-        let verdict = self.observer.on_iteration(&record);
+        let verdict = self.run.show(&record);
         self.has_diverged = equilibrium_residual > DIVERGED;
         let status = self.status_after(&record, verdict);
         self.history.push(record);

@@ -21,8 +21,8 @@ use super::iteration::{Controls, InitialState, Iteration, Outcome, State};
 use crate::contact::ContactLoad;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::system::{BlockVector, System};
-use crate::solver::phases::PhaseTimes;
-use crate::solver::{Observer, SolveError, SolveStatus};
+use crate::solver::run::Run;
+use crate::solver::{SolveError, SolveStatus};
 
 /// Steps at most. Each costs a factorization.
 const MAX_STEPS: usize = 60;
@@ -46,14 +46,13 @@ pub(crate) fn run(
     system: &mut System,
     controls: Controls<'_>,
     from: Outcome,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<Outcome, SolveError> {
     let mut outcome = from;
     let mut point = Point::of(system, &outcome.state);
     let mut stiffening = STIFFENING;
     for _ in 0..MAX_STEPS {
-        match linearize(system, &point.displacement, &mut stiffening, phases, observer) {
+        match linearize(system, &point.displacement, &mut stiffening, run) {
             // What has been iterated is worth keeping.
             Err(SolveError::Interrupted(interrupt)) => {
                 return Ok(Outcome { status: interrupt.into(), ..outcome });
@@ -66,7 +65,7 @@ pub(crate) fn run(
             contact: Some(outcome.state.response.contact),
             history: outcome.history,
         };
-        let mut iteration = Iteration::new(system, controls, initial, observer, phases);
+        let mut iteration = Iteration::new(system, controls, initial, run.reborrow());
         let (start, loads) = iteration.initial_state();
         let response = iteration.solve_equilibrium(&loads)?;
         iteration.count_update();
@@ -96,12 +95,11 @@ fn linearize(
     system: &mut System,
     at: &BlockVector,
     stiffening: &mut f64,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<(), SolveError> {
     loop {
         let reference = ReferenceModuli::Stiffened(*stiffening);
-        match system.linearize(Some((at, reference)), phases, observer) {
+        match system.linearize(Some((at, reference)), run) {
             Err(SolveError::Factorization(_)) if *stiffening < 1.0 => {
                 *stiffening = (10.0 * *stiffening).min(1.0);
             }

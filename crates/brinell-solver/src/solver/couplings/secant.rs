@@ -7,7 +7,6 @@ use crate::fem::assembly::StressField;
 use crate::solver::body_system::elastic_body::refactor;
 use crate::solver::body_system::system::{Response, total_flexibility};
 use crate::solver::couplings::iteration::{Iteration, Outcome, State};
-use crate::solver::error::checkpoint;
 use crate::solver::phases::Phase;
 use crate::solver::{Interrupt, SolveError};
 use sparse_cholesky::Cholesky;
@@ -68,13 +67,11 @@ fn factorize(
     factors: &mut [Cholesky],
 ) -> Result<(), SolveError> {
     for ((body, field), factor) in iteration.system.bodies.iter().zip(fields).zip(factors) {
-        let values = iteration.phases.time(Phase::Assembly, iteration.observer, || {
-            body.elastic.stiffness_with(|element| field.secant_shear(element))
-        });
+        let values = iteration
+            .run
+            .time(Phase::Assembly, || body.elastic.stiffness_with(|element| field.secant_shear(element)));
         factor.invalidate();
-        iteration.phases.time_observed(Phase::Numeric, iteration.observer, |observer| {
-            refactor(factor, values, observer)
-        })?;
+        iteration.run.time_observed(Phase::Numeric, |observer| refactor(factor, values, observer))?;
     }
     Ok(())
 }
@@ -102,10 +99,9 @@ fn secant_state(iteration: &mut Iteration<'_>, response: &Response) -> Result<Se
     for ((body, x), &copies) in
         system.bodies.iter().zip(&response.displacement).zip(&system.bodies_represented)
     {
-        checkpoint(iteration.observer)?;
+        iteration.run.checkpoint()?;
         let nodal = body.elastic.nodal(x);
-        let field =
-            iteration.phases.time(Phase::Plasticity, iteration.observer, || body.stress_field(&nodal));
+        let field = iteration.run.time(Phase::Plasticity, || body.stress_field(&nodal));
         plastic_points += copies * field.plastic_points();
         squares += copies as f64 * body.residual_norm(&field, &response.contact.force).powi(2);
         fields.push(field);
@@ -124,14 +120,10 @@ fn solve_equilibrium(
     let factor_of = |k: usize| factors.map_or(&*system.bodies[k].factor, |factors| &factors[k]);
     let mut parts: Vec<SymmetricMatrix> = Vec::with_capacity(system.bodies.len());
     for (k, body) in system.bodies.iter().enumerate() {
-        checkpoint(iteration.observer)?;
-        parts.push(
-            iteration
-                .phases
-                .time(Phase::Flexibility, iteration.observer, || body.elastic.flexibility(factor_of(k))),
-        );
+        iteration.run.checkpoint()?;
+        parts.push(iteration.run.time(Phase::Flexibility, || body.elastic.flexibility(factor_of(k))));
     }
-    let flexibility = iteration.phases.time(Phase::Flexibility, iteration.observer, || {
+    let flexibility = iteration.run.time(Phase::Flexibility, || {
         total_flexibility(n, &parts.iter().collect::<Vec<_>>(), &system.bodies_represented)
     });
     let problem = ContactProblem {
@@ -141,8 +133,8 @@ fn solve_equilibrium(
     let contact = iteration.solve_contact(&problem)?;
     let mut displacement = Vec::with_capacity(system.bodies.len());
     for (k, body) in system.bodies.iter().enumerate() {
-        checkpoint(iteration.observer)?;
-        displacement.push(iteration.phases.time(Phase::Solves, iteration.observer, || {
+        iteration.run.checkpoint()?;
+        displacement.push(iteration.run.time(Phase::Solves, || {
             let mut x = body.elastic.zeros();
             body.elastic.add_contact_forces(&contact.force, &mut x);
             factor_of(k).solve(&mut x);

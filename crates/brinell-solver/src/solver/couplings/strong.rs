@@ -42,8 +42,7 @@ fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<O
         iteration.count_update();
         let mut image = system.zeros();
         let plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-        let residual_norm =
-            iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, &loads));
+        let residual_norm = iteration.run.time(Phase::Plasticity, || system.distance(&image, &loads));
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
         if status.is_some() || iteration.has_stalled() {
             return iteration.finish(State { response, loads, factors: None }, status);
@@ -51,7 +50,7 @@ fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<O
         start = response.displacement;
         match &mut anderson {
             None => loads = image,
-            Some(anderson) => iteration.phases.time(Phase::Plasticity, iteration.observer, || {
+            Some(anderson) => iteration.run.time(Phase::Plasticity, || {
                 let next = anderson.next(&system.pack(&loads), system.pack(&image));
                 system.unpack(&next, &mut loads);
             }),

@@ -105,22 +105,21 @@ fn converge_plasticity(
     let mut state = Plasticity::default();
     for _ in 0..MAX_INNER {
         // Whoever stops the job is heard when the iteration is recorded.
-        if iteration.observer.on_checkpoint().is_break() {
+        if iteration.run.observer.on_checkpoint().is_break() {
             break;
         }
         iteration.initial_stress(&start, loads);
         iteration.count_update();
         response.displacement = iteration.displacement(loads, &response.contact.force);
         state.plastic_points = iteration.initial_stress(&response.displacement, &mut image);
-        state.residual_norm =
-            iteration.phases.time(Phase::Plasticity, iteration.observer, || system.distance(&image, loads));
+        state.residual_norm = iteration.run.time(Phase::Plasticity, || system.distance(&image, loads));
         let change = iteration.displacement_change(&start, &response.displacement);
         let balanced = state.residual_norm <= BALANCE * sufficient * norm(&response.contact.force);
         if change <= sufficient && balanced {
             state.is_settled = true;
             break;
         }
-        iteration.phases.time(Phase::Plasticity, iteration.observer, || {
+        iteration.run.time(Phase::Plasticity, || {
             let next = anderson.next(&system.pack(&start), system.pack(&response.displacement));
             system.unpack(&next, &mut start);
         });

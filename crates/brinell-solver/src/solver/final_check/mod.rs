@@ -21,8 +21,9 @@ use crate::solver::body_system::system::System;
 use crate::solver::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
+use crate::solver::run::Run;
 use crate::solver::solution::{
     BodySolution, Energy, LastIncrement, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
 };
@@ -82,15 +83,12 @@ pub(crate) fn finish(
     load: ContactLoad,
     tolerance: f64,
     least: LeastScales,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> StepSolution {
     let contact_stiffness = if pass.outcome.status.is_stopped() {
         ContactStiffness::default()
     } else {
-        match phases
-            .time_observed(Phase::Solves, observer, |observer| contact_stiffness(problem, pass, observer))
-        {
+        match run.time_observed(Phase::Solves, |observer| contact_stiffness(problem, pass, observer)) {
             // No answer is lost because its slope is not known, and a body that collapses has none.
             Ok(stiffness) if stiffness.slope.is_finite() && stiffness.slope > 0.0 => stiffness,
             Ok(_) => ContactStiffness::default(),
@@ -101,7 +99,7 @@ pub(crate) fn finish(
             }
         }
     };
-    phases.time_observed(Phase::Output, observer, |observer| {
+    run.time_observed(Phase::Output, |observer| {
         let evidence = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
             pass.outcome.status = interrupt.into();
             from_iteration(pass)
@@ -179,16 +177,12 @@ pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
 /// elastic bodies with these pairs in contact \[N/mm per mm\].
-pub(crate) fn unloading_stiffness(
-    pass: &MeshSolve,
-    phases: &mut PhaseTimes,
-    observer: &mut dyn Observer,
-) -> f64 {
+pub(crate) fn unloading_stiffness(pass: &MeshSolve, run: &mut Run<'_>) -> f64 {
     if pass.outcome.status.is_stopped() {
         return 0.0;
     }
     let MeshSolve { system, outcome, patch, .. } = pass;
-    let stiffness = phases.time_observed(Phase::Solves, observer, |observer| {
+    let stiffness = run.time_observed(Phase::Solves, |observer| {
         contact_stiffness::unloading(system, &outcome.state, *patch, observer)
     });
     // Whoever stops a job here has its last increment all the same.

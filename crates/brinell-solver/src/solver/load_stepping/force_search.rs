@@ -10,7 +10,7 @@
 
 use super::bracket::{Bracket, Next};
 use super::load_sequence::LoadSequence;
-use super::load_stepper::{SilentObserver, auxiliary};
+use super::load_stepper::auxiliary;
 use super::utilization::{highest_at_ends, highest_utilization};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
@@ -19,8 +19,9 @@ use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::{BodySolution, Solution, StepSolution};
-use crate::solver::{Observer, SolveError, SolveStatus};
+use crate::solver::run::Run;
+use crate::solver::solution::{BodySolution, StepSolution};
+use crate::solver::{SolveError, SolveStatus};
 
 /// Error at least of the force under which yield begins, over h/a; where it begins at an end of the contact, 0.51 on 10 elements and 0.4
 /// on 20 and 40.
@@ -67,27 +68,33 @@ const HIGHEST_START: f64 = 2.5;
 /// Mean over peak pressure of a first trial.
 const MEAN_OF_PEAK: f64 = 0.75;
 
-/// Solves for the force. The steps are those of the last solve: the force itself and, for a figure that is permanent, the
-/// contact after it is taken away.
+/// What a search has found.
+pub(super) struct ForceFound {
+    /// Those of the last solve: the force itself and, for a figure that is permanent, the contact after it is taken away.
+    pub steps: Vec<StepSolution>,
+    /// Relative change of the figure over that of the force.
+    pub sensitivity: f64,
+}
+
+/// Solves for the force.
 ///
 /// # Errors
 /// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
 pub(super) fn run(
     sought: Sought,
     sequence: &LoadSequence<'_>,
-    solution: &mut Solution,
-    observer: &mut dyn Observer,
-) -> Result<Vec<StepSolution>, SolveError> {
+    run: &mut Run<'_>,
+) -> Result<ForceFound, SolveError> {
     let problem = sequence.problem;
     if sought != Sought::Onset {
-        return ForceSearch { sought, problem, sequence: *sequence }.run(solution, observer);
+        return ForceSearch { sought, problem, sequence: *sequence }.run(run);
     }
     if weakest(problem).is_none() {
         return Err(SolveError::NoYieldPoint);
     }
     let elastic = problem.without_plasticity();
     let sequence = LoadSequence { problem: &elastic, with_memory: None, ..*sequence };
-    ForceSearch { sought, problem, sequence }.run(solution, observer)
+    ForceSearch { sought, problem, sequence }.run(run)
 }
 
 /// Lowest yield stress of all depths \[MPa\].
@@ -144,18 +151,14 @@ struct Trial {
 type Tried = Result<Trial, String>;
 
 impl ForceSearch<'_> {
-    fn run(
-        &self,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<Vec<StepSolution>, SolveError> {
-        let (force, slope) = self.coarse(solution, &mut SilentObserver { inner: &mut *observer })?;
-        solution.sensitivity = Some(slope);
-        self.fine(force, slope, solution, observer)
+    fn run(&self, run: &mut Run<'_>) -> Result<ForceFound, SolveError> {
+        let (force, sensitivity) = run.silently(|run| self.coarse(run))?;
+        let steps = self.fine(force, sensitivity, run)?;
+        Ok(ForceFound { steps, sensitivity })
     }
 
     /// A force that meets the value nearly, and the slope of the logarithms there.
-    fn coarse(&self, solution: &mut Solution, observer: &mut dyn Observer) -> Result<(f64, f64), SolveError> {
+    fn coarse(&self, run: &mut Run<'_>) -> Result<(f64, f64), SolveError> {
         let job = self.coarse_job();
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let mut bracket = Bracket::new(self.expected_slope());
@@ -163,7 +166,7 @@ impl ForceSearch<'_> {
         let mut reason = UnreachableReason::LargestForce;
         let mut near = None;
         for _ in 0..MAX_COARSE {
-            match self.trial(&sequence, force, solution, observer)? {
+            match self.trial(&sequence, force, run)? {
                 Ok(trial) if trial.is_converged() => {
                     bracket.record(force, trial.ratio);
                     if trial.deviation() <= NEAR {
@@ -212,18 +215,18 @@ impl ForceSearch<'_> {
     fn fine(
         &self,
         mut force: f64,
-        mut slope: f64,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        sensitivity: f64,
+        run: &mut Run<'_>,
     ) -> Result<Vec<StepSolution>, SolveError> {
         let (tolerance, most) = match self.sought {
             Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
             Sought::Target(_) => (TOLERANCE, MAX_FINE),
         };
+        let mut slope = sensitivity;
         let mut best: Option<Trial> = None;
         let mut last: Option<[f64; 2]> = None;
         for _ in 0..most {
-            let trial = match self.trial(&self.sequence, force, solution, observer)? {
+            let trial = match self.trial(&self.sequence, force, run)? {
                 Ok(trial) => trial,
                 Err(why) => {
                     let ratio = best.map_or(0.0, |best| best.ratio);
@@ -251,13 +254,13 @@ impl ForceSearch<'_> {
         }
         let Some(mut best) = best else { return Err(SolveError::NoLoad) };
         if self.sought == Sought::Onset {
-            let error = self.force_error(&best, slope, solution, observer)?;
+            let error = self.force_error(&best, slope, run)?;
             if let Some(step) = best.steps.last_mut() {
                 step.onset_error = Some(error);
             }
         }
         // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
-        let steepness = solution.sensitivity.map_or(1.0, |slope| (slope / self.expected_slope()).max(1.0));
+        let steepness = (sensitivity / self.expected_slope()).max(1.0);
         if best.deviation() > (steepness * self.missed()).max(tolerance) {
             for step in &mut best.steps {
                 (step.status, step.missed) = (SolveStatus::NotConverged, Some(best.ratio));
@@ -268,19 +271,13 @@ impl ForceSearch<'_> {
 
     /// Relative error of the force under which yield begins, by how much half the density changes utilization under it: where it
     /// is highest, and at the ends of the contact, where more may be hidden from the mesh.
-    fn force_error(
-        &self,
-        found: &Trial,
-        slope: f64,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<f64, SolveError> {
+    fn force_error(&self, found: &Trial, slope: f64, run: &mut Run<'_>) -> Result<f64, SolveError> {
         let elements = self.sequence.job.mesh.elements_per_half_width;
         let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
         let job = self.coarser_job(half);
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
-        let trial = self.trial(&sequence, force, solution, &mut SilentObserver { inner: observer })?;
+        let trial = run.silently(|run| self.trial(&sequence, force, run))?;
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
                 let at_ends = |trial: &Trial| {
@@ -312,20 +309,14 @@ impl ForceSearch<'_> {
     }
 
     /// Solves under one force.
-    fn trial(
-        &self,
-        sequence: &LoadSequence<'_>,
-        force: f64,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<Tried, SolveError> {
+    fn trial(&self, sequence: &LoadSequence<'_>, force: f64, run: &mut Run<'_>) -> Result<Tried, SolveError> {
         let mut loads = vec![ContactLoad::Force(force)];
         if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
             loads.push(ContactLoad::Force(0.0));
         }
         let mut steps = Vec::new();
-        match sequence.solve(&loads, solution, observer, &mut steps) {
-            Ok(()) => {}
+        let interrupt = match sequence.solve(&loads, run, &mut steps) {
+            Ok(interrupt) => interrupt,
             Err(SolveError::TooWide { .. } | SolveError::TooFarRound { .. }) => {
                 return Ok(Err(
                     "the contact would spread over more of the surfaces than is solved".to_owned()
@@ -333,10 +324,8 @@ impl ForceSearch<'_> {
             }
             Err(SolveError::Mesh(error)) => return Ok(Err(error.to_string())),
             Err(error) => return Err(error),
-        }
-        if let Some(interrupt) =
-            solution.interrupted.take().or_else(|| steps.iter().find_map(|step| step.status.interrupt()))
-        {
+        };
+        if let Some(interrupt) = interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
             return Err(SolveError::Interrupted(interrupt));
         }
         if steps.iter().any(|step| step.has_collapsed) {

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use super::history_steps::{Estimates, HistorySteps, keep_preliminary};
 use super::increments::{Division, IncrementEnds, Leg, exponent};
-use super::load_stepper::{LoadStepper, SilentObserver, auxiliary};
+use super::load_stepper::{LoadStepper, auxiliary};
 use super::path::Path;
 use super::progress::Progress;
 use super::steps::StepReceiver;
@@ -39,8 +39,9 @@ use crate::solver::mesh_solve::{
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
-use crate::solver::solution::{CoarseFigures, IncrementRecord, LastIncrement, Solution, StepSolution};
-use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::run::Run;
+use crate::solver::solution::{CoarseFigures, IncrementRecord, LastIncrement, StepSolution};
+use crate::solver::{IncrementNumber, Interrupt, SolveError, SolveStatus, couplings, final_check};
 
 /// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
 /// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
@@ -79,14 +80,13 @@ pub(super) struct HistoryRequest<'a> {
 /// others there is what the coarse mesh has found.
 pub(super) fn run(
     request: HistoryRequest<'_>,
-    solution: &mut Solution,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
     receiver: &mut dyn StepReceiver,
-) -> Result<(), SolveError> {
+) -> Result<Option<Interrupt>, SolveError> {
     let candidates = largest_loads(request.loads);
     let mut widest: Option<ContactSizeEstimate> = None;
     for &load in &candidates {
-        let (size, _) = request.sizing.size(load, solution, observer)?;
+        let (size, _) = request.sizing.size(load, run)?;
         if widest.is_none_or(|widest| size.half_width > widest.half_width) {
             widest = Some(size);
         }
@@ -97,13 +97,10 @@ pub(super) fn run(
     let elements = request.job.mesh.elements_per_half_width as usize;
     let mesh = request.sizing.request(largest, size, (elements / 2).max(2), 1.0, auxiliary());
     let mut preliminary = Vec::new();
-    let chosen = {
-        let mut silent = SilentObserver { inner: &mut *observer };
-        choose_increments(&request, mesh, size, &mut preliminary, solution, &mut silent)
-    };
+    let chosen = run.silently(|run| choose_increments(&request, mesh, size, &mut preliminary, run));
     let (coarse, division, errors) = match chosen {
         Err(SolveError::Interrupted(interrupt)) => {
-            return keep_preliminary(preliminary, 0, interrupt, receiver, solution, observer);
+            return keep_preliminary(preliminary, 0, interrupt, receiver, run).map(Some);
         }
         chosen => chosen?,
     };
@@ -111,19 +108,16 @@ pub(super) fn run(
     let mut mesh = request.sizing.request(largest, size, elements, 1.0, request.job.solver);
     mesh.contact = request.contact;
     let guide = couplings::of(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
-    let run = MeshHistory { request: &request, mesh, size, division, guide };
+    let history = MeshHistory { request: &request, mesh, size, division, guide };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
-    let interrupt = match run.solve(&mut steps, solution, observer) {
+    let interrupt = match history.solve(&mut steps, run) {
         Ok(found) => found.interrupted,
         Err(SolveError::Interrupted(interrupt)) => Some(interrupt),
         Err(error) => return Err(error),
     };
     let done = steps.done();
-    match interrupt {
-        Some(interrupt) => keep_preliminary(preliminary, done, interrupt, receiver, solution, observer),
-        None => Ok(()),
-    }
+    interrupt.map(|interrupt| keep_preliminary(preliminary, done, interrupt, receiver, run)).transpose()
 }
 
 /// What a history on one mesh has found.
@@ -151,16 +145,15 @@ fn choose_increments(
     mut mesh: MeshSolveRequest<'_>,
     size: ContactSizeEstimate,
     preliminary: &mut Vec<StepSolution>,
-    solution: &mut Solution,
-    observer: &mut dyn Observer,
+    run: &mut Run<'_>,
 ) -> Result<(Found, Division, Vec<Option<CoarseFigures>>), SolveError> {
     let mut division = request.increments.map_or(Division::Level(0), Division::Fixed);
     let mut last: Option<Found> = None;
     let mut worst_before = f64::INFINITY;
     loop {
         let guide = last.as_ref().map(|last| &last.path);
-        let run = MeshHistory { request, mesh: mesh.clone(), size, division, guide };
-        let now = run.solve(&mut HistorySteps::Preliminary(preliminary), solution, observer)?;
+        let history = MeshHistory { request, mesh: mesh.clone(), size, division, guide };
+        let now = history.solve(&mut HistorySteps::Preliminary(preliminary), run)?;
         mesh.zone = now.mesh.clone();
         // Finer increments do not help a body that does not bear the load.
         if now.has_collapsed {
@@ -237,27 +230,22 @@ struct LoadEnd {
 
 impl MeshHistory<'_> {
     /// Solves all loads, on wider and wider meshes while the contact reaches the edge of the zone.
-    fn solve(
-        &self,
-        steps: &mut HistorySteps<'_>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<Found, SolveError> {
+    fn solve(&self, steps: &mut HistorySteps<'_>, run: &mut Run<'_>) -> Result<Found, SolveError> {
         let mut mesh = self.mesh.clone();
         let (mut enlargements, mut narrowings) = (0, 0);
         let most_columns = mesh_solve::most_columns(&mesh.zone);
         loop {
-            let run = MeshHistory { mesh: mesh.clone(), ..*self };
+            let history = MeshHistory { mesh: mesh.clone(), ..*self };
             let can_enlarge = narrowings == 0 && enlargements < MAX_ENLARGEMENTS;
             let most_columns = can_enlarge.then_some(most_columns);
-            match run.solve_on_zone(steps, enlargements, most_columns, solution, observer) {
+            match history.solve_on_zone(steps, enlargements, most_columns, run) {
                 Ok(Ok(mut found)) => {
-                    solution.passes += 1;
+                    *run.passes += 1;
                     found.mesh = mesh.zone;
                     return Ok(found);
                 }
                 Ok(Err(wider)) => {
-                    solution.passes += 1;
+                    *run.passes += 1;
                     steps.begin_anew();
                     mesh.zone = wider;
                     enlargements += 1;
@@ -278,14 +266,13 @@ impl MeshHistory<'_> {
         steps: &mut HistorySteps<'_>,
         enlargements: usize,
         most_columns: Option<usize>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<OnZone, SolveError> {
         let problem = self.request.problem;
         let MeshSolveRequest { refinement, cache, .. } = self.mesh;
         let zone = &self.mesh.zone;
         let design = Design { zone, refinement, search_region: self.search_region(), cache };
-        let (mut system, _) = System::build(problem, design, None, &mut solution.phases, observer)?;
+        let (mut system, _) = System::build(problem, design, None, run)?;
         let mut found = Found {
             mesh: zone.clone(),
             size: self.size,
@@ -312,8 +299,7 @@ impl MeshHistory<'_> {
                 let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
                 let (target, loads) = (leg.load(end), self.request.loads.len());
                 progress.number = IncrementNumber { number: k + 1, count, load: number + 1, loads };
-                let mut solve =
-                    self.increment(system, target, time, &leg, &mut progress, solution, observer)?;
+                let mut solve = self.increment(system, target, time, &leg, &mut progress, run)?;
                 solve.enlargements = enlargements;
                 let interrupted = solve.outcome.status.interrupt();
                 if let Some(most_columns) = most_columns
@@ -365,8 +351,7 @@ impl MeshHistory<'_> {
                     let increments = std::mem::take(&mut increments);
                     let last_increment = leg.increment(start, end, inherits_error);
                     let end = LoadEnd { number, load, target, widest, last_increment, increments };
-                    found.interrupted =
-                        self.end_load(end, &mut solve, &mut progress, steps, solution, observer);
+                    found.interrupted = self.end_load(end, &mut solve, &mut progress, steps, run);
                     if found.interrupted.is_some() {
                         return Ok(Ok(found));
                     }
@@ -401,18 +386,17 @@ impl MeshHistory<'_> {
         solve: &mut MeshSolve,
         progress: &mut Progress,
         steps: &mut HistorySteps<'_>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Option<Interrupt> {
         let LoadEnd { number, load, target, widest, last_increment, increments } = end;
         let step = if steps.are_final() {
-            self.step(solve, target, progress, solution, observer)
+            self.step(solve, target, progress, run)
         } else {
             final_check::as_iterated(solve, target, self.mesh.solver.tolerance.get())
         };
         let interrupted = step.status.interrupt();
         let reached = [progress.reached[1], widest];
-        steps.take(number, StepSolution { load, last_increment, increments, reached, ..step }, observer);
+        steps.take(number, StepSolution { load, last_increment, increments, reached, ..step }, run.observer);
         interrupted
     }
 
@@ -468,10 +452,8 @@ impl MeshHistory<'_> {
         time: f64,
         leg: &Leg,
         progress: &mut Progress,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<MeshSolve, SolveError> {
-        let phases = &mut solution.phases;
         let (scales, increment) = (progress.scales, Some(progress.number));
         let mut request = MeshSolveRequest { load: target, scales, increment, ..self.mesh.clone() };
         request.previous = None;
@@ -481,16 +463,16 @@ impl MeshHistory<'_> {
         let mut start = None;
         if couplings::of(request.solver.coupling).uses_tangent_moduli() {
             if leg.falls() {
-                system.linearize(None, phases, observer)?;
+                system.linearize(None, run)?;
             } else if let Some(guide) = self.guide {
                 let change = guide.change(progress.time, time);
                 let fields = guide.meshes.iter().zip(&change);
                 let fields: Vec<_> =
                     fields.map(|(mesh, displacement)| NodalField { mesh, displacement }).collect();
-                start = Some(system.linearize_after(&progress.accepted, &fields, phases, observer)?);
+                start = Some(system.linearize_after(&progress.accepted, &fields, run)?);
             } else {
                 let ahead = progress.extrapolated(target.magnitude(), leg);
-                system.linearize(Some((&ahead, ReferenceModuli::Tangent)), phases, observer)?;
+                system.linearize(Some((&ahead, ReferenceModuli::Tangent)), run)?;
                 start = Some(ahead);
             }
         }
@@ -499,13 +481,11 @@ impl MeshHistory<'_> {
         let mut widenings = 0;
         loop {
             let initial = InitialState { displacement: Some(start), history, ..InitialState::default() };
-            let mut outcome = mesh_solve::iterate(&mut system, &request, initial, phases, observer)?;
-            let fields = phases.time_observed(Phase::Output, observer, |observer| {
-                mesh_solve::fields(&system, &mut outcome, observer)
-            });
+            let mut outcome = mesh_solve::iterate(&mut system, &request, initial, run)?;
+            let fields = run
+                .time_observed(Phase::Output, |observer| mesh_solve::fields(&system, &mut outcome, observer));
             let problem = self.request.problem;
-            let mut solve =
-                phases.time(Phase::Output, observer, || MeshSolve::of(problem, system, outcome, fields));
+            let mut solve = run.time(Phase::Output, || MeshSolve::of(problem, system, outcome, fields));
             let is_stopped = solve.outcome.status.is_stopped();
             if !is_stopped && widenings < 3 && solve.yields_outside_region() {
                 let envelope = solve.yielded_envelope().joined(&progress.plastic).scaled(WIDENING);
@@ -536,8 +516,7 @@ impl MeshHistory<'_> {
         solve: &mut MeshSolve,
         load: ContactLoad,
         progress: &mut Progress,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
         solve.is_within_earlier_contact = progress.is_below_largest_load();
@@ -547,8 +526,7 @@ impl MeshHistory<'_> {
             load,
             tolerance,
             LeastScales { residual: progress.scales.force, contact: progress.contact_scales },
-            &mut solution.phases,
-            observer,
+            run,
         );
         if step.patch.is_some() {
             if step.peak_pressure > progress.peak[0] {
@@ -558,10 +536,9 @@ impl MeshHistory<'_> {
             step.peak_position = progress.peak[1];
         }
         // Plastic strain stays as it is where the load begins to fall, so that the stiffness is that of the elastic bodies.
-        let elastic = solve.system.linearize(None, &mut solution.phases, observer);
+        let elastic = solve.system.linearize(None, run);
         if elastic.is_ok() {
-            step.unloading_stiffness =
-                final_check::unloading_stiffness(solve, &mut solution.phases, observer);
+            step.unloading_stiffness = final_check::unloading_stiffness(solve, run);
         }
         step
     }

@@ -4,7 +4,8 @@
 //! rest. For the others there is what the coarse mesh has found, which is less: no stresses, no error bars.
 
 use super::steps::StepReceiver;
-use crate::solver::solution::{CoarseFigures, Solution, StepMesh, StepSolution};
+use crate::solver::run::Run;
+use crate::solver::solution::{CoarseFigures, StepMesh, StepSolution};
 use crate::solver::{Interrupt, Observer, SolveError};
 
 /// What the coarse mesh says of the errors of each step.
@@ -89,16 +90,14 @@ pub(super) fn keep_preliminary(
     done: usize,
     interrupt: Interrupt,
     receiver: &mut dyn StepReceiver,
-    solution: &mut Solution,
-    observer: &mut dyn Observer,
-) -> Result<(), SolveError> {
+    run: &mut Run<'_>,
+) -> Result<Interrupt, SolveError> {
     if steps.len().max(done) == 0 {
         return Err(SolveError::Interrupted(interrupt));
     }
     for mut step in steps.into_iter().skip(done) {
         step.status = interrupt.into();
-        receiver.step(step, observer);
+        receiver.step(step, run.observer);
     }
-    solution.interrupted = Some(interrupt);
-    Ok(())
+    Ok(interrupt)
 }

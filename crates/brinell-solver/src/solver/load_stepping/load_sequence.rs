@@ -9,8 +9,8 @@ use crate::contact::{ContactLoad, ContactSolver};
 use crate::job::Job;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::problem::Problem;
-use crate::solver::solution::Solution;
-use crate::solver::{Observer, SolveError};
+use crate::solver::run::Run;
+use crate::solver::{Interrupt, SolveError};
 
 /// The bodies, and how loads on them are solved.
 #[derive(Clone, Copy)]
@@ -27,38 +27,34 @@ pub(super) struct LoadSequence<'a> {
 impl LoadSequence<'_> {
     /// Solves loads in order and hands over each step as soon as it is finished.
     ///
-    /// Where the observer stops it, the steps that are done are kept and the solution says so; before the first of them is done it
-    /// is an error.
+    /// Where the observer stops it, the steps that are done are kept, and the interrupt says why the others are missing; before
+    /// the first of them is done it is an error.
     pub fn solve(
         &self,
         loads: &[ContactLoad],
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
         receiver: &mut dyn StepReceiver,
-    ) -> Result<(), SolveError> {
+    ) -> Result<Option<Interrupt>, SolveError> {
         let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
         if let Some(problem) = self.with_memory {
             let (job, contact, increments) = (self.job, self.contact, self.job.solver.increments);
             let request = HistoryRequest { problem, sizing: &stepper, job, contact, loads, increments };
-            return history::run(request, solution, observer, receiver);
+            return history::run(request, run, receiver);
         }
         for (k, &load) in loads.iter().enumerate() {
-            match stepper.step(load, loads.get(k + 1).copied(), solution, observer) {
+            match stepper.step(load, loads.get(k + 1).copied(), run) {
                 Ok(step) => {
                     let status = step.status;
-                    receiver.step(step, observer);
+                    receiver.step(step, run.observer);
                     if status.is_stopped() {
                         break;
                     }
                 }
                 // The steps that are done are worth keeping.
-                Err(SolveError::Interrupted(interrupt)) if k > 0 => {
-                    solution.interrupted = Some(interrupt);
-                    break;
-                }
+                Err(SolveError::Interrupted(interrupt)) if k > 0 => return Ok(Some(interrupt)),
                 Err(error) => return Err(error),
             }
         }
-        Ok(())
+        Ok(None)
     }
 }

@@ -1,8 +1,6 @@
 //! Load after load, each on three meshes, each sized by the one before.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Duration;
 
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactSolver};
 use crate::fem::element::StressState;
@@ -17,8 +15,9 @@ use crate::solver::mesh_sizing::end_of_contact::EndSearch;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
 use crate::solver::phases::Phase;
 use crate::solver::problem::Problem;
-use crate::solver::solution::{Solution, StepSolution};
-use crate::solver::{Interrupt, Observer, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::run::Run;
+use crate::solver::solution::StepSolution;
+use crate::solver::{Interrupt, SolveError, SolveStatus, couplings, final_check};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -32,7 +31,7 @@ const SETTLING_PASSES: usize = 5;
 const SIZING_TRUST: f64 = 0.4;
 /// How much larger a contact is taken to be where that is not so.
 const WIDENED: f64 = 1.5;
-/// How far the plastic region is reusable, over how far plastic flow reached on the coarser mesh.
+/// How far plastic flow is looked for, over how far it reached on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.1;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
@@ -81,8 +80,7 @@ impl<'a> LoadStepper<'a> {
         &mut self,
         load: ContactLoad,
         next: Option<ContactLoad>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<StepSolution, SolveError> {
         let reserve = resolution_reserve(load, next);
         let last = self.last.take();
@@ -94,26 +92,25 @@ impl<'a> LoadStepper<'a> {
         let falls = last.as_ref().is_some_and(|last| load.magnitude() < last.load.magnitude());
         let (extent, sizing) = match predicted.filter(|_| serves || falls) {
             Some(extent) => (extent, None),
-            None => self.size(load, solution, observer).map(|(extent, pass)| (extent, Some(pass)))?,
+            None => self.size(load, run).map(|(extent, pass)| (extent, Some(pass)))?,
         };
         let (coarse, fine) = last.filter(|_| serves).map(|last| (last.coarse, last.fine)).unzip();
         let previous = sizing.as_ref().map(MeshSolve::nodal_fields).unwrap_or_default();
         let elements = self.job.mesh.elements_per_half_width as usize;
         let mut request = self.request(load, extent, (elements / 2).max(2), reserve, auxiliary());
         request.previous = (!previous.is_empty()).then_some(&previous);
-        let coarse = self.solve_auxiliary(&request, coarse, solution, observer)?;
+        let coarse = self.solve_auxiliary(&request, coarse, run)?;
         let found = || self.found(extent, &coarse);
-        let extent = solution.phases.time(Phase::Output, observer, found);
+        let extent = run.time(Phase::Output, found);
         let figures = coarse.figures();
 
         let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
         request.previous = couplings::of(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
-        let mut pass = mesh_solve::run(self.problem, &request, fine, &mut solution.phases, observer)?;
-        solution.passes += pass.meshes;
+        let mut pass = mesh_solve::run(self.problem, &request, fine, run)?;
         // Before the stresses are handed over.
-        let found = solution.phases.time(Phase::Output, observer, || extent.found_by(&pass));
+        let found = run.time(Phase::Output, || extent.found_by(&pass));
         let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
         let mut step = final_check::finish(
             self.problem,
@@ -121,8 +118,7 @@ impl<'a> LoadStepper<'a> {
             load,
             tolerance,
             final_check::LeastScales::default(),
-            &mut solution.phases,
-            observer,
+            run,
         );
         step.coarse = figures;
         let elastic_force = (!yields).then(|| step.force());
@@ -130,7 +126,7 @@ impl<'a> LoadStepper<'a> {
             found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing(), elastic_force);
         let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
-        self.last = solution.phases.time(Phase::Output, observer, move || {
+        self.last = run.time(Phase::Output, move || {
             drop(sizing);
             let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
             // What has not converged is no place to start from.
@@ -163,19 +159,18 @@ impl<'a> LoadStepper<'a> {
     pub(super) fn size(
         &self,
         load: ContactLoad,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let elements = self.job.mesh.elements_per_half_width as usize;
         let expect =
             || ContactSizeEstimate::expected(self.problem, load)?.resolved(self.problem, load, elements);
-        let mut extent = solution.phases.time(Phase::Mesh, observer, expect)?;
-        let (mut found, mut pass) = self.small_mesh(load, extent, None, solution, observer)?;
+        let mut extent = run.time(Phase::Mesh, expect)?;
+        let (mut found, mut pass) = self.small_mesh(load, extent, None, run)?;
         for _ in 1..SIZING_PASSES {
             if !has_answer(&pass) {
                 // Near a limit load a mesh now and then has none, and another one has.
                 let wider = extent.scaled(WIDENED);
-                let next = self.small_mesh(load, wider, None, solution, observer)?;
+                let next = self.small_mesh(load, wider, None, run)?;
                 if !has_answer(&next.1) {
                     return Ok((found, pass));
                 }
@@ -188,9 +183,9 @@ impl<'a> LoadStepper<'a> {
             // A contact of one or two elements is not yet known to be that small.
             let smallest_part = found.half_width;
             extent = ContactSizeEstimate { half_width: WIDENED * found.half_width, smallest_part, ..found };
-            (found, pass) = self.small_mesh(load, extent, None, solution, observer)?;
+            (found, pass) = self.small_mesh(load, extent, None, run)?;
         }
-        self.settle(load, found, pass, solution, observer)
+        self.settle(load, found, pass, run)
     }
 
     /// Small meshes until the contact of bodies that yield ends between two nodes as it does at any other load.
@@ -199,8 +194,7 @@ impl<'a> LoadStepper<'a> {
         load: ContactLoad,
         mut found: ContactSizeEstimate,
         mut pass: MeshSolve,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let mut search = EndSearch::default();
         for _ in 0..SETTLING_PASSES {
@@ -209,7 +203,7 @@ impl<'a> LoadStepper<'a> {
             let spacing = is_sized.then(|| search.next(&pass, found.half_width, SIZING_ELEMENTS));
             let Some(spacing) = spacing.flatten() else { break };
             let extent = found.with_spacing(spacing, SIZING_ELEMENTS);
-            let next = self.small_mesh(load, extent, Some(&pass), solution, observer)?;
+            let next = self.small_mesh(load, extent, Some(&pass), run)?;
             if !has_answer(&next.1) {
                 break;
             }
@@ -224,15 +218,14 @@ impl<'a> LoadStepper<'a> {
         load: ContactLoad,
         extent: ContactSizeEstimate,
         previous: Option<&MeshSolve>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<(ContactSizeEstimate, MeshSolve), SolveError> {
         let previous = previous.map(MeshSolve::nodal_fields);
         let mut request = self.request(load, extent, SIZING_ELEMENTS, 1.0, auxiliary());
         request.search_region = PlasticSearchRegion::WholeBody;
         request.previous = previous.as_deref();
-        let pass = self.solve_auxiliary(&request, None, solution, observer)?;
-        let found = solution.phases.time(Phase::Output, observer, || self.found(extent, &pass));
+        let pass = self.solve_auxiliary(&request, None, run)?;
+        let found = run.time(Phase::Output, || self.found(extent, &pass));
         Ok((found, pass))
     }
 
@@ -252,12 +245,9 @@ impl<'a> LoadStepper<'a> {
         &self,
         request: &MeshSolveRequest<'_>,
         reusable: Option<ReusableMesh>,
-        solution: &mut Solution,
-        observer: &mut dyn Observer,
+        run: &mut Run<'_>,
     ) -> Result<MeshSolve, SolveError> {
-        let mut silent = SilentObserver { inner: observer };
-        let pass = mesh_solve::run(self.problem, request, reusable, &mut solution.phases, &mut silent)?;
-        solution.passes += pass.meshes;
+        let pass = run.silently(|run| mesh_solve::run(self.problem, request, reusable, run))?;
         // One that was stopped has no fields that the next mesh could start from.
         match pass.outcome.status {
             SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),
@@ -325,20 +315,5 @@ pub(super) fn auxiliary() -> SolverSettings {
         contact: ContactMethod::ActiveSet,
         tolerance: PositiveF64::new(AUXILIARY_TOLERANCE).unwrap_or(default.tolerance),
         max_iterations: 200,
-    }
-}
-
-/// Lets the auxiliary passes be stopped but not seen.
-pub(super) struct SilentObserver<'a> {
-    pub inner: &'a mut dyn Observer,
-}
-
-impl Observer for SilentObserver<'_> {
-    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
-        self.inner.on_checkpoint()
-    }
-
-    fn elapsed(&self) -> Duration {
-        self.inner.elapsed()
     }
 }

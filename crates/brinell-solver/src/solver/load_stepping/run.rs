@@ -12,6 +12,7 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::observer::Observer;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
+use crate::solver::run::Run;
 use crate::solver::solution::Solution;
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.
@@ -86,12 +87,15 @@ pub fn run_each(
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
     let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
     let mut solution = Solution::default();
+    let mut run = Run::new(&mut solution, observer);
     match loads(&job.load) {
-        Loads::Given(loads) => sequence.solve(&loads, &mut solution, observer, receiver)?,
+        Loads::Given(loads) => solution.interrupted = sequence.solve(&loads, &mut run, receiver)?,
         Loads::Sought(sought) => {
-            for step in force_search::run(sought, &sequence, &mut solution, observer)? {
-                receiver.step(step, observer);
+            let found = force_search::run(sought, &sequence, &mut run)?;
+            for step in found.steps {
+                receiver.step(step, run.observer);
             }
+            solution.sensitivity = Some(found.sensitivity);
         }
     }
     Ok(solution)

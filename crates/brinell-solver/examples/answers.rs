@@ -1,0 +1,53 @@
+//! Prints the reports of seeded random jobs, one line of JSON for each, without the times they took: to compare what two versions
+//! of the solver answer.
+//!
+//! `cargo run --release --example answers 200 > before.jsonl`
+
+#![expect(clippy::print_stdout, reason = "printing is what it is for")]
+
+use brinell_solver::job::Job;
+use brinell_solver::report;
+use brinell_solver::solver::Unobserved;
+use serde_json::{Value, json};
+
+#[path = "../tests/support/random_job.rs"]
+mod random_job;
+
+/// Elements over the half-width.
+const ELEMENTS: [u32; 4] = [4, 6, 8, 12];
+/// Members that differ from run to run.
+const TIMES: [&str; 2] = ["timings_ms", "elapsed_ms"];
+
+fn main() {
+    let count = std::env::args().nth(1).and_then(|count| count.parse().ok()).unwrap_or(200);
+    for seed in 0..count {
+        let text = random_job::job(&mut random_job::Random(seed), &ELEMENTS).to_string();
+        println!("{}", answer(text.as_bytes()));
+    }
+}
+
+fn answer(text: &[u8]) -> Value {
+    let job = match Job::from_json(text) {
+        Ok(job) => job,
+        Err(errors) => return json!({"refused": format!("{errors:?}")}),
+    };
+    match report::run(&job, &mut Unobserved) {
+        Ok(report) => {
+            let mut report = serde_json::to_value(&report).unwrap_or_default();
+            strip_times(&mut report);
+            report
+        }
+        Err(error) => json!({"failed": error.to_string()}),
+    }
+}
+
+fn strip_times(value: &mut Value) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(strip_times),
+        Value::Object(members) => {
+            members.retain(|name, _| !TIMES.contains(&name.as_str()));
+            members.values_mut().for_each(strip_times);
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,73 @@
+//! What every part of a solve is handed: who watches it, and where its time is booked.
+
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use crate::solver::observer::{Interrupt, IterationRecord, Observer, ask};
+use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::{Solution, SolveError};
+
+/// A running solve.
+pub(crate) struct Run<'a> {
+    /// Time by phase.
+    pub phases: &'a mut PhaseTimes,
+    /// Meshes made.
+    pub passes: &'a mut usize,
+    pub observer: &'a mut dyn Observer,
+}
+
+impl<'a> Run<'a> {
+    /// A run whose work is booked in a solution.
+    pub fn new(solution: &'a mut Solution, observer: &'a mut dyn Observer) -> Self {
+        Self { phases: &mut solution.phases, passes: &mut solution.passes, observer }
+    }
+
+    /// The same run, lent to somebody who keeps it.
+    pub fn reborrow(&mut self) -> Run<'_> {
+        Run { phases: &mut *self.phases, passes: &mut *self.passes, observer: &mut *self.observer }
+    }
+
+    /// Does work of the same run that can be stopped but whose iterations are not shown.
+    pub fn silently<T>(&mut self, work: impl FnOnce(&mut Run<'_>) -> T) -> T {
+        let mut silent = SilentObserver { inner: &mut *self.observer };
+        work(&mut Run { phases: &mut *self.phases, passes: &mut *self.passes, observer: &mut silent })
+    }
+
+    /// Does work and books its time.
+    pub fn time<T>(&mut self, phase: Phase, work: impl FnOnce() -> T) -> T {
+        self.time_observed(phase, |_| work())
+    }
+
+    /// Does work that asks the observer itself, and books its time.
+    pub fn time_observed<T>(&mut self, phase: Phase, work: impl FnOnce(&mut dyn Observer) -> T) -> T {
+        let start = self.observer.elapsed();
+        let outcome = work(self.observer);
+        self.phases.book(phase, self.observer.elapsed().saturating_sub(start));
+        outcome
+    }
+
+    /// Asks the observer whether to stop, where there is nothing to report yet.
+    pub fn checkpoint(&mut self) -> Result<(), SolveError> {
+        ask(self.observer).map_err(SolveError::Interrupted)
+    }
+
+    /// Shows an iteration to the observer.
+    pub fn show(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.observer.on_iteration(record)
+    }
+}
+
+/// Lets a solve be stopped but not seen.
+struct SilentObserver<'a> {
+    inner: &'a mut dyn Observer,
+}
+
+impl Observer for SilentObserver<'_> {
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.inner.on_checkpoint()
+    }
+
+    fn elapsed(&self) -> Duration {
+        self.inner.elapsed()
+    }
+}
