@@ -13,6 +13,7 @@ use axum::middleware::Next;
 use axum::response::Response;
 
 use super::HttpState;
+use super::access::HARMLESS;
 use super::listen::HEAD_BYTES;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
@@ -84,7 +85,8 @@ pub(super) async fn check_host(
         let detail = "this service does not answer under this name; --allowed-host adds one";
         return Err(Problem::new(ProblemType::UnknownHost, detail));
     }
-    if !request.method().is_safe() && !is_from_here(request.headers(), host, &state.settings.cors_origins) {
+    let changes = !request.method().is_safe() && !HARMLESS.contains(&request.uri().path());
+    if changes && !is_from_here(request.headers(), host, &state.settings.cors_origins) {
         let detail = "a page of another origin asks for a change; --cors-origin allows one";
         return Err(Problem::new(ProblemType::Forbidden, detail));
     }

@@ -125,7 +125,7 @@ fn every_request_leaves_one_line_and_no_secret() {
     let id = server.target.submit(&example());
     server.target.wait_for(&id, &["succeeded"]);
     let id = id.rsplit('/').next().unwrap().to_owned();
-    let secret = ["-H", "X-Request-Id: press-7", "-H", "Authorization: Bearer brinell_secret"];
+    let secret = ["-H", "X-Request-Id: press-7", "-H", "Authorization: Basic brinell_secret"];
     let answer = server.target.post_with(
         "/v1/solve?wait=29.125",
         example().to_string(),

@@ -227,7 +227,7 @@ fn a_name_that_points_inside_is_not_called() {
     loop {
         let callback = service.target.get(&job).json()["callback"].clone();
         if let Some(error) = callback["last_error"].as_str() {
-            assert_eq!(error, "the host has an address that is not public");
+            assert_eq!(error, "the host has no address that may be called");
             assert!(callback["state"] == "pending" && callback["next_attempt_at"].is_string());
             break;
         }

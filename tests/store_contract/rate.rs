@@ -76,7 +76,7 @@ async fn measure(workers: usize, before: bool) {
     let hot = loop {
         let (all, hot): (i64, i64) = sqlx::query_as(changes).fetch_one(&mut database).await.unwrap();
         // Other sessions tell of theirs when they have nothing to do.
-        if all >= 6 * JOBS as i64 {
+        if all >= i64::try_from(6 * JOBS).unwrap() {
             break hot as f64 / all as f64;
         }
     };
