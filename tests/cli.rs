@@ -140,6 +140,67 @@ fn the_table_says_what_matters() {
     assert!(history.take_while(|line| !line.is_empty()).count() <= 13, "{table}");
 }
 
+/// A ball has a radius of contact, and its pressure is drawn over the radius.
+#[test]
+fn bodies_of_revolution_have_their_own_words() {
+    let mut ball = example();
+    ball["analysis"] = json!("axisymmetric");
+    ball["mesh"] = json!({"elements_per_half_width": 10});
+    ball["load"] = json!({"force": 2000.0});
+    let table = stdout(&brinell(&["solve", "-", "--format", "table"], &ball.to_string()));
+    for expected in ["upper  Sphere R 20", "contact radius", "r = 0 mm", " % at r "] {
+        assert!(table.contains(expected), "{expected:?} is missing:\n{table}");
+    }
+    for plane in ["Cylinder", "half-width", "x = 0", "at x"] {
+        assert!(!table.contains(plane), "{plane:?} is of plane bodies:\n{table}");
+    }
+    let drawn = table.lines().skip_while(|line| !line.contains("pressure  [")).skip(1).take(12);
+    let filled = drawn.filter(|line| line.chars().skip(11).take(8).any(|sign| sign != ' ')).count();
+    assert!(filled >= 2, "the curve begins at the axis:\n{table}");
+}
+
+/// Hertz's mean pressure of a circle is two thirds of the peak.
+#[test]
+fn the_table_has_the_mean_pressure_of_a_circle() {
+    let mut ball = example();
+    ball["analysis"] = json!("axisymmetric");
+    ball["mesh"] = json!({"elements_per_half_width": 20});
+    ball["load"] = json!({"force": 10.0});
+    let table = stdout(&brinell(&["solve", "-", "--format", "table"], &ball.to_string()));
+    let mean = table.lines().find(|line| line.starts_with("mean pressure")).expect("a mean pressure");
+    let ratio: f64 = mean.split_whitespace().nth(5).and_then(|word| word.parse().ok()).expect("a ratio");
+    assert!((ratio - 1.0).abs() < 0.06, "{mean}");
+}
+
+/// Without load the table begins with what is left; a target begins with its answer.
+#[test]
+fn the_table_begins_with_the_answer() {
+    let mut dent = example();
+    dent["mesh"] = json!({"elements_per_half_width": 6});
+    dent["solver"] = json!({"theory": "flow"});
+    dent["load"] = json!({"history": [{"force": 612.0}, {"force": 0}]});
+    let table = stdout(&brinell(&["solve", "-", "--format", "table"], &dent.to_string()));
+    let (_, unloaded) = table.split_once("force 0 N/mm").expect("a step without load");
+    let names: Vec<&str> = unloaded.lines().skip(2).map_while(|line| line.get(..21)).map(str::trim).collect();
+    let expected = ["dent, upper body", "dent, lower body", "pile-up, upper body", "pile-up, lower body"];
+    assert_eq!(names.get(..4), Some(&expected[..]), "{table}");
+    for expected in ["permanent approach", "tension, lower body"] {
+        assert!(names.contains(&expected), "{expected:?} is missing:\n{table}");
+    }
+    assert!(!unloaded.contains("Hertz"), "{table}");
+    // A line for every increment of a load that is divided.
+    assert!(table.contains(" inc  iter"), "{table}");
+    for line in table.lines() {
+        assert!(line.chars().count() <= 80, "{line:?} is too long");
+    }
+    let mut target = example();
+    target["mesh"] = json!({"elements_per_half_width": 6});
+    target["load"] = json!({"target": {"peak_pressure": 900.0}});
+    let table = stdout(&brinell(&["solve", "-", "--format", "table"], &target.to_string()));
+    let second = table.lines().nth(1).expect("two lines");
+    assert!(second.starts_with("force for a peak pressure of 900 MPa: "), "{table}");
+}
+
 #[test]
 fn the_table_has_no_error_bar_of_nothing() {
     let mut dent = example();

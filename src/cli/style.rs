@@ -90,6 +90,7 @@ impl Style {
                 'ν' => spelled.push_str("nu"),
                 'ε' => spelled.push('e'),
                 'Δ' => spelled.push('d'),
+                'θ' => spelled.push('t'),
                 'α' => spelled.push('a'),
                 '·' | '—' | '─' | '└' | '┴' | '┤' | '│' | '╵' => {
                     spelled.push(ascii_line(symbol));

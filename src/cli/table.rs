@@ -9,9 +9,10 @@ use std::fmt::Write;
 
 use super::style::Style;
 use brinell_solver::job::fields::Figure;
-use brinell_solver::job::{Analysis, Job, Load, Quantity, Target};
+use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, TargetReport, Timings,
+    FlowReport, HertzReport, LoadReport, PerBody, PlasticityReport, Report, StepReport, SubsurfaceReport,
+    SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -21,33 +22,60 @@ const WIDTH: usize = 80;
 
 /// Lays a report out as text. `job` is what was asked.
 pub fn table(job: &Job, report: &Report, style: Style) -> String {
-    let page = Page { style, units: UnitNames::of(job), text: String::new() };
+    let page = Page { style, names: Names::of(job), text: String::new(), said: Vec::new() };
     page.lay_out(job, report)
 }
 
-/// How the figures' units are written.
+/// How units and figures are written, which depends on whether the bodies are turned about an axis.
 #[derive(Debug, Clone, Copy)]
-struct UnitNames {
+struct Names {
     length: &'static str,
     stress: &'static str,
     force: &'static str,
+    is_round: bool,
 }
 
-impl UnitNames {
+impl Names {
     fn of(job: &Job) -> Self {
-        let is_axisymmetric = job.analysis == Analysis::Axisymmetric;
-        let force = if is_axisymmetric { Quantity::Force } else { Quantity::LineForce };
+        let is_round = job.analysis == Analysis::Axisymmetric;
+        let force = if is_round { Quantity::Force } else { Quantity::LineForce };
         let [length, stress, force] =
             [Quantity::Length, Quantity::Stress, force].map(|q| q.symbol(job.units));
-        Self { length, stress, force }
+        Self { length, stress, force, is_round }
+    }
+
+    fn width(self) -> &'static str {
+        if self.is_round { "contact radius" } else { "half-width" }
+    }
+
+    /// Places along the surface.
+    fn abscissa(self) -> &'static str {
+        if self.is_round { "r" } else { "x" }
+    }
+
+    /// Where piled up material is, on both sides of the axis.
+    fn pile_up_abscissa(self) -> &'static str {
+        if self.is_round { "r" } else { "|x|" }
+    }
+
+    /// Hertz's mean pressure over its peak: an ellipse over a line, an ellipsoid over a circle.
+    fn mean_of_peak(self) -> f64 {
+        if self.is_round { 2.0 / 3.0 } else { std::f64::consts::FRAC_PI_4 }
+    }
+
+    /// Stresses along the surface and across the section.
+    fn tangential(self) -> [&'static str; 2] {
+        if self.is_round { ["σ_r", "σ_θ"] } else { ["σ_x", "σ_z"] }
     }
 }
 
 /// The text so far.
 struct Page {
     style: Style,
-    units: UnitNames,
+    names: Names,
     text: String,
+    /// Remarks and datums that are written: what holds for every step is said once.
+    said: Vec<String>,
 }
 
 impl Page {
@@ -55,12 +83,12 @@ impl Page {
         let analysis = report.analysis.replace('_', " ");
         let title = self.style.bold(&format!("Brinell {}", report.version));
         self.line(&format!("{title} · {analysis} · {}", report.units));
-        for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {
-            self.line(&wrapped(&format!("{name}  "), &bodies::describe(body, job.units), ", "));
-        }
         if let Some(target) = &report.target {
-            self.line("");
             self.target(job, target);
+            self.line("");
+        }
+        for (name, body) in [("upper", &job.upper), ("lower", &job.lower)] {
+            self.line(&wrapped(&format!("{name}  "), &bodies::describe(body, job), ", "));
         }
         for step in &report.steps {
             self.line("");
@@ -74,7 +102,7 @@ impl Page {
             mesh.elements,
             mesh.equations,
             significant(mesh.spacing, 3),
-            self.units.length,
+            self.names.length,
             mesh.passes
         ));
         self.line(&times(&report.timings_ms));
@@ -83,28 +111,30 @@ impl Page {
 
     /// The force that the job asked for by what it does.
     fn target(&mut self, job: &Job, target: &TargetReport) {
-        let unit = match &job.load {
-            Load::Target(Target { figure, .. }) => match figure.figure() {
-                Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
-                Figure::Pure(_) => String::new(),
-            },
-            _ => String::new(),
+        let Load::Target(Target { figure, .. }) = &job.load else { return };
+        let unit = match figure.figure() {
+            Figure::Quantity(quantity) => format!(" {}", quantity.symbol(job.units)),
+            Figure::Pure(_) => String::new(),
+        };
+        let when = match figure {
+            TargetFigure::PermanentApproach | TargetFigure::DentDepth => "when this force is taken away",
+            _ => "under this force",
         };
         let bar = target
             .relative_error
             .map_or_else(String::new, |error| format!(" ± {} %", significant(100.0 * error, 2)));
-        let force = self.style.bold(&format!("{} {}", significant(target.force, 7), self.units.force));
+        let force = self.style.bold(&format!("{} {}", significant(target.force, 7), self.names.force));
         let name = target.figure.replace('_', " ");
         let reached = significant(target.reached, 5);
         self.line(&format!("force for a {name} of {}{unit}: {force}{bar}", target.wanted));
-        self.line(&self.style.dim(&format!("it is {reached}{unit} under this force")));
+        self.line(&self.style.dim(&format!("it is {reached}{unit} {when}")));
     }
 
     fn step(&mut self, step: &StepReport) {
         let load = match step.load {
-            LoadReport::Force(force) => format!("force {} {}", significant(force, 7), self.units.force),
+            LoadReport::Force(force) => format!("force {} {}", significant(force, 7), self.names.force),
             LoadReport::Approach(approach) => {
-                format!("approach {} {}", significant(approach, 7), self.units.length)
+                format!("approach {} {}", significant(approach, 7), self.names.length)
             }
         };
         let (count, style) = (step.history.len(), self.style);
@@ -117,8 +147,12 @@ impl Page {
         };
         self.line(&format!("{load} · {status}"));
         self.line("");
-        self.figures(step);
-        let picture = plot::pressure(&step.contact, step.hertz.as_ref(), self.units, style);
+        if let (true, Some(flow)) = (step.contact.force == 0.0, &step.flow) {
+            self.left_behind(step, flow);
+        } else {
+            self.figures(step);
+        }
+        let picture = plot::pressure(&step.contact, step.hertz.as_ref(), self.names, style);
         if !picture.is_empty() {
             self.line("");
             self.text.push_str(&picture);
@@ -126,10 +160,15 @@ impl Page {
         self.line("");
         self.plastic_zone("upper", step.plasticity.upper.as_ref());
         self.plastic_zone("lower", step.plasticity.lower.as_ref());
+        self.utilization(step.subsurface.as_ref());
         if let Some(flow) = &step.flow {
-            self.flow(flow);
+            self.flow(flow, step.contact.force > 0.0);
         }
         for note in &step.validity {
+            if self.said.contains(&note.message) {
+                continue;
+            }
+            self.said.push(note.message.clone());
             let label = style.yellow("note ");
             let text = wrapped("note   ", &words(&note.message), " ");
             self.line(&text.replacen("note ", &label, 1));
@@ -141,7 +180,7 @@ impl Page {
     }
 
     fn figures(&mut self, step: &StepReport) {
-        let (contact, units) = (&step.contact, self.units);
+        let (contact, names) = (&step.contact, self.names);
         let error = step.estimated_error.as_ref();
         let hertz = step.hertz.as_ref();
         let strain = [&step.plasticity.upper, &step.plasticity.lower]
@@ -151,32 +190,71 @@ impl Page {
             .fold(0.0, f64::max);
         self.line(&self.style.dim(&format!("{:27}{:>13}{:>13}{:>9}", "", "this contact", "Hertz", "ratio")));
         self.figure(
-            ("peak pressure", units.stress),
+            ("peak pressure", names.stress),
             contact.peak_pressure,
             hertz.map(|hertz| hertz.peak_pressure),
             error.map(|error| error.peak_pressure),
         );
         let half_widths = hertz.map(|hertz| hertz.half_width);
         let error_of_width = error.map(|error| error.half_width);
-        self.figure(("half-width", units.length), contact.half_width, half_widths, error_of_width);
-        let mean = hertz.map(|hertz| std::f64::consts::FRAC_PI_4 * hertz.peak_pressure);
-        self.figure(("mean pressure", units.stress), contact.mean_pressure, mean, None);
+        self.figure((names.width(), names.length), contact.half_width, half_widths, error_of_width);
+        let mean = hertz.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
+        self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
         let error_of_approach = error.map(|error| error.approach);
-        self.figure(("approach", units.length), step.approach, None, error_of_approach);
+        self.figure(("approach", names.length), step.approach, None, error_of_approach);
         self.figure(("max plastic strain", "%"), 100.0 * strain, hertz.map(|_| 0.0), None);
-        self.line(&self.style.dim(&wrapped("approach: ", &words(&step.approach_datum), " ")));
+        if let Some(angle) = contact.half_angle {
+            self.line(&format!("it touches over {}° to each side, along the arc", significant(angle, 3)));
+        }
+        if !self.said.contains(&step.approach_datum) {
+            self.line(&self.style.dim(&wrapped("approach: ", &words(&step.approach_datum), " ")));
+            self.said.push(step.approach_datum.clone());
+        }
         if let Some(HertzReport { yield_onset_force: Some(onset), .. }) = hertz {
             let times = significant(contact.force / onset, 3);
             let onset = significant(*onset, 5);
-            self.line(&format!("yield begins at {onset} {}; this force is {times} times that", units.force));
+            self.line(&format!("yield begins at {onset} {}; this force is {times} times that", names.force));
         }
         if let Some(limit) = hertz.and_then(|hertz| hertz.shakedown_pressure) {
             let limit = significant(limit, 5);
             self.line(&format!(
                 "rolling freely, it shakes down up to a Hertz peak of {limit} {}",
-                units.stress
+                names.stress
             ));
         }
+    }
+
+    /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says nothing of them.
+    fn left_behind(&mut self, step: &StepReport, flow: &FlowReport) {
+        let length = self.names.length;
+        let both = [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)];
+        let surfaces = || both.into_iter().filter_map(|(body, surface)| Some((body, surface.as_ref()?)));
+        for (body, SurfaceReport { depth, .. }) in surfaces() {
+            self.value(&format!("dent, {body} body"), length, *depth, None, "");
+        }
+        for (body, SurfaceReport { pile_up, pile_up_position, .. }) in surfaces() {
+            let place = format!("at {} {}", self.names.pile_up_abscissa(), significant(*pile_up_position, 3));
+            self.value(&format!("pile-up, {body} body"), length, *pile_up, None, &place);
+        }
+        let error = step.estimated_error.as_ref().map(|error| error.approach);
+        self.value("permanent approach", length, step.approach, error, "");
+        let Some(subsurface) = &step.subsurface else { return };
+        for (body, profile) in [("upper", &subsurface.upper), ("lower", &subsurface.lower)] {
+            let Some((name, stress, depth)) =
+                profile.as_ref().and_then(|p| largest_tension(p, self.names.tangential()))
+            else {
+                continue;
+            };
+            let place = format!("{name} at depth {} {length}", significant(depth, 3));
+            self.value(&format!("tension, {body} body"), self.names.stress, stress, None, &place);
+        }
+    }
+
+    fn value(&mut self, name: &str, unit: &str, value: f64, error: Option<f64>, place: &str) {
+        let value = self.style.bold(&format!("{:>13}", significant(value, 4)));
+        let error = error.filter(|error| *error > 0.0);
+        let error = error.map_or_else(String::new, |error| format!("± {} %", significant(100.0 * error, 2)));
+        self.line(format!("{name:21}{unit:>6}{value}  {error}{place}").trim_end());
     }
 
     fn figure(&mut self, (name, unit): (&str, &str), value: f64, hertz: Option<f64>, error: Option<f64>) {
@@ -199,35 +277,57 @@ impl Page {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
             Some(zone) => format!(
-                "plastic zone {} {}²; strain up to {} % at x {}, depth {} {}",
+                "plastic zone {} {}²; strain up to {} % at {} {}, depth {} {}",
                 significant(zone.area, 3),
-                self.units.length,
+                self.names.length,
                 significant(100.0 * zone.max_equivalent_plastic_strain, 3),
+                self.names.abscissa(),
                 significant(zone.position, 3),
                 significant(zone.depth, 3),
-                self.units.length
+                self.names.length
             ),
         };
         self.line(&format!("{name}  {text}"));
     }
 
-    /// What flow theory knows: the dents, the work, and how the contact unloads.
-    fn flow(&mut self, flow: &FlowReport) {
-        let units = self.units;
+    /// How much of its strength a body uses that is not equally strong everywhere, where that is most.
+    fn utilization(&mut self, bodies: Option<&PerBody<Option<SubsurfaceReport>>>) {
+        let Some(bodies) = bodies else { return };
+        for (name, profile) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
+            let Some(SubsurfaceReport { depth, utilization: Some(used), .. }) = profile else { continue };
+            let Some((used, depth)) = used.iter().zip(depth).max_by(|a, b| a.0.total_cmp(b.0)) else {
+                continue;
+            };
+            self.line(&format!(
+                "{name}  uses at most {} % of its yield stress, at depth {} {} below the peak",
+                significant(100.0 * used, 3),
+                significant(*depth, 3),
+                self.names.length
+            ));
+        }
+    }
+
+    /// What flow theory knows: the surfaces, the work, and how the contact unloads.
+    fn flow(&mut self, flow: &FlowReport, loaded: bool) {
+        let names = self.names;
         let surfaces = &flow.surfaces;
         for (name, surface) in [("upper", &surfaces.upper), ("lower", &surfaces.lower)] {
-            let Some(surface) = surface else { continue };
+            let Some(surface) = surface.as_ref().filter(|surface| loaded || surface.yielded_in_reverse)
+            else {
+                continue;
+            };
             let reverse = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
             self.line(&format!(
-                "{name}  surface {} {} deep, pile-up {} at |x| {}{reverse}",
+                "{name}  surface {} {} deep, pile-up {} at {} {}{reverse}",
                 significant(surface.depth, 4),
-                units.length,
+                names.length,
                 significant(surface.pile_up, 3),
+                names.pile_up_abscissa(),
                 significant(surface.pile_up_position, 3),
             ));
         }
         let energy = &flow.energy;
-        let work = format!("{} {}", units.force, units.length);
+        let work = format!("{} {}", names.force, names.length);
         self.line(&format!(
             "work   {} {work}: elastic {}, dissipated {}, stored by backstress {}",
             significant(energy.work, 4),
@@ -237,7 +337,7 @@ impl Page {
         ));
         if flow.unloading_stiffness > 0.0 {
             let stiffness = significant(flow.unloading_stiffness, 4);
-            self.line(&format!("unloading stiffness {stiffness} {}/{}", units.force, units.length));
+            self.line(&format!("unloading stiffness {stiffness} {}/{}", names.force, names.length));
         }
     }
 
@@ -245,6 +345,19 @@ impl Page {
         self.text.push_str(text);
         self.text.push('\n');
     }
+}
+
+/// The largest of the stresses along the surface and across the section, where that is a tension: name, stress, depth.
+fn largest_tension(
+    profile: &SubsurfaceReport,
+    [along, across]: [&'static str; 2],
+) -> Option<(&'static str, f64, f64)> {
+    let column = |name, stresses: &[f64]| {
+        let largest = stresses.iter().copied().zip(profile.depth.iter().copied());
+        largest.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(stress, depth)| (name, stress, depth))
+    };
+    let both = [column(along, &profile.sigma_x), column(across, &profile.sigma_z)];
+    both.into_iter().flatten().filter(|(_, stress, _)| *stress > 0.0).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// One line: the total and the phases that matter, the longest first.

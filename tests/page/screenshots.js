@@ -2,111 +2,11 @@
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { PHONE, launch, serve, visit } from './browser.js';
-
-/** @typedef {import('playwright-core').Page} Page */
+import { launch, serve, visit } from './browser.js';
+import { OF_DOCUMENTS, OTHERS } from './views.js';
 
 const given = process.argv[2];
 const folder = given ?? fileURLToPath(new URL('../../docs/figures', import.meta.url));
-const WIDE = { viewport: { width: 1440, height: 1000 } };
-const DARK = { ...WIDE, colorScheme: /** @type {const} */ ('dark') };
-
-/** @param {Page} page */
-const drawn = async (page) => {
-  await page.waitForFunction(
-    () =>
-      performance.getEntriesByName('field-drawn').length > 0 && !document.querySelector('.stage')?.matches('.stale'),
-  );
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-};
-
-/** @param {Page} page */
-async function solve(page) {
-  await page.getByText('1500.0 MPa').waitFor();
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('[data-status=succeeded]').waitFor();
-  await page.locator('#panel-field select').first().selectOption('equivalent_plastic_strain');
-  await drawn(page);
-  await page.evaluate(() => scrollTo(0, 0));
-}
-
-/** @param {Page} page @param {object} change */
-const made = (page, change) =>
-  page.evaluate(async (change) => {
-    const { examples } = await (await fetch('v1/examples')).json();
-    const job = { ...examples[0].job, output: { fields: true }, ...change };
-    const headers = { 'Content-Type': 'application/json', Prefer: 'wait=60' };
-    const answer = await fetch('v1/jobs', { method: 'POST', headers, body: JSON.stringify(job) });
-    return (answer.headers.get('content-location') ?? '').split('/')[3];
-  }, change);
-
-/** @param {Page} page */
-async function sweep(page) {
-  await page.locator('#example').selectOption({ label: 'Bearing ball pressed into a steel plate, ten loads' });
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('[data-status=succeeded]').waitFor();
-  await drawn(page);
-  await page.getByLabel('Shown', { exact: true }).selectOption('sigma_z');
-  await page.getByLabel('Isolines').check();
-  await page.getByLabel('Cut', { exact: true }).check();
-  await page.getByRole('radio', { name: 'Peak', exact: true }).check();
-  await drawn(page);
-}
-
-/** @param {Page} page */
-async function compared(page) {
-  const ids = [];
-  for (const force of [400, 600, 900]) ids.push(await made(page, { load: { force } }));
-  await page.getByRole('button', { name: 'Jobs', exact: true }).click();
-  await page.evaluate((hash) => {
-    location.hash = hash;
-  }, `job=${ids[0]}&with=${ids[1]},${ids[2]}`);
-  await page.locator('#panel-differences tbody tr').first().waitFor();
-  await drawn(page);
-}
-
-/** @param {Page} page */
-async function form(page) {
-  await page.locator('#example').selectOption({ label: 'Crowned face from measured points' });
-  await page.getByLabel('Hardening').first().selectOption('table');
-  await page.locator('[data-preview=upper-curve] svg').waitFor();
-  await page.locator('#cost').getByText('equations').waitFor();
-  await page.setViewportSize({ width: 1440, height: 1700 });
-}
-
-/** @param {string} example @returns {(page: Page) => Promise<void>} */
-const part = (example) => async (page) => {
-  await page.locator('#example').selectOption({ label: example });
-  await page.locator('#cost').getByText('equations').waitFor();
-  await page.getByRole('button', { name: 'Solve', exact: true }).click();
-  await page.locator('[data-status=succeeded]').waitFor();
-  await drawn(page);
-  await page.setViewportSize({ width: 1440, height: 1900 });
-};
-
-/** @param {Page} page */
-async function report(page) {
-  await solve(page);
-  await page.getByRole('button', { name: 'Report' }).click();
-}
-
-/** @type {[name: string, options: import('playwright-core').BrowserContextOptions, show: (page: Page) => Promise<void>, full?: boolean][]} */
-const OF_DOCUMENTS = [
-  ['page', WIDE, solve],
-  ['page-dark', DARK, solve],
-  ['page-phone', PHONE, solve, true],
-  ['page-report', WIDE, report, true],
-];
-/** @type {typeof OF_DOCUMENTS} */
-const OTHERS = [
-  ['form', WIDE, form, true],
-  ['hole', WIDE, part('Pin in a hole'), true],
-  ['peened', WIDE, part('Shot-peened roller on a ground block'), true],
-  ['steps', WIDE, part('Rigid roller on bronze, pressed in by steps'), true],
-  ['sweep', WIDE, sweep, true],
-  ['sweep-phone', PHONE, sweep, true],
-  ['compared', DARK, compared, true],
-];
 
 const [server, browser] = await Promise.all([serve(), launch()]);
 try {

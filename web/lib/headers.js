@@ -7,9 +7,6 @@ import { inJobUnits, isUnit, unit } from './units.js';
 /** @typedef {import('./units.js').Units} Units */
 /** @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted from 1 */
 
-/** What stands in brackets behind a name and is no unit. */
-const QUALIFIER =
-  /^(true|plastic|total|eng(ineering)?\.?|nominal|measured|mean|average|filtered|smoothed|raw|log(arithmic)?|left|right|upper|lower|[xyzh]|\d{2,})$/i;
 /** Signs that names do not have. */
 const SIGN = /[%‰µμ²³^·"″\u{fffd}]/u;
 
@@ -93,13 +90,15 @@ export function unitsNamed(headers, quantities, units) {
   if (refused) return refused;
   const named = /** @type {(string | undefined)[]} */ (quantities.map(() => undefined));
   const known = (/** @type {string} */ name, /** @type {number} */ axis) =>
-    inJobUnits(1, name, quantities[axis], units);
+    inJobUnits(1, name, quantities[axis], units) !== undefined;
   for (const { number, cells } of headers) {
-    const turned = cells.length === 2 && quantities.every((one) => one === 'length') && cells.map(isPlace);
-    if (turned && turned[1] && !turned[0])
+    const places = cells.length === 2 && quantities.every((one) => one === 'length') ? cells.map(isPlace) : [];
+    if (places[1] && !places[0])
       return { problem: `line ${number}: ${quoted(cells[1])} is the second column, and places x belong in the first` };
     if (cells.length !== quantities.length) {
-      const other = cells.flatMap(mayBeUnits).find(({ name }) => isOther(name, quantities, units));
+      const other = cells
+        .map(unitIn)
+        .find(({ name }) => quantities.some((one, axis) => known(name, axis) && unit(one, units) !== name));
       if (other)
         return {
           problem: `line ${number}: it cannot be told which of the ${columnsInWords(quantities.length)} columns “${other.name}” is the unit of`,
@@ -107,26 +106,23 @@ export function unitsNamed(headers, quantities, units) {
       continue;
     }
     // A line of units has nothing else; HV is the name of a column too.
-    const bare = cells.some(
-      (cell, axis) => cell !== '1' && quantities[axis] !== 'hardness' && known(cell, axis) !== undefined,
-    );
+    const bare = cells.some((cell, axis) => cell !== '1' && quantities[axis] !== 'hardness' && known(cell, axis));
     for (const [axis, cell] of cells.entries()) {
-      const found = mayBeUnits(cell);
-      const good = found.find(({ name }) => known(name, axis) !== undefined);
-      const bad = good ? undefined : (found.find(({ sure }) => sure)?.name ?? (bare ? cell : ''));
-      const own = unit(quantities[axis], units);
-      if (bad)
+      const { name, sure } = unitIn(cell);
+      if (known(name, axis)) {
+        if (named[axis] !== undefined && named[axis] !== name)
+          return { problem: `line ${number}, column ${axis + 1}: “${name}”, and “${named[axis]}” in a line above` };
+        named[axis] = name;
+      } else if (sure || bare) {
+        const own = unit(quantities[axis], units);
         return {
-          problem: `line ${number}, column ${axis + 1}: ${quoted(bad)} is no unit known here for this column. ${
+          problem: `line ${number}, column ${axis + 1}: ${quoted(name)} is no unit known here for this column. ${
             own
               ? `Write a unit such as ${own}, or leave it out if the figures are in ${own}`
               : 'Leave it out if the figures are plain numbers'
           }`,
         };
-      const before = named[axis];
-      if (good && before !== undefined && known(before, axis) !== known(good.name, axis))
-        return { problem: `line ${number}, column ${axis + 1}: “${good.name}”, and “${before}” in a line above` };
-      if (good) named[axis] = good.name;
+      }
     }
   }
   return { named };
@@ -135,33 +131,20 @@ export function unitsNamed(headers, quantities, units) {
 /** Whether a header names the place along the surface. @param {string} header */
 const isPlace = (header) => /^(x|r|position|distance)(?![a-zα-ω])/i.test(header);
 
-/** Whether it is a unit of one of the columns, and not that of the job. @param {string} name @param {Quantity[]} quantities @param {Units} units */
-const isOther = (name, quantities, units) =>
-  quantities.some((quantity) => (inJobUnits(1, name, quantity, units) ?? 1) !== 1) ||
-  (SIGN.test(name) && !/\s/.test(name) && !isUnit(name));
-
 /**
- * What may be the unit in a header: all of it, in brackets, behind a slash, a comma, “in” or an underscore, or its last word.
- * `sure`: it is nothing else.
+ * What may be the unit in a header: in brackets, behind a slash or an underscore, or the last word. `sure`: it is nothing else.
  * @param {string} header
- * @returns {{name: string, sure: boolean}[]}
+ * @returns {{name: string, sure: boolean}}
  */
-function mayBeUnits(header) {
-  const whole = header.trim();
-  const found = /** @type {{name: string, sure: boolean}[]} */ ([
-    { name: whole, sure: isUnit(whole) && !/^[\d-]$/.test(whole) },
-  ]);
-  const add = (/** @type {RegExp} */ pattern, /** @type {(name: string) => boolean} */ sure) => {
-    const name = pattern.exec(header)?.[1]?.trim();
-    if (name) found.push({ name, sure: sure(name) });
-  };
-  const looks = (/** @type {string} */ name) => (isUnit(name) || SIGN.test(name)) && !/^\d*$/.test(name);
-  add(/\[\s*([^\]]+?)\s*\]/, (name) => !QUALIFIER.test(name));
-  add(/\(\s*([^)]+?)\s*\)/, (name) => !QUALIFIER.test(name));
-  add(/^[^/[(]*[^/[(\s]\s*\/\s*([^[(]+)$/, (name) => (!isUnit(header) && name.length < 6) || looks(name));
-  add(/,\s*([^,]+)$/, looks);
-  add(/\bin\s+(\S+)$/, looks);
-  add(/\s(\S+)$/, looks);
-  add(/_([^\s_]+)$/, (name) => SIGN.test(name));
-  return found;
+function unitIn(header) {
+  const bracketed = /[[(]\s*([^\])]+?)\s*[\])]\s*$/.exec(header)?.[1];
+  if (bracketed) return { name: bracketed, sure: true };
+  const last =
+    header
+      .trim()
+      .split(/[\s,]+/)
+      .at(-1) ?? '';
+  const name = isUnit(last) || VICKERS.test(last) ? last : (/[/_](.+)$/.exec(last)?.[1] ?? last);
+  const sure = isUnit(name) && !/^[\d-]$/.test(name);
+  return { name, sure: sure || SIGN.test(name) || (last.includes('/') && name !== last) };
 }

@@ -17,7 +17,9 @@ const ABOVE = { line: [[3, 3], [4, 7], [5, 12]], round: [[3, 5], [4, 10], [5, 13
 /** @param {Job} job @param {Report} report @param {Step} step @param {{code: string, message: string}} note @returns {string[]} the first sentence, then the others */
 export function remarkOf(job, report, step, { code, message }) {
   const sentences = inWords(message).split(/(?<=[a-z)%]\.)\s+(?=\p{Lu})/u);
-  return code === 'deformation_theory' ? [deformationWords(job, report, step), ...sentences] : sentences;
+  if (code !== 'deformation_theory') return sentences;
+  // Of the figures for all ratios, those for this one.
+  return [deformationWords(job, report, step), ...sentences.filter((one) => !/elastic peak/.test(one))];
 }
 
 /** What deformation theory does at this ratio of pressure to strength. @param {Job} job @param {Report} report @param {Step} step */

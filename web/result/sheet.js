@@ -26,13 +26,13 @@ import {
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
-import { inWords } from '../setup/words.js';
 import { materialName, pairOf, writeValue, writeWhole } from '../jobs/names.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { answersOf, isUnloaded, leftBehind, targetWords } from './answers.js';
 import { differencesTable } from './differences.js';
 import { figuresTable, tableElements } from './figures.js';
 import { asked, beside, endedEarly, hertzName } from './loads.js';
+import { remarkOf } from './remarks.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
 /** @typedef {import('../types.js').Job} Job */
@@ -82,7 +82,7 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
           {},
           `Force found: ${figure(report.target.force)} ${unit(forceOf(report), report.units)} ${targetWords(report)}.`,
         ),
-      step.validity.map(({ message }) => h('li', {}, symbol(inWords(message)))),
+      step.validity.map((note) => h('li', {}, symbol(remarkOf(job, report, step, note).join(' ')))),
       h(
         'li',
         {},

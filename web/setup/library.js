@@ -13,14 +13,14 @@ const KEPT = 'materials';
 const listeners = /** @type {Set<() => void>} */ (new Set());
 
 /** @param {() => void} listener called when one's own materials have changed, here or in another tab */
-export const onMaterials = (listener) => listeners.add(listener);
+export function onMaterials(listener) {
+  if (listeners.size === 0) addEventListener('storage', ({ key }) => key === KEPT && tell());
+  listeners.add(listener);
+}
 
 function tell() {
   for (const listener of listeners) listener();
 }
-addEventListener('storage', ({ key }) => {
-  if (key === KEPT) tell();
-});
 
 /** @returns {Preset[]} */
 export function ownMaterials() {

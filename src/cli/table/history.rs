@@ -1,4 +1,4 @@
-//! The iteration history as a table.
+//! The iteration history as a table: a line for every iteration, or for every increment of a load that is divided.
 
 use super::number::significant;
 use crate::cli::style::Style;
@@ -10,36 +10,58 @@ const ENDS: usize = 5;
 
 /// The history, its middle left out when it is long.
 pub(super) fn history(records: &[IterationRecord], style: Style) -> String {
+    let lines: Vec<&[IterationRecord]> = if records.iter().any(|record| record.increment.is_some()) {
+        records.chunk_by(|a, b| a.increment == b.increment).collect()
+    } else {
+        records.chunks(1).collect()
+    };
+    let is_divided = lines.len() < records.len();
     let head = format!(
         "{:>4} {:>5} {:>4} {:>4} {:>8} {:>8} {:>8} {:>7} {:>5} {:>9} {:>8}",
-        "iter", "pivot", "upd", "fact", "Δu", "ΔR", "residual", "plastic", "pairs", "approach", "peak"
+        if is_divided { "inc" } else { "iter" },
+        if is_divided { "iter" } else { "pivot" },
+        "upd",
+        "fact",
+        "Δu",
+        "ΔR",
+        "residual",
+        "plastic",
+        "pairs",
+        "approach",
+        "peak"
     );
     let mut text = format!("{}\n", style.dim(&head));
-    let left_out = if records.len() > WHOLE { records.len() - 2 * ENDS } else { 0 };
-    for (index, record) in records.iter().enumerate() {
+    let left_out = if lines.len() > WHOLE { lines.len() - 2 * ENDS } else { 0 };
+    for (index, line) in lines.iter().enumerate() {
         if left_out > 0 && index == ENDS {
             text.push_str(&style.dim(&format!("   … {left_out} more\n")));
         }
+        let Some(last) = line.last() else { continue };
         if left_out == 0 || index < ENDS || index >= ENDS + left_out {
-            text.push_str(&row(record));
+            let (number, count) = match &last.increment {
+                Some(increment) if is_divided => (increment.number, line.len()),
+                _ => (last.iteration, last.contact_pivots),
+            };
+            text.push_str(&row([number, count], line, last));
         }
     }
     text
 }
 
-fn row(record: &IterationRecord) -> String {
+/// The work of these iterations, and the state after the last of them.
+fn row([number, count]: [usize; 2], line: &[IterationRecord], last: &IterationRecord) -> String {
     format!(
         "{:>4} {:>5} {:>4} {:>4} {:>8.1e} {:>8.1e} {:>8.1e} {:>7} {:>5} {:>9} {:>8}\n",
-        record.iteration,
-        record.contact_pivots,
-        record.initial_stress_updates,
-        record.factorizations,
-        record.displacement_change,
-        record.force_change,
-        record.equilibrium_residual,
-        record.plastic_points,
-        record.contact_pairs,
-        significant(record.approach, 5),
-        significant(record.peak_pressure, 5),
+        number,
+        count,
+        line.iter().map(|record| record.initial_stress_updates).sum::<usize>(),
+        line.iter().map(|record| record.factorizations).sum::<usize>(),
+        last.displacement_change,
+        last.force_change,
+        last.equilibrium_residual,
+        last.plastic_points,
+        last.contact_pairs,
+        significant(last.approach, 5),
+        significant(last.peak_pressure, 5),
     )
 }

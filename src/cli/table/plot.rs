@@ -1,8 +1,9 @@
-//! The contact pressure drawn with characters: this contact as a line, Hertz as dots.
+//! The contact pressure drawn with characters: this contact as a line, Hertz as dots. That of a body of revolution is drawn over
+//! the radius, from the axis on.
 
 use std::fmt::Write;
 
-use super::UnitNames;
+use super::Names;
 use super::number::{round_up, short};
 use crate::cli::style::Style;
 use brinell_solver::report::{ContactNodes, ContactReport, HertzReport};
@@ -28,7 +29,7 @@ struct Cell {
 pub(super) fn pressure(
     contact: &ContactReport,
     hertz: Option<&HertzReport>,
-    units: UnitNames,
+    names: Names,
     style: Style,
 ) -> String {
     let peak = contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
@@ -39,31 +40,51 @@ pub(super) fn pressure(
     }
     let (top, edge) = (round_up(peak), round_up(1.1 * reach));
     let mut cells = [[Cell::default(); COLUMNS]; ROWS];
-    let at = |column: usize| edge * ((2 * column + 1) as f64 / DOTS_X as f64 - 1.0);
+    let scale = Scale { left: if names.is_round { 0.0 } else { -edge }, right: edge, top };
     if let Some(hertz) = hertz {
-        dot_ellipse(&mut cells, hertz, top, edge);
+        dot_ellipse(&mut cells, hertz, scale);
     }
-    let mut before = None;
+    // Of a body of revolution the curve goes on beyond the axis.
+    let mut before = if names.is_round { level(interpolated(&contact.nodes, scale.x(0)), top) } else { None };
     for column in 0..DOTS_X {
-        let here = level(interpolated(&contact.nodes, at(column)), top);
+        let here = level(interpolated(&contact.nodes, scale.x(column)), top);
         for level in stroke(before, here) {
             let (row, bit) = dot(column, level);
             cells[row][column / 2].contact |= bit;
         }
         before = here;
     }
-    framed(&cells, top, edge, hertz.is_some(), units, style)
+    framed(&cells, scale, hertz.is_some(), names, style)
+}
+
+/// What the picture shows.
+#[derive(Debug, Clone, Copy)]
+struct Scale {
+    left: f64,
+    right: f64,
+    top: f64,
+}
+
+impl Scale {
+    /// Dots over a length.
+    fn dots_x(self) -> f64 {
+        DOTS_X as f64 / (self.right - self.left)
+    }
+
+    /// The middle of a column of dots.
+    fn x(self, column: usize) -> f64 {
+        self.left + (column as f64 + 0.5) / self.dots_x()
+    }
 }
 
 /// Hertz's ellipse, `p = p0 sin θ` at `x = -a cos θ`, dotted evenly along the curve.
-fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, top: f64, edge: f64) {
-    let scale_x = 0.5 * DOTS_X as f64 / edge;
-    let scale_y = DOTS_Y as f64 / top;
-    let mut angle = 0.0_f64;
+fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, scale: Scale) {
+    let scale_y = DOTS_Y as f64 / scale.top;
+    let mut angle = if scale.left < 0.0 { 0.0 } else { std::f64::consts::FRAC_PI_2 };
     while angle < std::f64::consts::PI {
         let (sine, cosine) = angle.sin_cos();
-        if let Some(level) = level(hertz.peak_pressure * sine, top) {
-            let column = ((edge - hertz.half_width * cosine) * scale_x).floor().max(0.0);
+        if let Some(level) = level(hertz.peak_pressure * sine, scale.top) {
+            let column = ((-hertz.half_width * cosine - scale.left) * scale.dots_x()).floor().max(0.0);
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
@@ -73,7 +94,7 @@ fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, top: f6
             let (row, bit) = dot(column, level);
             cells[row][column / 2].hertz |= bit;
         }
-        let along_x = hertz.half_width * sine * scale_x;
+        let along_x = hertz.half_width * sine * scale.dots_x();
         let along_y = hertz.peak_pressure * cosine * scale_y;
         angle += DOTTED / along_x.hypot(along_y).max(1.0);
     }
@@ -118,19 +139,18 @@ fn dot(column: usize, level: usize) -> (usize, u8) {
 
 fn framed(
     cells: &[[Cell; COLUMNS]; ROWS],
-    top: f64,
-    edge: f64,
+    scale: Scale,
     has_hertz: bool,
-    units: UnitNames,
+    names: Names,
     style: Style,
 ) -> String {
     let legend = if has_hertz { "line: this contact, dots: Hertz" } else { "" };
     let mut text =
-        format!("{:>LABEL$}  {}\n", "pressure", style.dim(&format!("[{}] {legend}", units.stress)));
+        format!("{:>LABEL$}  {}\n", "pressure", style.dim(&format!("[{}] {legend}", names.stress)));
     for (row, cells) in cells.iter().enumerate() {
         let label = match row {
-            0 => short(top),
-            row if row == ROWS / 2 => short(0.5 * top),
+            0 => short(scale.top),
+            row if row == ROWS / 2 => short(0.5 * scale.top),
             _ => String::new(),
         };
         let axis = if label.is_empty() { '│' } else { '┤' };
@@ -141,15 +161,16 @@ fn framed(
     let quarter = "─".repeat(COLUMNS / 4 - 1);
     let axis = format!("└{quarter}┴{quarter}┴{quarter}┴{quarter}┴");
     let _ = writeln!(text, "{:>LABEL$} {axis}", "0");
-    text.push_str(&x_labels(edge, units));
+    text.push_str(&x_labels(scale, names));
     text
 }
 
-fn x_labels(edge: f64, units: UnitNames) -> String {
+fn x_labels(scale: Scale, names: Names) -> String {
     let mut text = " ".repeat(LABEL + 1);
     for quarter in 0..=4 {
-        let label = short(edge * (0.5 * f64::from(quarter) - 1.0));
-        let label = if quarter == 2 { format!("x = 0 {}", units.length) } else { label };
+        let x = scale.left + 0.25 * f64::from(quarter) * (scale.right - scale.left);
+        let label = short(x);
+        let label = if x == 0.0 { format!("{} = 0 {}", names.abscissa(), names.length) } else { label };
         let middle = LABEL + 1 + COLUMNS / 4 * usize::try_from(quarter).unwrap_or(0);
         let start = middle.saturating_sub(label.len() / 2).min(super::WIDTH - label.len());
         let pad = start.saturating_sub(text.len());

@@ -19,9 +19,12 @@ pub(super) fn operations<'a>(
     let all = paths.flat_map(|(path, item)| {
         METHODS.iter().filter_map(move |method| Some((*method, path.as_str(), item.get(method)?)))
     });
-    all.filter(move |(_, _, body)| {
+    let tagged = all.filter(move |(_, _, body)| {
         body["tags"].as_array().is_some_and(|tags| tags.iter().any(|one| one == tag))
-    })
+    });
+    // What most readers come for is first.
+    let (first, rest): (Vec<_>, Vec<_>) = tagged.partition(|(_, path, _)| *path == "/v1/solve");
+    first.into_iter().chain(rest)
 }
 
 /// One operation.
@@ -45,6 +48,7 @@ pub(super) fn operation(html: &mut String, document: &Value, method: &str, path:
             examples(html, document, form);
         }
     }
+    calls(html, method, path, body);
     html.push_str("<h4>Answers</h4>\n<dl>\n");
     for (status, response) in body["responses"].as_object().into_iter().flatten() {
         let forms: Vec<String> = response["content"].as_object().map_or_else(Vec::new, |content| {
@@ -61,6 +65,48 @@ pub(super) fn operation(html: &mut String, document: &Value, method: &str, path:
         );
     }
     html.push_str("</dl>\n</article>\n");
+}
+
+/// How the operation is asked from a shell and from Python, with what Python brings along.
+fn calls(html: &mut String, method: &str, path: &str, body: &Value) {
+    const BASE: &str = "http://127.0.0.1:8080";
+    let address = format!("{BASE}{path}");
+    let has_body = body["requestBody"].is_object();
+    let is_json = body["responses"]
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter(|(status, _)| status.starts_with('2'))
+        .any(|(_, response)| response["content"]["application/json"].is_object());
+    let mut curl = format!("curl -s '{address}'");
+    let mut python = "import json\nimport urllib.request\n\n".to_owned();
+    let mut arguments = format!("\"{address}\"");
+    if has_body {
+        curl.push_str(" -H 'Content-Type: application/json' -d @job.json");
+        arguments.push_str(
+            ", data=open(\"job.json\", \"rb\").read(), headers={\"Content-Type\": \"application/json\"}",
+        );
+    }
+    if method != "get" && !(method == "post" && has_body) {
+        let _ = write!(curl, " -X {}", method.to_uppercase());
+        let _ = write!(arguments, ", method=\"{}\"", method.to_uppercase());
+    }
+    let read = if is_json { "json.load(response)" } else { "response.read()" };
+    let _ = write!(
+        python,
+        "request = urllib.request.Request({arguments})\nwith urllib.request.urlopen(request) as response:\n    answer = {read}"
+    );
+    if !is_json {
+        python = python.replace("import json\n", "");
+    }
+    for (name, text) in [("curl", curl), ("Python", python)] {
+        let _ = writeln!(
+            html,
+            "<details><summary>{name}</summary>\n<pre class=\"scroll\" tabindex=\"0\" aria-label=\"{name}: {method} {path}\" role=\"region\">{}</pre>\n</details>",
+            escaped(&text),
+            path = escaped(path)
+        );
+    }
 }
 
 fn parameters(html: &mut String, body: &Value) {

@@ -200,7 +200,7 @@ test('a unit in the header of a table is converted, or refused where it is not k
     ['x mm\tmicrons', [1, 0.005]],
     ['x\th\nmm\tµm', [1, 0.005]],
     ['# x [mm]\th [µm]', [1, 0.005]],
-    ['Profile (left)\nx (measured)\tHeight, mean [µm]', [1, 0.005]],
+    ['Profile (left)\nx measured\tHeight, mean [µm]', [1, 0.005]],
     ['Sample 1\tSample 2', [1, 5]],
     ['x ["]\th ["]', [25.4, 127]],
   ]);
