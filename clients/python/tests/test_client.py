@@ -153,6 +153,8 @@ def test_a_sweep_is_a_table(client: Client, job: Any) -> None:
     assert table["status"].tolist() == ["converged", "invalid"]
     assert np.isnan(table["peak_pressure"].iloc[1])
     assert "analysis" in table["error"].iloc[1]
+    with pytest.raises(brinell.InvalidJob, match="/load/forc"):
+        client.sweep(job, {"/load/forc": [1, 2]})
 
 
 def test_the_same_by_awaiting(job: Any) -> None:
