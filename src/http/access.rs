@@ -99,6 +99,9 @@ async fn identify(state: &HttpState, headers: &HeaderMap) -> Result<Caller, Prob
     if !scheme.eq_ignore_ascii_case("bearer") {
         return Err(refused("send the header Authorization: Bearer TOKEN"));
     }
+    if let Some(once) = &state.settings.once_key {
+        return if once.accepts(token.trim()) { Ok(Caller::ANYBODY) } else { Err(no_longer_good()) };
+    }
     let key = state.jobs.authenticate(token.trim()).await?;
     let key = key.ok_or_else(no_longer_good)?;
     Ok(Caller { key: Some(key.id), scope: key.scope })
