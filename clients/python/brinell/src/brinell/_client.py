@@ -712,7 +712,9 @@ def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> 
             result.last.figures() if result.error is None and result.steps else dict(NO_FIGURES)
         )
         error = str(result.error) if result.error is not None else ""
-        rows.append({**point, **figures, "status": result.status, "error": error})
+        row = {**point, **figures, "status": result.status, "error": error}
+        # A column that has the name of a figure has the values of the grid, to the last digit.
+        rows.append({**row, **point})
     frame: pd.DataFrame = pandas.DataFrame(rows)
     return frame
 
