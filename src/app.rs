@@ -18,7 +18,7 @@ use crate::http::{
     AllowedHosts, HttpSettings, HttpState, Listening, Metrics, TlsError, TlsIdentity, metrics_router, router,
     serve,
 };
-use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, Retention, SWEEP, SystemClock};
+use crate::jobs::{JobNotifier, JobService, JobSolver, JobStore, OnceKey, Retention, SWEEP, SystemClock};
 use crate::lifecycle::{Hangups, raise_file_limit};
 use crate::outgoing::{Client, RootsError};
 use crate::store::{
@@ -78,6 +78,9 @@ pub enum AppError {
     /// The certificates of receivers cannot be used.
     #[error("{0} (set by --webhook-ca, BRINELL_WEBHOOK_CA)")]
     Webhooks(#[from] RootsError),
+    /// The key of this process cannot be used.
+    #[error("{0} holds no key of {min} characters or more (named by --once-key-env, BRINELL_ONCE_KEY_ENV)", min = OnceKey::MIN_LENGTH)]
+    OnceKey(String),
     /// The operating system refuses threads, signals or connections.
     #[error(transparent)]
     System(#[from] io::Error),
@@ -102,6 +105,7 @@ impl Service {
         if config.no_workers && !config.storage.is_shared() {
             return Err(AppError::NotShared);
         }
+        let once_key = config.once_key_env.as_deref().map(once_key).transpose()?;
         let listener = listen("--listen, BRINELL_LISTEN", &config.listen).await?;
         let address = listener.local_addr()?;
         let identity = tls_identity(&config.tls)?;
@@ -133,8 +137,12 @@ impl Service {
         let checked = Arc::clone(&jobs);
         background.spawn(async move { checked.check_store().await });
         let connections = connections(config.max_connections);
-        let settings =
-            HttpSettings { require_api_key: config.keys_required(address), connections, ..config.http() };
+        let settings = HttpSettings {
+            require_api_key: config.keys_required(address),
+            once_key,
+            connections,
+            ..config.http()
+        };
         let metrics = config.metrics.metrics_listen.is_none().then_some(metrics);
         let hosts = Arc::new(AllowedHosts::new(&config.allowed_hosts, address));
         let mut state = HttpState::new(jobs, settings, metrics);
@@ -231,6 +239,12 @@ async fn listen(setting: &'static str, address: &str) -> Result<TcpListener, App
 fn tls_identity(config: &TlsConfig) -> Result<Option<Arc<TlsIdentity>>, TlsError> {
     let (Some(certificate), Some(key)) = (&config.tls_cert, &config.tls_key) else { return Ok(None) };
     TlsIdentity::load(certificate, key).map(Some)
+}
+
+/// The key that an environment variable holds.
+fn once_key(variable: &str) -> Result<OnceKey, AppError> {
+    let secret = std::env::var(variable).unwrap_or_default();
+    OnceKey::new(&secret).ok_or_else(|| AppError::OnceKey(variable.to_owned()))
 }
 
 /// Reads certificate and key again at every SIGHUP.

@@ -27,6 +27,21 @@ pub fn stop_on_signal() -> io::Result<CancellationToken> {
     Ok(stop)
 }
 
+/// Cancels `stop` when standard input is closed, as it is when the process at its other end has ended, even by SIGKILL.
+///
+/// # Errors
+/// If there can be no thread to read it.
+pub fn stop_with_stdin(stop: CancellationToken) -> io::Result<()> {
+    let read = move || {
+        // Input that cannot be read has ended too.
+        let _ = io::copy(&mut io::stdin().lock(), &mut io::sink());
+        tracing::info!("standard input is closed: stopping");
+        stop.cancel();
+    };
+    std::thread::Builder::new().name("stdin".to_owned()).spawn(read)?;
+    Ok(())
+}
+
 /// Signal of a write beyond the process's limit on the size of a file (`ulimit -f`), on Linux and the BSDs.
 #[cfg(unix)]
 const SIGXFSZ: i32 = 25;

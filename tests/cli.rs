@@ -384,6 +384,11 @@ fn wrong_settings_are_named_in_one_line() {
             &["--metrics-listen", "BRINELL_METRICS_LISTEN"],
         ),
         (&["serve", "--no-workers"], &[], &["--database-url", "BRINELL_DATABASE_URL"]),
+        (
+            &["serve", "--once-key-env", "SHORT_KEY"],
+            &[("SHORT_KEY", "0123456789")],
+            &["SHORT_KEY", "32 characters", "--once-key-env", "BRINELL_ONCE_KEY_ENV"],
+        ),
     ] {
         let quiet = [variables, &[("BRINELL_DATA_DIR", env!("CARGO_TARGET_TMPDIR"))]].concat();
         let quiet = if variables.iter().any(|(name, _)| *name == "BRINELL_LOG") {

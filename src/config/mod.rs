@@ -22,6 +22,7 @@ pub use work::WorkConfig;
 
 /// Settings of `brinell serve`.
 #[derive(Debug, Clone, PartialEq, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub struct ServeConfig {
     /// Address and port to listen on; port 0 is any free one
     #[arg(long, env = "BRINELL_LISTEN", value_name = "ADDR", default_value = "127.0.0.1:8080")]
@@ -83,6 +84,14 @@ pub struct ServeConfig {
     #[arg(long, env = "BRINELL_ALLOW_ANONYMOUS", conflicts_with = "require_api_key")]
     pub allow_anonymous: bool,
 
+    /// Answer only to the key that this environment variable holds, 32 characters or more, which is kept nowhere
+    #[arg(long, env = "BRINELL_ONCE_KEY_ENV", value_name = "NAME", conflicts_with = "allow_anonymous")]
+    pub once_key_env: Option<String>,
+
+    /// Stop, as at SIGTERM, when standard input is closed: with the process that holds its other end
+    #[arg(long, env = "BRINELL_EXIT_WITH_STDIN")]
+    pub exit_with_stdin: bool,
+
     /// Origin whose pages may ask this service, e.g. `https://design.example`; `*` is every origin. May be repeated
     #[arg(long, env = "BRINELL_CORS_ORIGIN", value_name = "ORIGIN", value_delimiter = ',', value_parser = origin)]
     pub cors_origin: Vec<HeaderValue>,
@@ -126,6 +135,8 @@ impl Default for ServeConfig {
             rate_limit: None,
             require_api_key: false,
             allow_anonymous: false,
+            once_key_env: None,
+            exit_with_stdin: false,
             cors_origin: Vec::new(),
             tls: TlsConfig::default(),
             webhooks: WebhookConfig::default(),
@@ -149,7 +160,9 @@ impl ServeConfig {
 
     /// Whether requests need an API key: if so set, and wherever others than this machine can ask.
     pub fn keys_required(&self, address: SocketAddr) -> bool {
-        self.require_api_key || !(self.allow_anonymous || address.ip().to_canonical().is_loopback())
+        self.require_api_key
+            || self.once_key_env.is_some()
+            || !(self.allow_anonymous || address.ip().to_canonical().is_loopback())
     }
 
     /// Bounds on single requests.
@@ -222,6 +235,8 @@ mod tests {
         assert!(!open.keys_required("0.0.0.0:80".parse().unwrap()));
         let closed = ServeConfig { require_api_key: true, ..ServeConfig::default() };
         assert!(closed.keys_required("127.0.0.1:80".parse().unwrap()));
+        let once = ServeConfig { once_key_env: Some("KEY".to_owned()), ..ServeConfig::default() };
+        assert!(once.keys_required("127.0.0.1:80".parse().unwrap()));
     }
 
     #[test]

@@ -53,7 +53,7 @@ use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetReques
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use crate::jobs::{JobService, Retention};
+use crate::jobs::{JobService, OnceKey, Retention};
 use crate::webhook::CallbackRules;
 use access::authenticate;
 use body::Bodies;
@@ -99,6 +99,8 @@ pub struct HttpSettings {
     pub wait_limit: Duration,
     /// Whether requests under `/v1` need an API key.
     pub require_api_key: bool,
+    /// The only key that is good, if there is one; those of the store are not looked at.
+    pub once_key: Option<OnceKey>,
     /// Jobs an API key may hand in a second.
     pub jobs_per_second: Option<f64>,
     /// Origins whose pages may ask; `*` is every one.
@@ -133,6 +135,7 @@ impl Default for HttpSettings {
             solve_limit: Duration::from_secs(30),
             wait_limit: Duration::from_mins(1),
             require_api_key: false,
+            once_key: None,
             jobs_per_second: None,
             cors_origins: Vec::new(),
             retention: Retention::default(),

@@ -159,6 +159,25 @@ pub fn new_secret(id: KeyId) -> ([u8; 32], String) {
     (digest(&secret), format!("{PREFIX}{}_{secret}", id.uuid().simple()))
 }
 
+/// A key that one process is started with and that is kept nowhere. Its bearer is an administrator.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OnceKey([u8; 32]);
+
+impl OnceKey {
+    /// Fewest characters that nobody guesses: 128 bits in hexadecimal.
+    pub const MIN_LENGTH: usize = 32;
+
+    /// `None` if the secret is too short to be one.
+    pub fn new(secret: &str) -> Option<Self> {
+        (secret.len() >= Self::MIN_LENGTH).then(|| Self(digest(secret)))
+    }
+
+    /// Whether this is its secret.
+    pub fn accepts(&self, secret: &str) -> bool {
+        bool::from(self.0.ct_eq(&digest(secret)))
+    }
+}
+
 fn digest(secret: &str) -> [u8; 32] {
     Sha256::digest(secret.as_bytes()).into()
 }
@@ -228,6 +247,15 @@ mod tests {
             [[true, true], [false, true], [false, true], [false, false]]
         );
         assert!(!ApiKey { revoked_at: Some(at(0)), ..key.clone() }.accepts(old, at(1)));
+    }
+
+    #[test]
+    fn a_once_key_is_long_and_accepts_itself_alone() {
+        let secret = "0123456789abcdef0123456789abcdef";
+        assert_eq!(OnceKey::new(&secret[1..]), None);
+        let key = OnceKey::new(secret).unwrap();
+        assert!(key.accepts(secret) && !key.accepts(&secret[1..]) && !key.accepts(""));
+        assert!(!format!("{key:?}").contains(secret));
     }
 
     #[test]

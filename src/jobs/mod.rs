@@ -45,7 +45,7 @@ pub use export::ExportFailure;
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use fields::FieldsReader;
 pub use id::{JobId, KeyId, WorkerId};
-pub use keys::{ApiKey, KeyLimits, KeyStore, PreviousSecret, Scope, new_secret, read_token};
+pub use keys::{ApiKey, KeyLimits, KeyStore, OnceKey, PreviousSecret, Scope, new_secret, read_token};
 pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};

@@ -1,10 +1,11 @@
 //! Going down in order.
 
-use std::io::Write;
+use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::curl::{parse, spawn_curl};
+use crate::curl::{curl, parse, spawn_curl};
 use crate::in_process::{InProcess, job};
 use crate::server::{DEADLINE, Scratch, Server, example};
 
@@ -16,6 +17,29 @@ fn sigterm_ends_an_idle_service_with_success() {
         server.signal(signal);
         assert_eq!(server.wait().code(), Some(0), "{signal}");
     }
+}
+
+#[test]
+fn a_service_with_a_once_key_answers_to_it_alone_and_ends_with_its_standard_input() {
+    let secret = "fedcba9876543210fedcba9876543210";
+    let mut child = Command::new(env!("CARGO_BIN_EXE_brinell"))
+        .args(["serve", "--listen", "127.0.0.1:0", "--data-dir", ":memory:", "--log", "warn"])
+        .args(["--once-key-env", "THE_KEY", "--exit-with-stdin"])
+        .env("THE_KEY", secret)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let jobs = format!("{}/v1/jobs", line.trim().strip_prefix("brinell listening on ").unwrap());
+    let ask = |token: &str| curl(&["-H", &format!("Authorization: Bearer {token}"), &jobs]);
+    curl(&[&jobs]).problem(401, "unauthorized");
+    ask(&secret[1..]).problem(401, "unauthorized");
+    assert_eq!(ask(secret).status, 200);
+    assert!(child.try_wait().unwrap().is_none());
+    drop(child.stdin.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
 }
 
 #[test]

@@ -77,7 +77,7 @@ def function(name: str, schema: dict[str, Any], model: str, skip: str, answer: s
     docs = [f'    """{wrapped(summary, "    ")}', "", "    Args:"]
     docs += ["        " + wrapped(f"{n}: {text}", "            ", 96) for n, _, _, text in rows]
     if of_body:
-        docs += ["        material: of `materials`, `material(...)`, or `rigid`."]
+        docs += ["        material: a name among `materials`, `material(...)` or `rigid`."]
         docs += ['        support: how its far boundary is held: "clamped" (default) or "roller".']
     docs.append('    """')
     values = ", ".join(f"{n}={n}" for n, *_ in rows)

@@ -149,10 +149,13 @@ def test_a_sweep_is_a_table(client: Client, job: Any) -> None:
         }
         return brinell.job(upper, body, analysis="plane_strain", force=force) if radius > 0 else {}
 
-    table = client.sweep(at, {"force": [200], "radius": [10, -1]})
+    table = client.sweep(at, {"force": [200.1], "radius": [10, -1]})
+    assert table["force"].tolist() == [200.1, 200.1]
     assert table["status"].tolist() == ["converged", "invalid"]
     assert np.isnan(table["peak_pressure"].iloc[1])
     assert "analysis" in table["error"].iloc[1]
+    with pytest.raises(brinell.InvalidJob, match="/load/forc"):
+        client.sweep(job, {"/load/forc": [1, 2]})
 
 
 def test_the_same_by_awaiting(job: Any) -> None:

@@ -37,6 +37,24 @@ from brinell._plain import document_of, with_values
         ),
         (lambda: brinell.job(roller(), roller(), analysis="plane_strain"), "#/load"),
         (lambda: brinell.job(roller(), roller(), analysis="plane", force=1), "#/analysis"),
+        (
+            lambda: brinell.job(roller(), roller(), analysis="plane_strain", forces=5),
+            "#/load/forces",
+        ),
+        (
+            lambda: brinell.job(roller(), roller(), analysis="plane_strain", history=[5, 0]),
+            "#/load/history/0",
+        ),
+        (
+            lambda: brinell.job(roller(), roller(), analysis="plane_strain", target={"peak": 5}),
+            "#/load/target",
+        ),
+        (
+            lambda: brinell.job(
+                roller(), roller(), analysis="plane_strain", target={"peak_pressure": -5}
+            ),
+            "#/load/target/peak_pressure",
+        ),
     ],
 )
 def test_mistakes_are_found_before_sending(build: Any, pointer: str) -> None:
@@ -112,6 +130,8 @@ def test_values_are_set_by_pointer() -> None:
 def test_materials_are_found_by_any_name() -> None:
     bearing = brinell.steels["52100"]
     assert bearing == brinell.materials["100cr6"] == brinell.materials[" 100Cr6"]
+    named = brinell.cylinder(radius=1, material="52100")
+    assert named == brinell.cylinder(radius=1, material=bearing)
     assert bearing.plasticity is not None
     assert bearing.plasticity.law == "swift"
     assert "945 MPa" in brinell.steels.source("52100")

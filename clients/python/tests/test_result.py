@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import pickle
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -38,6 +40,14 @@ def test_pressure_is_arrays_that_carry_the_force(sweep: Result) -> None:
     assert np.trapezoid(pressure.pressure, pressure.x) == pytest.approx(sweep.force, rel=1e-2)
     assert pressure.to_xarray().pressure.max() == pytest.approx(sweep.peak_pressure, rel=1e-2)
     assert list(pressure.to_frame()) == ["x", "pressure", "force", "gap"]
+
+
+def test_a_result_is_kept_and_read_again(sweep: Result) -> None:
+    for kept in (pickle.loads(pickle.dumps(sweep)), Result(json.loads(json.dumps(sweep.data)))):
+        assert kept.peak_pressure == sweep.peak_pressure
+        assert repr(kept) == repr(sweep)
+        with pytest.raises(brinell.BrinellError, match="service"):
+            kept.fields()
 
 
 def test_a_dent_is_left(dent: Result) -> None:
@@ -104,7 +114,7 @@ def test_pictures_are_drawn(dent: Result, name: str) -> None:
 def test_what_cannot_be_drawn_says_why(sweep: Result) -> None:
     with pytest.raises(brinell.BrinellError, match="flow"):
         sweep.plot.dent()
-    with pytest.raises(brinell.BrinellError):
+    with pytest.raises(brinell.BrinellError, match="fields=True"):
         sweep.fields()
     plt.close("all")
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, TypeAlias, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
 from . import models
 from ._errors import Fault, InvalidJob
+from ._materials import materials
 from ._plain import Number, Quantity, plain
 
 __all__ = ["Material", "Number", "Quantity", "Support", "job", "material", "rigid"]
 
-Material: TypeAlias = models.Deformable | models.Rigid | Mapping[str, Any]
-"""An entry of `materials`, a `material(...)`, `rigid`, or a dict as the service takes it."""
+Material: TypeAlias = models.Deformable | models.Rigid | Mapping[str, Any] | str
+"""A name among `materials`, a `material(...)`, `rigid`, or a dict as the service takes it."""
 
 Support: TypeAlias = Literal["clamped", "roller"]
 Analysis: TypeAlias = Literal["plane_strain", "plane_stress", "axisymmetric"]
@@ -77,12 +78,11 @@ def build_body(
     """A body of this shape."""
     kind = str(model.model_fields["type"].annotation.__args__[0])  # type: ignore[union-attr]
     outline = checked(model, {"type": kind, **shape})
-    made_of = (
-        material
-        if isinstance(material, BaseModel)
-        else checked(models.Deformable, material, at="#/material")
-    )
-    return models.ContactBody.model_construct(shape=outline, material=made_of, support=support)
+    if isinstance(material, str):
+        material = materials[material]
+    elif isinstance(material, Mapping):
+        material = checked(models.Deformable, material, at="#/material")
+    return models.ContactBody.model_construct(shape=outline, material=material, support=support)
 
 
 def build_law(model: type[M], /, **values: Any) -> M:
@@ -205,13 +205,41 @@ _LOADS: dict[str, type[BaseModel]] = {
 }
 
 
+_TARGETS: dict[str, type[BaseModel]] = {
+    "permanent_approach": models.PermanentApproachTarget,
+    "dent_depth": models.DentDepthTarget,
+    "half_width": models.HalfWidthTarget,
+    "peak_pressure": models.PeakPressureTarget,
+    "mean_pressure": models.MeanPressureTarget,
+    "max_plastic_strain": models.MaxPlasticStrainTarget,
+}
+_PRESCRIBED: dict[str, type[BaseModel]] = {
+    "force": models.PrescribedForce,
+    "approach": models.PrescribedApproach,
+}
+
+
 def _load(name: str, value: Any, document: Mapping[str, Any]) -> BaseModel:
+    if name == "target":
+        value = _one_of(_TARGETS, value, document, "#/load/target")
+    if name == "history" and isinstance(value, Sequence):
+        value = [
+            _one_of(_PRESCRIBED, one, document, f"#/load/history/{place}")
+            for place, one in enumerate(value)
+        ]
     return checked(_LOADS[name], {name: value}, document, "#/load")
 
 
+def _one_of(
+    kinds: Mapping[str, type[BaseModel]], value: Any, document: Mapping[str, Any], at: str
+) -> BaseModel:
+    """The model that the one key of a dict names."""
+    keys = list(value) if isinstance(value, Mapping) else []
+    if len(keys) != 1 or keys[0] not in kinds:
+        what = f"a dict with one of {', '.join(kinds)}, got {value!r}"
+        raise InvalidJob([Fault(at, "one_of", what)])
+    return checked(kinds[keys[0]], value, document, at)
+
+
 def _listed(values: Any) -> Any:
-    return (
-        values
-        if values is None or isinstance(values, Quantity) or hasattr(values, "tolist")
-        else list(values)
-    )
+    return list(values) if isinstance(values, (range, Iterator)) else values

@@ -61,7 +61,7 @@ def block(
     Args:
         depth: Height of the rectangle below the contact.
         width: Full width, centred on the contact.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Block, material, support, depth=depth, width=width)
@@ -83,7 +83,7 @@ def cone(
         depth: From the tip to the base, more than the height of the flank.
         width: Diameter of the base.
         tip_radius: Radius of the tip; sharp if it is left out.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Cone, material, support, angle=angle, depth=depth, width=width, tip_radius=tip_radius)
@@ -99,7 +99,7 @@ def cylinder(
 
     Args:
         radius: Radius.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Cylinder, material, support, radius=radius)
@@ -117,7 +117,7 @@ def ellipse(
     Args:
         semi_axis_x: Half its extent along x.
         semi_axis_y: Half its extent along y.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Ellipse, material, support, semi_axis_x=semi_axis_x, semi_axis_y=semi_axis_y)
@@ -137,7 +137,7 @@ def groove(
         depth: From the bottom of the trough to the base.
         radius: Radius of the trough.
         width: Full width, at most twice the radius.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Groove, material, support, depth=depth, radius=radius, width=width)
@@ -158,7 +158,7 @@ def hole(
         radius: Radius of the hole, larger than that of the cylinder in it.
         outer_radius: Radius of the disc, larger than that of the hole.
         width: Width of the square plate, in place of `outer_radius`; only in plane analyses.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Hole, material, support, radius=radius, outer_radius=outer_radius, width=width)
@@ -178,7 +178,7 @@ def parabola(
         depth: From the vertex to the base, more than the fall of the surface at its ends.
         radius: Radius of curvature at the vertex.
         width: Full width.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Parabola, material, support, depth=depth, radius=radius, width=width)
@@ -200,7 +200,7 @@ def power(
         exponent: Exponent n; 2 is a parabola, a large one nearly a flat punch. Without unit.
         scale: Length L, the distance at which the surface has fallen by as much.
         width: Full width.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Power, material, support, depth=depth, exponent=exponent, scale=scale, width=width)
@@ -223,7 +223,7 @@ def profile(
         interpolation: What the face is like between its points: `smooth` to the first derivative,
             without overshoot, or `linear`, so that points are corners. If it is left out, the
             face is smooth, and refused where that would round off a corner in the contact.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Profile, material, support, depth=depth, points=points, interpolation=interpolation)
@@ -243,7 +243,7 @@ def punch(
         depth: Height of the side walls, more than the edge radius.
         width: Full width with the edges, the diameter in axisymmetry.
         edge_radius: Radius of the edges, less than half the width; sharp if it is 0 or left out.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Punch, material, support, depth=depth, width=width, edge_radius=edge_radius)
@@ -265,7 +265,7 @@ def wedge(
         depth: From the tip to the base, more than the height of the flanks.
         width: Full width.
         tip_radius: Radius of the tip; sharp if it is left out.
-        material: of `materials`, `material(...)`, or `rigid`.
+        material: a name among `materials`, `material(...)` or `rigid`.
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Wedge, material, support, angle=angle, depth=depth, width=width, tip_radius=tip_radius)

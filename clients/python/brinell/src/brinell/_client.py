@@ -36,6 +36,7 @@ from ._core import (
     Outcome,
     Send,
 )
+from ._errors import InvalidJob
 from ._fields import Fields
 from ._local import LocalServer
 from ._plain import JobLike, document_of, plain, with_values
@@ -361,6 +362,9 @@ class AsyncResult(Result):
             return self._fields[self.steps[step].place]
         except KeyError:
             raise RuntimeError("await result.fetch_fields(step) first") from None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "_await": None}
 
 
 class AsyncClient(_Connection):
@@ -699,12 +703,18 @@ def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> 
     """A row of values and figures for each point; figures are NaN where there is no result."""
     pandas = need("pandas", "pandas")
     rows = []
+    errors = [result.error for result in results]
+    # Where nothing at all is in order, the mistake is in the job and not at a point of the grid.
+    if errors and isinstance(errors[0], InvalidJob) and all(errors):
+        raise errors[0]
     for point, result in zip(points, results, strict=True):
         figures = (
             result.last.figures() if result.error is None and result.steps else dict(NO_FIGURES)
         )
         error = str(result.error) if result.error is not None else ""
-        rows.append({**point, **figures, "status": result.status, "error": error})
+        row = {**point, **figures, "status": result.status, "error": error}
+        # A column that has the name of a figure has the values of the grid, to the last digit.
+        rows.append({**row, **point})
     frame: pd.DataFrame = pandas.DataFrame(rows)
     return frame
 

@@ -137,7 +137,7 @@ def call(
     """
     sent = dict(headers or {})
     if method == "POST":
-        sent["Idempotency-Key"] = str(uuid.uuid4())
+        sent.setdefault("Idempotency-Key", str(uuid.uuid4()))
     data = None
     if body is not None:
         sent["Content-Type"] = "application/json"
@@ -201,10 +201,14 @@ class Core:
         answer: dict[str, Any] = yield from self.json("POST", "/v1/validate", body=document_of(job))
         return answer
 
-    def submit(self, document: dict[str, Any], priority: int) -> Flow[dict[str, Any]]:
+    def submit(
+        self, document: dict[str, Any], priority: int, key: str | None = None
+    ) -> Flow[dict[str, Any]]:
+        """Hands a job in; with a key that came before, finds the job that came with it."""
         params = {"priority": str(priority)} if priority else {}
+        headers = {"Idempotency-Key": key} if key else {}
         answer: dict[str, Any] = yield from self.json(
-            "POST", "/v1/jobs", params=params, body=document
+            "POST", "/v1/jobs", params=params, body=document, headers=headers
         )
         return answer
 
@@ -256,14 +260,17 @@ class Core:
 
         A caller who is stopped meanwhile stops the job. Emits its events if asked.
         """
-        info = yield from self.submit(document, 0)
-        id = str(info["id"])
+        key = str(uuid.uuid4())
+        id = ""
         try:
+            id = str((yield from self.submit(document, 0, key))["id"])
             if events:
                 yield from self.events(id)
             report = yield from self.report(id)
         except STOPPED:
             with contextlib.suppress(httpx.TransportError, BrinellError):
+                # The job may be there although its answer is not.
+                id = id or str((yield from self.submit(document, 0, key))["id"])
                 yield Send("POST", f"/v1/jobs/{id}/cancel")
             raise
         return id, report

@@ -41,14 +41,12 @@ def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
         bar = f"± {100 * error:.2g} %" if error else ""
         hertz = result.hertz.get(name)
         unit = unit_of_force(result) if name == "force" else units[result.units == "SI"]
-        lines.append(
-            (words, f"{value:.5g}", bar, f"{hertz:.5g}" if hertz is not None else "", unit)
-        )
+        lines.append((words, f"{value:.5g}", bar, f"{hertz:.5g}" if hertz else "", unit))
     return lines
 
 
 def _head(result: Result) -> str:
-    steps = f", {len(result.steps)} steps, the last of which" if len(result.steps) > 1 else ""
+    steps = f", the last of {len(result.steps)} steps" if len(result.steps) > 1 else ""
     return f"{result.status.replace('_', ' ')}, {result.analysis.replace('_', ' ')}{steps}"
 
 

@@ -58,9 +58,9 @@ class Plot:
                 x, p * np.sqrt(np.maximum(0.0, 1.0 - (x / a) ** 2)), "k:", label="Hertz, elastic"
             )
             ax.legend(frameon=False)
-        ax.set(
-            xlim=(-reach, reach), xlabel=f"x [{self._length}]", ylabel=f"pressure [{self._stress}]"
-        )
+        left, along = (0.0, "radius") if self._result.analysis == "axisymmetric" else (-reach, "x")
+        ax.set(xlim=(left, reach), xlabel=f"{along} [{self._length}]")
+        ax.set_ylabel(f"pressure [{self._stress}]")
         ax.set_ylim(bottom=0.0)
         return ax
 

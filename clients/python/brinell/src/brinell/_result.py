@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._errors import BrinellError
+from ._errors import BrinellError, ServiceError
 from ._fields import Array, Fields
 from ._html import html_of, text_of
 
@@ -43,13 +43,16 @@ class Remark(NamedTuple):
 
 @dataclass(frozen=True)
 class Pressure:
-    """What happens at the pairs of nodes of a contact, both sides of the axis."""
+    """What happens at the pairs of nodes of a contact: over x, in axisymmetry over the radius."""
 
     x: Array
     pressure: Array
     force: Array
     gap: Array
     units: str
+
+    def __repr__(self) -> str:
+        return f"<pressure at {len(self.x)} pairs of nodes: x, pressure, force, gap>"
 
     def to_xarray(self) -> xr.Dataset:
         """As a dataset over x."""
@@ -425,9 +428,13 @@ class Result:
             raise BrinellError(
                 "this result does not come from a service that could be asked for its fields"
             )
-        return Fields.of(
-            self._fetch(self.id, self.steps[step].place), bool(self.data["mesh"]["symmetric"])
-        )
+        try:
+            data = self._fetch(self.id, self.steps[step].place)
+        except ServiceError as error:
+            if error.status == 409:
+                raise BrinellError("the job did not ask for fields: fields=True") from None
+            raise
+        return Fields.of(data, bool(self.data["mesh"]["symmetric"]))
 
     @property
     def plot(self) -> Plot:
@@ -437,6 +444,10 @@ class Result:
         from ._plot import Plot
 
         return Plot(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A copy in another process, or of another day, has no service to ask.
+        return {**self.__dict__, "_fetch": None}
 
     def __repr__(self) -> str:
         return text_of(self)
