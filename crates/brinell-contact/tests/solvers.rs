@@ -1,0 +1,179 @@
+//! What holds for every solver: conditions met by an independent check, one answer, warm or cold, stopped when asked.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
+#![expect(clippy::float_cmp, reason = "what is handed through has to be the same to the last bit")]
+
+use std::ops::ControlFlow;
+
+use brinell_contact::{
+    ConjugateGradientSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
+    ContactStatus, DenseFlexibility, Flexibility, PolonskyKeerSolver, kkt, never,
+};
+use proptest::prelude::*;
+
+const TOLERANCE: f64 = 1e-9;
+
+fn solvers() -> [Box<dyn ContactSolver>; 2] {
+    [Box::new(ConjugateGradientSolver::new(TOLERANCE)), Box::new(PolonskyKeerSolver::new(TOLERANCE))]
+}
+
+/// `f(i, j) = 1/(1 + |i - j|)` on a line, positive definite as a convex falling function of the distance, and some more
+/// on its diagonal.
+fn line(n: usize, extra: f64) -> DenseFlexibility {
+    let entry = |i: usize, j: usize| 1.0 / (1.0 + i.abs_diff(j) as f64) + if i == j { extra } else { 0.0 };
+    DenseFlexibility::new(n, (0..n * n).map(|k| entry(k / n, k % n)).collect()).unwrap()
+}
+
+fn solve(solver: &mut dyn ContactSolver, problem: &ContactProblem<'_>) -> ContactSolution {
+    let mut solution = ContactSolution::default();
+    solver.solve(problem, &mut solution, &mut never).unwrap();
+    solution
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn every_condition_holds_whatever_the_gaps(
+        gaps in prop::collection::vec(-1.0..1.0_f64, 2..40),
+        force in 1e-3..1e2_f64,
+        extra in 0.0..2.0_f64,
+    ) {
+        let flexibility = line(gaps.len(), extra);
+        let problem = ContactProblem {
+            flexibility: &flexibility,
+            initial_gap: &gaps,
+            load: ContactLoad::Force(force),
+        };
+        let mut answers = Vec::new();
+        for mut solver in solvers() {
+            let solution = solve(solver.as_mut(), &problem);
+            prop_assert_eq!(solution.status, ContactStatus::Converged);
+            prop_assert!(solution.kkt.passes(TOLERANCE));
+            prop_assert!((solution.total_force / force - 1.0).abs() < 1e-12);
+
+            // The same contact, with its approach given.
+            let approached = ContactProblem { load: ContactLoad::Approach(solution.approach), ..problem };
+            let other = solve(solver.as_mut(), &approached);
+            prop_assert_eq!(other.status, ContactStatus::Converged);
+            prop_assert!((other.total_force / force - 1.0).abs() < 1e-6);
+            answers.push(solution);
+        }
+        let scale = answers[0].force.iter().copied().fold(0.0, f64::max);
+        for (a, b) in answers[0].force.iter().zip(&answers[1].force) {
+            prop_assert!((a - b).abs() < 1e-6 * scale);
+        }
+    }
+}
+
+#[test]
+fn a_warm_start_takes_fewer_applications_to_the_same_answer() {
+    let flexibility = line(60, 0.1);
+    let gaps: Vec<f64> = (0..60).map(|k| 0.01 * (f64::from(k) - 29.3).powi(2)).collect();
+    let problem =
+        ContactProblem { flexibility: &flexibility, initial_gap: &gaps, load: ContactLoad::Force(3.0) };
+    for mut solver in solvers() {
+        let cold = solve(solver.as_mut(), &problem);
+        let mut warm = cold.clone();
+        solver.solve(&problem, &mut warm, &mut never).unwrap();
+        assert_eq!(warm.status, ContactStatus::Converged);
+        assert!(2 * warm.applications < cold.applications, "{} of {}", warm.applications, cold.applications);
+        assert!((warm.approach / cold.approach - 1.0).abs() < 1e-8);
+    }
+}
+
+#[test]
+fn bodies_apart_carry_no_force() {
+    let flexibility = line(3, 0.0);
+    for (load, approach) in
+        [(ContactLoad::Force(0.0), 0.5), (ContactLoad::Approach(0.4), 0.4), (ContactLoad::Approach(0.5), 0.5)]
+    {
+        let problem = ContactProblem { flexibility: &flexibility, initial_gap: &[0.7, 0.5, 0.9], load };
+        for mut solver in solvers() {
+            let solution = solve(solver.as_mut(), &problem);
+            assert_eq!(solution.status, ContactStatus::Converged);
+            assert_eq!((solution.total_force, solution.approach), (0.0, approach));
+            assert_eq!(solution.force, [0.0; 3]);
+            assert_eq!(solution.gap[1], 0.5 - approach);
+        }
+    }
+}
+
+#[test]
+fn a_flat_contact_has_its_closed_form() {
+    // Two equal cells share the load: u = (1 + ½) P/2.
+    let flexibility = line(2, 0.0);
+    let problem =
+        ContactProblem { flexibility: &flexibility, initial_gap: &[0.0; 2], load: ContactLoad::Force(4.0) };
+    for mut solver in solvers() {
+        let solution = solve(solver.as_mut(), &problem);
+        assert!((solution.force[0] - 2.0).abs() < 1e-9 && (solution.force[1] - 2.0).abs() < 1e-9);
+        assert!((solution.approach - 3.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_hook_stops_a_solve_and_the_answer_says_so() {
+    let flexibility = line(60, 0.1);
+    let gaps: Vec<f64> = (0..60).map(|k| 0.01 * (f64::from(k) - 29.3).powi(2)).collect();
+    let problem =
+        ContactProblem { flexibility: &flexibility, initial_gap: &gaps, load: ContactLoad::Force(3.0) };
+    for mut solver in solvers() {
+        let mut asked = 0;
+        let mut solution = ContactSolution::default();
+        let mut hook = || {
+            asked += 1;
+            if asked == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        solver.solve(&problem, &mut solution, &mut hook).unwrap();
+        assert_eq!(asked, 2);
+        assert_eq!(solution.status, ContactStatus::Stopped);
+        assert!((solution.total_force - 3.0).abs() < 1e-12);
+        assert!(!solution.kkt.passes(TOLERANCE));
+    }
+}
+
+#[test]
+fn data_that_are_no_contact_are_refused() {
+    let flexibility = line(2, 0.0);
+    let refused = |initial_gap: &[f64], load| {
+        let problem = ContactProblem { flexibility: &flexibility, initial_gap, load };
+        let mut solution = ContactSolution::default();
+        ConjugateGradientSolver::new(1e-8).solve(&problem, &mut solution, &mut never).unwrap_err()
+    };
+    assert_eq!(
+        refused(&[0.0], ContactLoad::Force(1.0)),
+        ContactError::DimensionMismatch { expected: 2, found: 1 }
+    );
+    assert_eq!(refused(&[0.0; 2], ContactLoad::Force(-1.0)), ContactError::NegativeForce(-1.0));
+    assert_eq!(refused(&[0.0; 2], ContactLoad::Force(f64::NAN)), ContactError::NotFinite("force"));
+    assert_eq!(refused(&[0.0, f64::NAN], ContactLoad::Force(1.0)), ContactError::NotFinite("initial gap"));
+
+    let indefinite = DenseFlexibility::new(2, vec![1.0, 2.0, 2.0, 1.0]).unwrap();
+    let problem =
+        ContactProblem { flexibility: &indefinite, initial_gap: &[0.0; 2], load: ContactLoad::Force(1.0) };
+    for mut solver in solvers() {
+        let mut uneven = ContactSolution { force: vec![0.9, 0.1], ..ContactSolution::default() };
+        let result = solver.solve(&problem, &mut uneven, &mut never);
+        assert!(matches!(result, Err(ContactError::NotPositiveDefinite { .. })), "{result:?}");
+    }
+}
+
+#[test]
+fn the_check_finds_each_fault() {
+    let flexibility = line(3, 0.0);
+    assert_eq!(flexibility.dense().map(<[f64]>::len), Some(9));
+    let problem = ContactProblem {
+        flexibility: &flexibility,
+        initial_gap: &[0.0, 0.0, 5.0],
+        load: ContactLoad::Force(2.0),
+    };
+    let mut gap = [0.0; 3];
+    let sound = kkt::check(&problem, &[1.0, 1.0, 0.0], 1.5, &mut gap);
+    assert!(sound.worst() < 1e-15, "{sound:?}");
+    assert!(kkt::check(&problem, &[1.0, 1.0, 0.0], 1.6, &mut gap).penetration > 0.05);
+    assert!(kkt::check(&problem, &[1.0, 1.0, 0.0], 1.4, &mut gap).complementarity > 0.05);
+    assert!(kkt::check(&problem, &[2.1, -0.1, 0.0], 1.5, &mut gap).tension > 0.04);
+    assert!(kkt::check(&problem, &[1.1, 1.1, 0.0], 1.65, &mut gap).equilibrium > 0.05);
+    assert!(!kkt::check(&problem, &[f64::NAN, 1.0, 0.0], 1.5, &mut gap).passes(1.0));
+    assert!(!kkt::check(&problem, &[1.0], 1.5, &mut gap).passes(1.0));
+}

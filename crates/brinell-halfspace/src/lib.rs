@@ -1,0 +1,34 @@
+//! Elasto-plastic contact of three-dimensional half-spaces, by fast Fourier transforms.
+//!
+//! Frame: z points into the body, z = 0 is its surface. Lengths in mm, stresses in MPa, tension positive, pressures
+//! `p >= 0` compressive, u_z positive into the body. Tensors have the order xx yy zz xy xz yz, with tensor shear.
+//!
+//! - [`SurfaceFlexibility`] is A: contact forces to displacements, for `brinell-contact`;
+//! - [`HalfSpace`] is S (pressures to stresses), Sᵀ (plastic strains to displacements) and G (plastic strains to stresses);
+//! - [`HalfSpaceSystem`] is contact and plastic bodies: the evaluation `Δε → Δε_new` that an iteration drives;
+//! - [`EllipticContact`] is Hertz.
+//!
+//! All formulas with their sources: `docs/theory_three_dimensions.md`.
+
+mod eigenstrain_stress;
+mod elasticity;
+mod grid;
+mod half_space;
+mod hertz;
+mod images;
+mod offsets;
+mod plasticity;
+mod pressure_stress;
+mod surface;
+mod system;
+mod tensors;
+mod transform;
+
+pub use elasticity::{Elasticity, ElasticityError};
+pub use grid::{GridError, Layers, SurfaceGrid};
+pub use half_space::{HalfSpace, HalfSpaceWork};
+pub use hertz::EllipticContact;
+pub use plasticity::{Hardening, LinearHardening};
+pub use surface::SurfaceFlexibility;
+pub use system::{HalfSpaceSystem, Increment, PlasticBody};
+pub use tensors::{COMPONENTS, DEVIATOR_COMPONENTS, TensorField};
