@@ -317,5 +317,5 @@ service.test('without load a cut begins as long as the largest contact was', asy
   await shown(page, { ...FIELDS, load: { history: [{ force: 600 }, { force: 0 }] }, solver: { theory: 'flow' } });
   await drawn(page);
   await page.getByLabel('Cut', { exact: true }).check();
-  await page.getByRole('img', { name: /^von Mises stress along the cut, at most \d+/ }).waitFor();
+  await page.getByRole('img', { name: /^σx along the cut, at most \d+/ }).waitFor();
 });
