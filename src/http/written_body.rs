@@ -93,9 +93,9 @@ mod tests {
                 end
             })
         };
-        let whole: Vec<_> = write(Ok(())).map(|piece| piece.ok()).collect().await;
+        let whole: Vec<_> = write(Ok(())).map(Result::ok).collect().await;
         assert_eq!(whole, [Some("a"), Some("b"), Some("c"), Some("d")]);
-        let broken: Vec<_> = write(Err(StoreError::NotFound)).map(|piece| piece.ok()).collect().await;
+        let broken: Vec<_> = write(Err(StoreError::NotFound)).map(Result::ok).collect().await;
         assert_eq!(broken, [Some("a"), Some("b"), Some("c"), Some("d"), None]);
     }
 

@@ -1,7 +1,7 @@
 //! An evaluation beside the Fourier transforms it consists of, an elastic contact, and a whole load.
 //!
 //! `cargo bench -p brinell-halfspace`. The ratio of `evaluation` to `transforms` within one run is what counts.
-#![expect(clippy::unwrap_used, missing_docs, reason = "a benchmark that cannot go on says where")]
+#![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
 #[path = "../tests/common/mod.rs"]
 mod common;

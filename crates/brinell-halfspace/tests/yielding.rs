@@ -1,5 +1,9 @@
 //! Bodies that yield, against figures of axisymmetric finite elements and of finer grids: errors and iteration counts.
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a place on the grid is a small positive number"
+)]
 
 mod common;
 

@@ -128,12 +128,14 @@ fn mix(images: &[Vec<f64>], residuals: &[Vec<f64>]) -> Vec<f64> {
         let pivot = (k..newest).max_by(|a, b| matrix[*a][k].abs().total_cmp(&matrix[*b][k].abs())).unwrap();
         matrix.swap(k, pivot);
         theta.swap(k, pivot);
-        for i in k + 1..newest {
-            let factor = matrix[i][k] / matrix[k][k];
-            for j in k..newest {
-                matrix[i][j] -= factor * matrix[k][j];
+        let (above, below) = matrix.split_at_mut(k + 1);
+        let pivot_row = &above[k];
+        for (i, row) in below.iter_mut().enumerate() {
+            let factor = row[k] / pivot_row[k];
+            for (entry, eliminated) in row.iter_mut().zip(pivot_row).skip(k) {
+                *entry -= factor * eliminated;
             }
-            theta[i] -= factor * theta[k];
+            theta[k + 1 + i] -= factor * theta[k];
         }
     }
     for k in (0..newest).rev() {
