@@ -5,6 +5,8 @@
 
 pub(crate) mod contact_system;
 pub(crate) mod couplings;
+#[cfg(test)]
+mod half_planes;
 pub(crate) mod observer;
 pub(crate) mod phases;
 pub(crate) mod run;

@@ -100,7 +100,7 @@ pub(crate) struct Iteration<'a> {
     pub run: Run<'a>,
     counts: Counts,
     history: Vec<IterationRecord>,
-    /// Records of earlier linearizations in the history.
+    /// Records from before this iteration, on other moduli or another plastic region.
     begun: usize,
     /// Displacements to start from.
     start: Option<BlockVector>,
@@ -289,17 +289,19 @@ impl<'a> Iteration<'a> {
 
     /// Whether the iterations left would have to be many more to get to the end at the rate of the last ones.
     fn is_hopeless(&self, residual: f64) -> bool {
-        let now = self.history.len() + 1;
+        // What came before was of another plastic region.
+        let records = &self.history[self.begun..];
+        let now = records.len() + 1;
         if now < 2 * OUTLOOK {
             return false;
         }
         let best = |records: &[IterationRecord]| {
             records.iter().map(|record| record.equilibrium_residual).fold(f64::INFINITY, f64::min)
         };
-        let (before, lately) = self.history[now - 2 * OUTLOOK..].split_at(OUTLOOK);
+        let (before, lately) = records[now - 2 * OUTLOOK..].split_at(OUTLOOK);
         let lately = best(lately).min(residual);
         let rate = (best(before) / lately).ln() / OUTLOOK as f64;
-        let left = self.controls.max_iterations.saturating_sub(now) as f64;
+        let left = self.controls.max_iterations.saturating_sub(self.history.len() + 1) as f64;
         (lately / self.controls.tolerance).ln() > OUTLOOK_SLACK * left * rate.max(0.0)
     }
 
