@@ -46,7 +46,7 @@ impl ContactSolver for ActiveSetSolver {
         while steps < STEP_LIMIT && !active.is_empty() && seen.insert(active.clone()) {
             steps += 1;
             let Ok(equilibrium) = bordered::solve_on(problem, &active) else { break };
-            let (gap, scale) = bordered::gaps(problem, &active, &equilibrium);
+            let (gap, scale) = bordered::gaps(problem, &active, &equilibrium)?;
             let mut touching = vec![false; problem.n_pairs()];
             for k in active.iter() {
                 touching[k] = true;

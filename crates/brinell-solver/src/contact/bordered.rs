@@ -24,7 +24,7 @@ pub(super) struct Equilibrium {
 pub(super) fn solve_on(problem: &ContactProblem, active: &ActiveSet) -> Result<Equilibrium, ContactError> {
     let pairs = active.as_slice();
     let datum = pairs.iter().map(|&k| problem.touch(k)).fold(f64::INFINITY, f64::min);
-    let factor = DenseCholesky::factor(problem.flexibility.principal_block(pairs))
+    let factor = DenseCholesky::factor(problem.entries()?.principal_block(pairs))
         .map_err(|error| ContactError::NotPositiveDefinite { pair: pairs[error.index] })?;
     let mut per_approach: Vec<f64> = pairs.iter().map(|&k| problem.closing[k]).collect();
     factor.solve_in_place(&mut per_approach);
@@ -53,19 +53,20 @@ pub(super) fn gaps(
     problem: &ContactProblem,
     active: &ActiveSet,
     equilibrium: &Equilibrium,
-) -> (Vec<f64>, Vec<f64>) {
+) -> Result<(Vec<f64>, Vec<f64>), ContactError> {
+    let entries = problem.entries()?;
     let approach = equilibrium.approach;
     let mut gap: Vec<f64> = (0..problem.n_pairs()).map(|k| problem.gap_at(k, approach)).collect();
     let mut scale: Vec<f64> = problem.initial_gap.iter().map(|g| g.abs() + approach.abs()).collect();
     for j in active.iter() {
         let force = equilibrium.force[j];
-        for ((gap, scale), entry) in gap.iter_mut().zip(&mut scale).zip(problem.flexibility.row(j)) {
+        for ((gap, scale), entry) in gap.iter_mut().zip(&mut scale).zip(entries.row(j)) {
             let displacement = entry * force;
             *gap += displacement;
             *scale += displacement.abs();
         }
     }
-    (gap, scale)
+    Ok((gap, scale))
 }
 
 /// Puts an equilibrium into the form of an answer: gaps are zero in contact, and rounding below zero is cut.

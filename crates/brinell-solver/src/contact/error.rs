@@ -16,6 +16,9 @@ pub enum ContactError {
         /// Entries of the other list.
         found: usize,
     },
+    /// A flexibility that can only be applied, and a solver that needs its entries.
+    #[error("this contact solver needs the entries of the flexibility")]
+    NoEntries,
     /// An approach that does not close a pair.
     #[error("the approach has to close every pair: the cosine of a normal to it is in (0, 1]")]
     NotClosing,

@@ -70,8 +70,9 @@ pub fn scales(problem: &ContactProblem<'_>, force: &[f64]) -> ContactScales {
 
 /// `F R`.
 fn displacement(problem: &ContactProblem<'_>, force: &[f64]) -> Vec<f64> {
-    let n = force.len();
-    (0..n).map(|i| (0..n).map(|j| problem.flexibility[(i, j)] * force[j]).sum()).collect()
+    let mut displacement = vec![0.0; force.len()];
+    problem.flexibility.apply(force, &mut displacement);
+    displacement
 }
 
 /// Judges forces and approach.

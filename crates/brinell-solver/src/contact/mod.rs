@@ -12,6 +12,8 @@
 //! `min ½ RᵀF R + gᵀR` over `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution
 //! exists and is unique.
 //!
+//! F is a [`Flexibility`]; both solvers here need its entries.
+//!
 //! Two solvers, one independent check:
 //! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a pivot;
 //! - [`ActiveSetSolver`], Newton's method on the same conditions: a few steps, warm-started in one or two;
@@ -22,6 +24,7 @@
 mod active_set;
 mod bordered;
 mod error;
+mod flexibility;
 pub mod kkt;
 mod pairs;
 mod problem;
@@ -30,6 +33,7 @@ mod tableau;
 
 pub use active_set::ActiveSetSolver;
 pub use error::ContactError;
+pub use flexibility::Flexibility;
 pub use kkt::KktReport;
 pub use pairs::ActiveSet;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution};

@@ -1,7 +1,7 @@
 //! What goes into a contact solve and what comes out.
 
-use super::{ActiveSet, ContactError};
-use sparse_cholesky::dense::SymmetricMatrix;
+use super::flexibility::Entries;
+use super::{ActiveSet, ContactError, Flexibility};
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,10 +22,10 @@ impl ContactLoad {
 }
 
 /// The contact of n candidate pairs under one load.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct ContactProblem<'a> {
     /// F \[mm/N\], symmetric positive definite: both bodies' displacements along the normals under unit pair forces.
-    pub flexibility: &'a SymmetricMatrix,
+    pub flexibility: &'a dyn Flexibility,
     /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make entries negative.
     pub initial_gap: &'a [f64],
     /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's normal and the direction
@@ -78,6 +78,11 @@ impl ContactProblem<'_> {
         self.closing.iter().zip(force).map(|(closing, force)| closing * force).sum()
     }
 
+    /// The entries of the flexibility.
+    pub(super) fn entries(&self) -> Result<Entries<'_>, ContactError> {
+        Entries::of(self.flexibility).ok_or(ContactError::NoEntries)
+    }
+
     /// Refuses data that are no contact problem.
     pub(super) fn validate(&self) -> Result<(), ContactError> {
         let (expected, found) = (self.flexibility.len(), self.initial_gap.len());
@@ -103,7 +108,7 @@ impl ContactProblem<'_> {
         if !self.initial_gap.iter().all(|gap| gap.is_finite()) {
             return Err(ContactError::NotFinite("initial gap"));
         }
-        if !self.flexibility.as_slice().iter().all(|entry| entry.is_finite()) {
+        if !self.entries()?.all().iter().all(|entry| entry.is_finite()) {
             return Err(ContactError::NotFinite("flexibility"));
         }
         match self.load {

@@ -62,7 +62,8 @@ impl ContactSolver for SimplexSolver {
 fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError> {
     let n = problem.n_pairs();
     let datum = problem.first_touch();
-    let largest = (0..n).map(|k| problem.flexibility[(k, k)]).fold(0.0, f64::max);
+    let entries = problem.entries()?;
+    let largest = (0..n).map(|k| entries.at(k, k)).fold(0.0, f64::max);
     if largest <= 0.0 {
         return Err(ContactError::NotPositiveDefinite { pair: 0 });
     }
@@ -72,7 +73,7 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
     };
     let mut tableau = Tableau::new(
         n,
-        |i, j| problem.flexibility[(i, j)] / largest,
+        |i, j| entries.at(i, j) / largest,
         |k| problem.gap_at(k, datum) / length_unit,
         |k| problem.closing[k],
         matches!(problem.load, ContactLoad::Force(_)),
@@ -129,7 +130,7 @@ fn polish(problem: &ContactProblem, end: &ContactSolution) -> Result<ContactSolu
             active = carrying;
             continue;
         }
-        let (gap, scale) = bordered::gaps(problem, &active, &equilibrium);
+        let (gap, scale) = bordered::gaps(problem, &active, &equilibrium)?;
         let violation = gap
             .iter()
             .zip(&scale)

@@ -12,7 +12,7 @@ use super::{
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
-use crate::solver::observer::ask;
+use crate::solver::method::observer::ask;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
     SolveStatus, StepSolution,

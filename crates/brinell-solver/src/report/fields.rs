@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::PerBody;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
-use crate::solver::observer::ask;
+use crate::solver::method::observer::ask;
 use crate::solver::recovery::Recovery;
 use crate::solver::{BodySolution, Interrupt, Observer, StepSolution};
 

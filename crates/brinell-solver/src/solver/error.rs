@@ -6,7 +6,7 @@ use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::job::Target;
 use crate::solver::conforming::MAX_HALF_ANGLE;
-use crate::solver::observer::Interrupt;
+use crate::solver::method::observer::Interrupt;
 use sparse_cholesky::FactorizationError;
 
 /// Why a job has no solution to report.
@@ -95,6 +95,9 @@ pub enum SolveError {
     /// No force gives the contact what it was to have.
     #[error("no force gives the contact what the job asks for")]
     Unreachable(Unreachable),
+    /// The bodies have no stiffness that could take secant moduli.
+    #[error("the coupling by secant stiffness needs bodies whose stiffness is assembled")]
+    NoSecantStiffness,
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),

@@ -1,4 +1,4 @@
-//! One mesh: build, iterate, and do it again if the mesh turns out too small.
+//! One load on finite elements: what is asked, what is found, and which zone comes next.
 
 #![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of columns")]
 
@@ -6,24 +6,26 @@ use std::sync::Arc;
 
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::fem::assembly::StressField;
-use crate::fem::mesh::{ContactZone, MeshError, ROUNDING, Refinement};
+use crate::fem::mesh::{ContactZone, ROUNDING, Refinement};
 use crate::job::SolverSettings;
-use crate::material::ReferenceModuli;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
-use crate::solver::body_system::system::{BlockVector, Design, System};
+use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
-use crate::solver::couplings::iteration::{Controls, InitialState, Iteration, Outcome, Scales};
-use crate::solver::observer::ask;
-use crate::solver::phases::Phase;
+use crate::solver::finite_elements::{FiniteElements, MeshDesign};
+use crate::solver::method::contact_system::{ContactFigures, ContactSystem as _};
+use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
+use crate::solver::method::observer::ask;
+use crate::solver::method::run::Run;
+use crate::solver::method::solve::solve;
 use crate::solver::problem::Problem;
-use crate::solver::run::Run;
 use crate::solver::solution::CoarseFigures;
-use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, couplings};
+use crate::solver::strategy::coupling;
+use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError};
 
-/// What a pass is asked to do.
+/// What a mesh solve is asked to do.
 #[derive(Clone)]
 pub(crate) struct MeshSolveRequest<'a> {
     pub contact: &'a dyn ContactSolver,
@@ -43,46 +45,20 @@ pub(crate) struct MeshSolveRequest<'a> {
     pub increment: Option<IncrementNumber>,
 }
 
-/// A discretized problem, and the displacements that the last loads left on it.
-pub(crate) struct ReusableMesh {
-    pub system: System,
-    /// Load and displacements of the whole models, the latest last; at most two.
-    states: Vec<(f64, BlockVector)>,
-}
-
-impl ReusableMesh {
-    /// The system, its previous states, and where the load of a request starts; linearized there if the coupling wants it.
-    fn resume(self, request: &MeshSolveRequest<'_>, run: &mut Run<'_>) -> Result<Resumed, SolveError> {
-        let mut start = self.start(request.load.magnitude());
-        let Self { mut system, states } = self;
-        run.time(Phase::Plasticity, || system.set_plastic_region(request.search_region));
-        if let Some(previous) = request.previous {
-            start = Some(system.linearize_by(previous, run)?);
-        } else if couplings::of(request.solver.coupling).uses_tangent_moduli() {
-            let at = start.as_ref().map(|start| (start, ReferenceModuli::Tangent));
-            system.linearize(at, run)?;
-        }
-        Ok((system, states, start))
-    }
-
-    /// Displacements to start a load from: on the straight line through the last two states, or the last one.
-    fn start(&self, load: f64) -> Option<BlockVector> {
-        match self.states.as_slice() {
-            [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
-                let t = (load - last) / (last - before);
-                let along = |(u, v): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
-                    u.iter().zip(v).map(|(u, v)| v + t * (v - u)).collect()
-                };
-                Some(u.iter().zip(v).map(along).collect())
-            }
-            [.., (_, v)] => Some(v.clone()),
-            [] => None,
+impl MeshSolveRequest<'_> {
+    /// What the iteration is run with.
+    pub fn controls(&self) -> Controls<'_> {
+        Controls {
+            contact: self.contact,
+            load: self.load,
+            tolerance: self.solver.tolerance.get(),
+            max_iterations: self.solver.max_iterations as usize,
+            renewable: false,
+            scales: self.scales,
+            increment: self.increment,
         }
     }
 }
-
-/// A system, its previous states, and where to start.
-type Resumed = (System, Vec<(f64, BlockVector)>, Option<BlockVector>);
 
 /// The state of one whole model.
 pub(crate) struct ModelField {
@@ -93,7 +69,7 @@ pub(crate) struct ModelField {
     pub stress: StressField,
 }
 
-/// What came of a pass.
+/// What came of a mesh solve.
 pub(crate) struct MeshSolve {
     pub system: System,
     pub outcome: Outcome,
@@ -109,8 +85,6 @@ pub(crate) struct MeshSolve {
     pub is_within_earlier_contact: bool,
     /// Times the zone was widened.
     pub enlargements: usize,
-    /// States of previous loads on the same mesh.
-    previous_states: Vec<(f64, BlockVector)>,
 }
 
 impl MeshSolve {
@@ -126,7 +100,6 @@ impl MeshSolve {
             meets,
             is_within_earlier_contact: false,
             enlargements: 0,
-            previous_states: Vec::new(),
         }
     }
 
@@ -158,24 +131,15 @@ impl MeshSolve {
 
     /// Headline figures.
     pub fn figures(&self) -> Option<CoarseFigures> {
-        let contact = &self.outcome.state.response.contact;
-        Some(CoarseFigures {
-            peak_pressure: self.system.peak_pressure(&contact.force),
-            half_width: self.patch?.half_width(),
-            approach: contact.approach,
-            force: self.system.symmetry_factor() as f64 * contact.total_force,
-        })
+        self.patch.map(|_| self.all_figures())
     }
 
     /// Headline figures, those of no contact where nothing touches.
     pub fn all_figures(&self) -> CoarseFigures {
-        let contact = &self.outcome.state.response.contact;
-        CoarseFigures {
-            peak_pressure: self.system.peak_pressure(&contact.force),
-            half_width: self.patch.map_or(0.0, |patch| patch.half_width()),
-            approach: contact.approach,
-            force: self.system.symmetry_factor() as f64 * contact.total_force,
-        }
+        let ContactFigures { force, approach, peak_pressure, .. } =
+            self.system.figures(&self.outcome.state.response.contact);
+        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        CoarseFigures { peak_pressure, half_width, approach, force }
     }
 
     /// Connected parts of the contact.
@@ -184,14 +148,12 @@ impl MeshSolve {
         ContactPatch::parts(&x, &pressures)
     }
 
-    /// What the next load may start from.
-    pub fn into_reusable(self, load: ContactLoad) -> ReusableMesh {
+    /// The system, which remembers what a load has left.
+    pub fn into_system(self, load: ContactLoad) -> System {
         let displacement = self.fields.into_iter().map(|field| field.displacement).collect();
-        let mut states = self.previous_states;
-        states.push((load.magnitude(), displacement));
-        let surplus = states.len().saturating_sub(2);
-        states.drain(..surplus);
-        ReusableMesh { system: self.system, states }
+        let mut system = self.system;
+        system.remember(load.magnitude(), displacement);
+        system
     }
 }
 
@@ -202,99 +164,24 @@ const ENLARGEMENT: f64 = 1.5;
 const MOST_COLUMNS: usize = 6;
 /// By how much a zone goes beyond where the surfaces meet, as a part of its half-width.
 const BEYOND_MEETING: f64 = 0.1;
-/// How much narrower it becomes when the rings around it cannot be meshed, and how often.
+/// How much narrower it becomes when the rings around it cannot be meshed.
 const NARROWING: f64 = 0.9;
-pub(crate) const MAX_NARROWINGS: usize = 12;
-/// Enlargements after which the contact is taken to be wider than the body.
-pub(crate) const MAX_ENLARGEMENTS: usize = 12;
-
-/// How much farther than it was found plastic flow is looked for when it had not been expected there.
-pub(crate) const WIDENING: f64 = 1.3;
-
-/// Solves on one mesh; on a wider one where the contact reaches the edge of the zone or the surfaces meet beyond it.
-/// Where plastic flow turns up outside the part of the bodies that is searched, goes on with a larger part.
+/// Solves one load, on `known` bodies if there are any.
+///
+/// # Errors
+/// Those of a mesh, a factorization or a contact solve.
 pub(crate) fn run(
     problem: &Problem,
     request: &MeshSolveRequest<'_>,
-    reusable: Option<ReusableMesh>,
+    known: Option<System>,
     run: &mut Run<'_>,
 ) -> Result<MeshSolve, SolveError> {
-    let mut request = request.clone();
-    let previous = request.previous;
-    let most_columns = most_columns(&request.zone);
-    let mut available = reusable;
-    let (mut enlargements, mut widenings, mut narrowings) = (0, 0, 0);
-    // Iterations made while a smaller region was searched.
-    let mut history = Vec::new();
-    loop {
-        let (mut system, states, start) = if let Some(reusable) = available.take() {
-            reusable.resume(&request, run)?
-        } else {
-            *run.passes += 1;
-            let MeshSolveRequest { zone, refinement, search_region, cache, .. } = &request;
-            let (refinement, search_region, cache) = (*refinement, *search_region, *cache);
-            let design = Design { zone, refinement, search_region, cache };
-            let (system, start) = match System::build(problem, design, previous, run) {
-                // A contact that reaches the edge of the narrower zone is reported.
-                Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
-                    narrowings += 1;
-                    request.zone = narrow(problem, zone);
-                    continue;
-                }
-                built => built?,
-            };
-            (system, Vec::new(), start)
-        };
-        let initial = InitialState {
-            displacement: start,
-            history: std::mem::take(&mut history),
-            ..InitialState::default()
-        };
-        let mut outcome = iterate(&mut system, &request, initial, run)?;
-        let fields = run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
-        let interrupted = outcome.status.is_stopped();
-        let is_watched_in_part = request.search_region != PlasticSearchRegion::WholeBody;
-        let Found { patch, reaches_edge, meets } =
-            run.time(Phase::Output, || find_contact(problem, &system, &outcome, &fields));
-        let mut pass = MeshSolve {
-            system,
-            outcome,
-            fields,
-            patch,
-            reaches_edge,
-            meets,
-            is_within_earlier_contact: false,
-            enlargements,
-            previous_states: states,
-        };
-        let yields_outside_region =
-            run.time(Phase::Output, || !interrupted && is_watched_in_part && pass.yields_outside_region());
-        if yields_outside_region {
-            let outline = pass.yielded_envelope().scaled(WIDENING);
-            request.search_region = if widenings == 0 {
-                PlasticSearchRegion::Within(outline)
-            } else {
-                PlasticSearchRegion::WholeBody
-            };
-            widenings += 1;
-            history = std::mem::take(&mut pass.outcome.history);
-            // From here, not from the previous answer.
-            request.previous = None;
-            available = Some(pass.into_reusable(request.load));
-            continue;
-        }
-        if !interrupted
-            && reaches_edge
-            && enlargements < MAX_ENLARGEMENTS
-            && narrowings == 0
-            && let Some(wider) = enlarged(problem, &pass.system.zone, meets, most_columns)
-        {
-            enlargements += 1;
-            request.zone = wider;
-            continue;
-        }
-        return Ok(pass);
-    }
+    let engine = FiniteElements { problem, request, is_history: false };
+    let coupling = coupling(request.solver.coupling);
+    let design = MeshDesign::new(request.zone.clone(), request.search_region);
+    solve(&engine, design, known, run, |mesh, system, start, run| {
+        mesh.solve(system, start, coupling, request.controls(), run)
+    })
 }
 
 /// Forms the full displacement field of each model once and evaluates the material law everywhere; nothing for an
@@ -306,10 +193,14 @@ pub(crate) fn fields(system: &System, outcome: &mut Outcome, observer: &mut dyn 
     let state = &outcome.state;
     let mut field = |k: usize, body: &BodyModel| -> Result<ModelField, Interrupt> {
         ask(observer)?;
-        let mut displacement = state.loads[k].clone();
-        body.elastic.add_contact_forces(&state.response.contact.force, &mut displacement);
-        let factor = state.factors.as_ref().map_or(&*body.factor, |factors| &factors[k]);
-        factor.solve(&mut displacement);
+        let displacement = if state.is_complete {
+            state.response.displacement[k].clone()
+        } else {
+            let mut displacement = state.loads[k].clone();
+            body.elastic.add_contact_forces(&state.response.contact.force, &mut displacement);
+            body.factor.solve(&mut displacement);
+            displacement
+        };
         ask(observer)?;
         let nodal = body.elastic.nodal(&displacement);
         let stress = body.stress_field(&nodal);
@@ -384,51 +275,6 @@ fn resized(problem: &Problem, zone: &ContactZone, factor: f64) -> ContactZone {
 /// Whether a zone lies on both bodies.
 pub(crate) fn fits(problem: &Problem, zone: &ContactZone) -> bool {
     problem.bodies.iter().all(|body| zone.fits(&body.outline))
-}
-
-/// Iterates. Where the accelerated coupling does not get on it is linearized anew, once, and then left to Newton's method.
-pub(crate) fn iterate(
-    system: &mut System,
-    request: &MeshSolveRequest<'_>,
-    initial: InitialState,
-    run: &mut Run<'_>,
-) -> Result<Outcome, SolveError> {
-    let coupling = couplings::of(request.solver.coupling);
-    let controls = Controls {
-        contact: request.contact,
-        load: system.part_of(request.load),
-        tolerance: request.solver.tolerance.get(),
-        max_iterations: request.solver.max_iterations as usize,
-        renewable: coupling.uses_tangent_moduli(),
-        scales: request.scales,
-        increment: request.increment,
-    };
-    let first = coupling.iterate(Iteration::new(system, controls, initial, run.reborrow()))?;
-    if !first.stalled {
-        return Ok(first);
-    }
-    let at = (&first.state.response.displacement, ReferenceModuli::Tangent);
-    match system.linearize(Some(at), run) {
-        Ok(()) => {}
-        // What has been iterated is worth keeping.
-        Err(SolveError::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
-        Err(SolveError::Factorization(_)) => {
-            return couplings::newton::run(system, controls, first, run);
-        }
-        Err(error) => return Err(error),
-    }
-    let Outcome { state, history, .. } = first;
-    let initial = InitialState {
-        displacement: Some(state.response.displacement),
-        history,
-        factorizations: system.bodies.len(),
-        contact: Some(state.response.contact),
-    };
-    let second = coupling.iterate(Iteration::new(system, controls, initial, run.reborrow()))?;
-    if second.stalled {
-        return couplings::newton::run(system, controls, second, run);
-    }
-    Ok(second)
 }
 
 /// Where the contact is, and whether it goes beyond the zone.

@@ -11,20 +11,19 @@
 
 mod body_system;
 mod conforming;
-mod couplings;
 mod error;
 mod final_check;
+mod finite_elements;
 mod load_stepping;
 mod loads;
 mod mesh_sizing;
 mod mesh_solve;
-pub(crate) mod observer;
-mod phases;
+pub(crate) mod method;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
-mod run;
 mod solution;
+mod strategy;
 
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
@@ -37,8 +36,8 @@ pub use load_stepping::run::{Options, run, run_each, run_with};
 pub use load_stepping::steps::StepReceiver;
 pub(crate) use load_stepping::utilization::highest_utilization;
 pub use mesh_sizing::estimate::{Estimate, estimate};
-pub use observer::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
-pub use phases::{Phase, PhaseTimes};
+pub use method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+pub use method::phases::{Phase, PhaseTimes};
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;

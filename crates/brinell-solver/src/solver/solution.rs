@@ -13,8 +13,8 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::rough::LEAST_PART;
-use crate::solver::observer::{Interrupt, IterationRecord, SolveStatus};
-use crate::solver::phases::PhaseTimes;
+use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
+use crate::solver::method::phases::PhaseTimes;
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
 const SURFACE: f64 = 2.5;

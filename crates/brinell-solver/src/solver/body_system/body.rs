@@ -13,9 +13,9 @@ use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
 use crate::solver::body_system::transfer::{NodalField, TransferredField};
-use crate::solver::phases::Phase;
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::problem::GivenStress;
-use crate::solver::run::Run;
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, Reach};
 

@@ -7,8 +7,8 @@ use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembl
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
-use crate::solver::phases::Phase;
-use crate::solver::run::Run;
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::{Observer, SolveError};
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};

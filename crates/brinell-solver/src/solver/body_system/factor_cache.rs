@@ -181,7 +181,7 @@ mod tests {
     use super::*;
     use crate::job::Support;
     use crate::solver::body_system::{elastic_body::tests, preparation};
-    use crate::solver::run::Run;
+    use crate::solver::method::run::Run;
     use crate::solver::{Solution, Unobserved};
 
     fn key(radius: f64) -> BodyKey {

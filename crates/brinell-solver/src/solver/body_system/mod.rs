@@ -7,5 +7,6 @@ pub(crate) mod elastic_body;
 pub(crate) mod factor_cache;
 pub(crate) mod plastic_search_region;
 mod preparation;
+mod secant_bodies;
 pub(crate) mod system;
 pub(crate) mod transfer;

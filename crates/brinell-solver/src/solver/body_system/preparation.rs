@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::elastic_body::{BodyKey, ElasticBody};
 use super::factor_cache::FactorCache;
 use crate::solver::SolveError;
-use crate::solver::phases::Phase;
-use crate::solver::run::Run;
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 
 /// Meshes a body, orders and analyses its equations and assembles its stiffness, unless the other body of the job or
 /// the cache has it already.

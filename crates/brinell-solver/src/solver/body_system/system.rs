@@ -12,13 +12,17 @@ use crate::solver::body_system::axis;
 use crate::solver::body_system::body::{BodyMaterial, BodyModel};
 use crate::solver::body_system::elastic_body::BodyKey;
 use crate::solver::body_system::factor_cache::{FactorCache, PooledFactor};
-use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, RadialEnvelope};
 use crate::solver::body_system::preparation::prepare;
+use crate::solver::body_system::secant_bodies::SecantBodies;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::conforming::ConformingPair;
-use crate::solver::phases::Phase;
+use crate::solver::method::contact_system::{
+    BlockVector, ContactFigures, ContactSystem, Linearize, Response, SecantStiffness,
+};
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
-use crate::solver::run::Run;
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
@@ -42,6 +46,22 @@ pub(crate) struct System {
     pub closing: Vec<f64>,
     /// Flexibility of both bodies together \[mm/N\].
     pub flexibility: SymmetricMatrix,
+    /// Where plastic flow is looked for.
+    pub search_region: PlasticSearchRegion,
+    /// Where the material of a history is.
+    pub accepted: Accepted,
+    /// Load and displacements of the whole models, the latest last; at most two.
+    states: Vec<(f64, BlockVector)>,
+}
+
+/// The last accepted increment of a history.
+pub(crate) struct Accepted {
+    /// Displacements on the active equations.
+    pub displacement: BlockVector,
+    /// Displacements on all equations; empty at rest.
+    pub whole: BlockVector,
+    /// Where material has yielded so far.
+    pub plastic: RadialEnvelope,
 }
 
 /// What a mesh is to be like.
@@ -52,17 +72,6 @@ pub(crate) struct Design<'a> {
     pub search_region: PlasticSearchRegion,
     /// Where it may be already.
     pub cache: Option<&'a Arc<FactorCache>>,
-}
-
-/// One vector for each model.
-pub(crate) type BlockVector = Vec<Vec<f64>>;
-
-/// Displacements and contact for given initial-stress loads.
-#[derive(Debug, Clone)]
-pub(crate) struct Response {
-    /// Displacements on the active equations of each model \[mm\].
-    pub displacement: BlockVector,
-    pub contact: ContactSolution,
 }
 
 impl System {
@@ -115,6 +124,7 @@ impl System {
         let initial_gap: Vec<f64> = (0..=zone.columns())
             .map(|k| problem.initial_gap(zone.edge(k).unwrap_or_else(|| zone.abscissa(k))))
             .collect();
+        let zeros = bodies.iter().map(|body| body.elastic.zeros()).collect();
         let mut system = Self {
             bodies,
             bodies_represented,
@@ -126,22 +136,12 @@ impl System {
             closing: zone.abscissae().iter().map(|&x| problem.closing(x)).collect(),
             initial_gap,
             flexibility: SymmetricMatrix::from_fn(0, |_, _| 0.0),
+            search_region,
+            accepted: Accepted { displacement: zeros, whole: Vec::new(), plastic: RadialEnvelope::NONE },
+            states: Vec::new(),
         };
         system.sum_flexibility();
         Ok((system, transferred.into_iter().collect()))
-    }
-
-    /// Factorizes anew, with moduli of plastic flow at displacements on the active equations or, without any, the elastic ones.
-    pub fn linearize(
-        &mut self,
-        at: Option<(&BlockVector, ReferenceModuli)>,
-        run: &mut Run<'_>,
-    ) -> Result<(), SolveError> {
-        for (k, body) in self.bodies.iter_mut().enumerate() {
-            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), run)?;
-        }
-        self.sum_flexibility();
-        Ok(())
     }
 
     /// Factorizes anew, with the tangent moduli of an answer on another mesh, one field for each model. Returns that
@@ -178,28 +178,61 @@ impl System {
     }
 
     /// Accepts an increment that ends at displacements on the active equations.
-    pub fn commit(&mut self, displacement: &BlockVector) {
-        for (body, u) in self.bodies.iter_mut().zip(displacement) {
+    pub fn commit(&mut self, displacement: BlockVector) {
+        for (body, u) in self.bodies.iter_mut().zip(&displacement) {
             if let Some(points) = &mut body.plastic_region.points {
                 points.commit(u);
             }
         }
+        self.accepted.displacement = displacement;
     }
 
-    /// Takes more elements into the plastic region of each body, whose states are kept; they have been elastic up to the
-    /// displacements of all nodes at the last accepted increment, which are empty at rest.
-    pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion, accepted: &BlockVector) {
-        for (k, body) in self.bodies.iter_mut().enumerate() {
-            body.extend_plastic_region(search_region, accepted.get(k).map_or(&[], Vec::as_slice));
+    /// Remembers the displacements that a load has left on all equations.
+    pub fn remember(&mut self, load: f64, displacement: BlockVector) {
+        self.states.push((load, displacement));
+        let surplus = self.states.len().saturating_sub(2);
+        self.states.drain(..surplus);
+    }
+
+    /// The displacements that the last load has left.
+    pub fn last_state(&self) -> Option<&BlockVector> {
+        self.states.last().map(|(_, displacement)| displacement)
+    }
+
+    /// Displacements to start a load from: on the straight line through the last two states, or the last one.
+    pub fn extrapolated(&self, load: f64) -> Option<BlockVector> {
+        match self.states.as_slice() {
+            [.., (before, u), (last, v)] if (last - before).abs() > f64::EPSILON * last.abs() => {
+                let t = (load - last) / (last - before);
+                let along = |(u, v): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
+                    u.iter().zip(v).map(|(u, v)| v + t * (v - u)).collect()
+                };
+                Some(u.iter().zip(v).map(along).collect())
+            }
+            states => states.last().map(|(_, v)| v.clone()),
         }
     }
 
-    /// Watches another part of each body. The factors have to be made anew before the next iteration with tangent
-    /// moduli.
+    /// Takes more elements into the plastic region of each body, whose states are kept: they have been elastic up to the last
+    /// accepted increment.
+    pub fn extend_plastic_region(&mut self, search_region: PlasticSearchRegion) {
+        let Self { bodies, accepted, .. } = self;
+        for (k, body) in bodies.iter_mut().enumerate() {
+            body.extend_plastic_region(search_region, accepted.whole.get(k).map_or(&[], Vec::as_slice));
+        }
+        self.search_region = search_region;
+        // On the active equations, which are more now.
+        self.accepted.displacement =
+            if self.accepted.whole.is_empty() { self.zeros() } else { self.accepted.whole.clone() };
+    }
+
+    /// Looks for plastic flow in another part of each body. The factors have to be made anew before the next iteration with
+    /// tangent moduli.
     pub fn set_plastic_region(&mut self, search_region: PlasticSearchRegion) {
         for body in &mut self.bodies {
             body.set_plastic_region(search_region);
         }
+        self.search_region = search_region;
     }
 
     fn sum_flexibility(&mut self) {
@@ -207,8 +240,12 @@ impl System {
         self.flexibility = total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
     }
 
-    /// The contact conditions of the pairs for equivalent initial gaps.
+    /// The contact conditions of the meshed pairs for equivalent initial gaps, under a load of the whole contact.
     pub fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        let load = match load {
+            ContactLoad::Force(force) => ContactLoad::Force(force / self.sides() as f64),
+            approach @ ContactLoad::Approach(_) => approach,
+        };
         ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
     }
 
@@ -260,30 +297,6 @@ impl System {
         }
     }
 
-    /// Initial-stress loads that are all zero.
-    pub fn zeros(&self) -> BlockVector {
-        self.bodies.iter().map(|body| body.elastic.zeros()).collect()
-    }
-
-    /// Solves contact and equilibrium for given initial-stress loads:
-    /// `u_p = K⁻¹ P_e`, contact forces R for the gap `δ0 + u_p`, then `u = K⁻¹ (P_e + R)`.
-    pub fn solve_equilibrium(
-        &self,
-        loads: &BlockVector,
-        solver: &dyn ContactSolver,
-        load: ContactLoad,
-        warm: Option<&ActiveSet>,
-        run: &mut Run<'_>,
-    ) -> Result<Response, SolveError> {
-        let (forward, gap_opening) = run.time(Phase::Solves, || self.eliminate(loads));
-        let gap: Vec<f64> =
-            self.initial_gap.iter().zip(gap_opening).map(|(gap, gap_opening)| gap + gap_opening).collect();
-        let problem = self.contact_problem(&gap, load);
-        let contact = run.time(Phase::Contact, || solver.solve(&problem, warm))?;
-        let displacement = run.time(Phase::Solves, || self.substitute(forward, &contact.force));
-        Ok(Response { displacement, contact })
-    }
-
     /// The first half of a solve: `L⁻¹ P_e` on the active equations, and by how much these loads widen the gap at each pair,
     /// `u_p`. Of `K⁻¹ P_e` only the contact entries are needed before R is known, and R enters at the end of the
     /// elimination, so that nothing is done twice.
@@ -315,81 +328,25 @@ impl System {
         forward
     }
 
-    /// `u = K⁻¹ (P_e + R)` on the active equations.
-    pub fn displacement(&self, loads: &BlockVector, force: &[f64]) -> BlockVector {
-        let solve = |(body, load): (&BodyModel, &Vec<f64>)| {
-            let mut x = load.clone();
-            body.elastic.add_contact_forces(force, &mut x);
-            body.factor.solve_restricted(&body.plastic_region.reach, &mut x);
-            x
-        };
-        self.bodies.iter().zip(loads).map(solve).collect()
-    }
-
-    /// By how much plastic flow alone widens the gap at each pair, `u_p` \[mm\].
-    pub fn plastic_gap(&self, loads: &BlockVector) -> Vec<f64> {
-        let mut gap_opening = vec![0.0; self.initial_gap.len()];
-        for ((body, load), count) in self.bodies.iter().zip(loads).zip(&self.bodies_represented) {
-            let mut x = load.clone();
-            body.factor.solve_restricted(&body.plastic_region.reach, &mut x);
-            for (g, w) in gap_opening.iter_mut().zip(body.elastic.contact_displacement(&x)) {
-                *g += *count as f64 * w;
-            }
-        }
-        gap_opening
-    }
-
-    /// Initial-stress loads of given displacements, summed into `loads`.
-    ///
-    /// Returns the Gauss points beyond yield.
-    pub fn initial_stress(&self, displacement: &BlockVector, loads: &mut BlockVector) -> usize {
-        let evaluate = |(k, body): (usize, &BodyModel)| {
-            let points = body
-                .plastic_region
-                .points
-                .as_ref()
-                .map_or(0, |points| points.evaluate(&displacement[k], &mut loads[k]));
-            points * self.bodies_represented[k]
-        };
-        self.bodies.iter().enumerate().map(evaluate).sum()
-    }
-
-    /// The entries on the active equations, one model after the other.
-    pub fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
-        let parts = self.bodies.iter().zip(vectors);
-        parts
-            .flat_map(|(body, v)| body.plastic_region.active_equations.iter().map(|&e| v[e as usize]))
-            .collect()
-    }
-
-    /// Writes entries on the active equations back to where [`Self::pack`] took them from.
-    pub fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
-        let mut values = packed.iter();
-        for (body, v) in self.bodies.iter().zip(vectors) {
-            for (&e, value) in body.plastic_region.active_equations.iter().zip(&mut values) {
-                v[e as usize] = *value;
-            }
-        }
-    }
-
     /// 2 if the meshed half stands for both sides, else 1; a body of revolution is whole.
-    pub fn symmetry_factor(&self) -> usize {
+    fn sides(&self) -> usize {
         let is_plane = self.stress_state != StressState::Axisymmetric;
         if self.zone.is_symmetric() && is_plane { 2 } else { 1 }
     }
 
-    /// The load of what is meshed.
-    pub fn part_of(&self, load: ContactLoad) -> ContactLoad {
-        match load {
-            ContactLoad::Force(force) => ContactLoad::Force(force / self.symmetry_factor() as f64),
-            approach @ ContactLoad::Approach(_) => approach,
-        }
+    /// How many times a model makes up both whole bodies.
+    pub fn copies(&self, model: usize) -> usize {
+        self.bodies_represented[model] * self.sides()
     }
 
-    /// Pairs in contact on both sides of the axis.
-    pub fn mirrored_count(&self, active: &ActiveSet) -> usize {
-        let on_axis = self.symmetry_factor() == 2 && active.contains(0);
-        active.len() * self.symmetry_factor() - usize::from(on_axis)
+    /// The force along the approach of the whole contact, by the forces of the meshed pairs.
+    pub fn whole_load(&self, force: &[f64]) -> f64 {
+        self.sides() as f64 * force.iter().zip(&self.closing).map(|(r, e)| r * e).sum::<f64>()
+    }
+
+    /// The force of a pair, by that of its meshed part: of a pair on the axis half of it is meshed.
+    pub fn pair_force(&self, pair: usize, force: f64) -> f64 {
+        if pair == 0 && self.sides() == 2 { 2.0 * force } else { force }
     }
 
     /// Contact pressure of each pair \[MPa\]: its force over the length or area it stands for; next to the axis of
@@ -413,26 +370,6 @@ impl System {
         self.pressures(force).into_iter().fold(0.0, f64::max)
     }
 
-    /// `√Σ ‖v‖²` over both bodies on the active equations.
-    pub fn norm(&self, vectors: &BlockVector) -> f64 {
-        self.distance_or_norm(vectors, None)
-    }
-
-    /// `√Σ ‖v - w‖²` over both bodies on the active equations.
-    pub fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64 {
-        self.distance_or_norm(v, Some(w))
-    }
-
-    /// `Σ v·w` over both bodies on the active equations.
-    pub fn inner(&self, v: &BlockVector, w: &BlockVector) -> f64 {
-        let sum = self.bodies.iter().enumerate().map(|(k, body)| {
-            let products =
-                body.plastic_region.active_equations.iter().map(|&e| v[k][e as usize] * w[k][e as usize]);
-            self.bodies_represented[k] as f64 * products.sum::<f64>()
-        });
-        sum.sum()
-    }
-
     fn distance_or_norm(&self, v: &BlockVector, w: Option<&BlockVector>) -> f64 {
         let sum = self.bodies.iter().enumerate().map(|(k, body)| {
             let squares = body.plastic_region.active_equations.iter().map(|&e| {
@@ -442,6 +379,162 @@ impl System {
             self.bodies_represented[k] as f64 * squares.sum::<f64>()
         });
         sum.sum::<f64>().sqrt()
+    }
+}
+
+impl ContactSystem for System {
+    fn zeros(&self) -> BlockVector {
+        self.bodies.iter().map(|body| body.elastic.zeros()).collect()
+    }
+
+    fn pairs(&self) -> usize {
+        self.initial_gap.len()
+    }
+
+    fn gap_opening(&self, loads: &BlockVector) -> Vec<f64> {
+        let mut gap_opening = vec![0.0; self.initial_gap.len()];
+        for ((body, load), count) in self.bodies.iter().zip(loads).zip(&self.bodies_represented) {
+            let mut x = load.clone();
+            body.factor.solve_restricted(&body.plastic_region.reach, &mut x);
+            for (g, w) in gap_opening.iter_mut().zip(body.elastic.contact_displacement(&x)) {
+                *g += *count as f64 * w;
+            }
+        }
+        gap_opening
+    }
+
+    fn contact(
+        &self,
+        gap_opening: &[f64],
+        solver: &dyn ContactSolver,
+        load: ContactLoad,
+        warm: Option<&ActiveSet>,
+        run: &mut Run<'_>,
+    ) -> Result<ContactSolution, SolveError> {
+        let gap: Vec<f64> =
+            self.initial_gap.iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
+        let problem = self.contact_problem(&gap, load);
+        Ok(run.time(Phase::Contact, || solver.solve(&problem, warm))?)
+    }
+
+    /// `u = K⁻¹ (P_e + R)` on the active equations.
+    fn displacement(&self, loads: &BlockVector, force: &[f64]) -> BlockVector {
+        let solve = |(body, load): (&BodyModel, &Vec<f64>)| {
+            let mut x = load.clone();
+            body.elastic.add_contact_forces(force, &mut x);
+            body.factor.solve_restricted(&body.plastic_region.reach, &mut x);
+            x
+        };
+        self.bodies.iter().zip(loads).map(solve).collect()
+    }
+
+    /// With both halves of a solve, so that nothing is done twice.
+    fn equilibrium(
+        &self,
+        loads: &BlockVector,
+        solver: &dyn ContactSolver,
+        load: ContactLoad,
+        warm: Option<&ActiveSet>,
+        run: &mut Run<'_>,
+    ) -> Result<Response, SolveError> {
+        let (forward, gap_opening) = run.time(Phase::Solves, || self.eliminate(loads));
+        let contact = self.contact(&gap_opening, solver, load, warm, run)?;
+        let displacement = run.time(Phase::Solves, || self.substitute(forward, &contact.force));
+        Ok(Response { displacement, contact })
+    }
+
+    fn initial_stress(&self, displacement: &BlockVector, loads: &mut BlockVector) -> usize {
+        let evaluate = |(k, body): (usize, &BodyModel)| {
+            let points = body
+                .plastic_region
+                .points
+                .as_ref()
+                .map_or(0, |points| points.evaluate(&displacement[k], &mut loads[k]));
+            points * self.copies(k)
+        };
+        self.bodies.iter().enumerate().map(evaluate).sum()
+    }
+
+    /// `√Σ ‖v‖²` over both bodies on the active equations.
+    fn norm(&self, vectors: &BlockVector) -> f64 {
+        self.distance_or_norm(vectors, None)
+    }
+
+    fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64 {
+        self.distance_or_norm(v, Some(w))
+    }
+
+    /// The entries on the active equations, one model after the other.
+    fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
+        let parts = self.bodies.iter().zip(vectors);
+        parts
+            .flat_map(|(body, v)| body.plastic_region.active_equations.iter().map(|&e| v[e as usize]))
+            .collect()
+    }
+
+    fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
+        let mut values = packed.iter();
+        for (body, v) in self.bodies.iter().zip(vectors) {
+            for (&e, value) in body.plastic_region.active_equations.iter().zip(&mut values) {
+                v[e as usize] = *value;
+            }
+        }
+    }
+
+    fn figures(&self, contact: &ContactSolution) -> ContactFigures {
+        let on_axis = self.sides() == 2 && contact.active_set.contains(0);
+        ContactFigures {
+            force: self.sides() as f64 * contact.total_force,
+            approach: contact.approach,
+            peak_pressure: self.peak_pressure(&contact.force),
+            pairs: contact.active_set.len() * self.sides() - usize::from(on_axis),
+        }
+    }
+
+    fn linearizable(&mut self) -> Option<&mut dyn Linearize> {
+        Some(self)
+    }
+
+    fn secant_stiffness(&self) -> Option<Box<dyn SecantStiffness + '_>> {
+        Some(Box::new(SecantBodies::new(self)))
+    }
+}
+
+impl Linearize for System {
+    fn linearize(
+        &mut self,
+        at: Option<(&BlockVector, ReferenceModuli)>,
+        run: &mut Run<'_>,
+    ) -> Result<(), SolveError> {
+        for (k, body) in self.bodies.iter_mut().enumerate() {
+            body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), run)?;
+        }
+        self.sum_flexibility();
+        Ok(())
+    }
+
+    fn factorizations(&self) -> usize {
+        self.bodies.len()
+    }
+
+    fn applied(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
+        let mut applied = initial_stress.clone();
+        for (body, load) in self.bodies.iter().zip(&mut applied) {
+            body.elastic.add_contact_forces(force, load);
+        }
+        applied
+    }
+
+    fn work(&self, forces: &BlockVector, displacement: &BlockVector) -> f64 {
+        let sum = self.bodies.iter().enumerate().map(|(k, body)| {
+            let products = body
+                .plastic_region
+                .active_equations
+                .iter()
+                .map(|&e| forces[k][e as usize] * displacement[k][e as usize]);
+            self.copies(k) as f64 * products.sum::<f64>()
+        });
+        sum.sum()
     }
 }
 

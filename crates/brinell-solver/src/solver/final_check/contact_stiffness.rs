@@ -22,10 +22,11 @@ use nalgebra::{DMatrix, DVector};
 use super::edge_contact::EdgeContact;
 use super::mesh_motion::MeshMotion;
 use super::tangent::{ActivePairConstraint, Change, Correction, Tangent, add};
-use crate::solver::body_system::system::{BlockVector, System};
-use crate::solver::couplings::iteration::State;
+use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
-use crate::solver::observer::ask;
+use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
+use crate::solver::method::couplings::iteration::State;
+use crate::solver::method::observer::ask;
 use crate::solver::problem::Problem;
 use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
@@ -154,8 +155,7 @@ fn growing(
         held + growth.sum::<f64>()
     });
     let is_told = |stiffness: &f64| *stiffness > 0.0 && *stiffness < MOST_GROWTH * held;
-    let sides = system.symmetry_factor() as f64;
-    Ok(stiffness.filter(is_told).map_or(Growth::NotTold, |stiffness| Growth::Told(sides * stiffness)))
+    Ok(stiffness.filter(is_told).map_or(Growth::NotTold, Growth::Told))
 }
 
 /// The change of displacements and contact forces as the mesh moves and the approach stays.
@@ -237,7 +237,7 @@ fn stiffness(
     let load = press.load(system);
     let Correction { energy, .. } = constraint.correct(&press.displacement, load, softening, observer)?;
     let correction = patch.map_or(1.0, |patch| edge_correction(system, &constraint.active, patch));
-    Ok(system.symmetry_factor() as f64 * (load - energy) * correction)
+    Ok((load - energy) * correction)
 }
 
 /// Part of an element by which active pairs reach beyond the outermost of them. With it the stiffness of elastic

@@ -9,9 +9,10 @@
 
 use crate::fem::element::StressState;
 use crate::fem::mesh::{Mesh, Outline};
-use crate::solver::body_system::system::{BlockVector, System};
+use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
-use crate::solver::observer::ask;
+use crate::solver::method::contact_system::BlockVector;
+use crate::solver::method::observer::ask;
 use crate::solver::problem::Problem;
 use crate::solver::{Interrupt, Observer};
 

@@ -18,12 +18,12 @@ use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
-use crate::solver::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::mesh_solve::MeshSolve;
-use crate::solver::observer::{Interrupt, Observer, SolveStatus, ask};
-use crate::solver::phases::Phase;
+use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
+use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
-use crate::solver::run::Run;
 use crate::solver::solution::{
     BodySolution, Energy, LastIncrement, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
 };
@@ -72,7 +72,7 @@ pub(crate) struct LeastScales {
 /// The scales of the contact conditions in a state.
 pub(crate) fn contact_scales(pass: &MeshSolve, load: ContactLoad) -> ContactScales {
     let (system, force) = (&pass.system, &pass.outcome.state.response.contact.force);
-    kkt::scales(&system.contact_problem(&system.initial_gap, system.part_of(load)), force)
+    kkt::scales(&system.contact_problem(&system.initial_gap, load), force)
 }
 
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
@@ -193,9 +193,9 @@ pub(crate) fn unloading_stiffness(pass: &MeshSolve, run: &mut Run<'_>) -> f64 {
 fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> Option<Energy> {
     outcome.history.last()?.increment?;
     let mut energy = Energy::default();
-    for ((body, model), copies) in bodies.iter().zip(&system.bodies).zip(&system.bodies_represented) {
+    for (k, (body, model)) in bodies.iter().zip(&system.bodies).enumerate() {
         let ElasticModuli { bulk, shear } = body.model.elastic();
-        let copies = (copies * system.symmetry_factor()) as f64;
+        let copies = system.copies(k) as f64;
         let density = |stress: [f64; 4]| {
             let pressure = (stress[0] + stress[1] + stress[2]) / 3.0;
             von_mises(stress).powi(2) / (6.0 * shear) + pressure * pressure / (2.0 * bulk)
@@ -292,7 +292,7 @@ fn judge(
     let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies } = evidence;
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
-    let contact_check = check_contact(system, &unloaded_gap, contact, system.part_of(load), least);
+    let contact_check = check_contact(system, &unloaded_gap, contact, load, least);
     let sound =
         contact_check.is_sound() && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
     let status = match outcome.status {
@@ -365,16 +365,13 @@ fn check_contact(
 fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {
     let pressures = system.pressures(force);
     (0..force.len())
-        .map(|k| {
-            let on_axis = k == 0 && system.symmetry_factor() == 2;
-            PairState {
-                x: system.zone.abscissa(k),
-                pressure: pressures[k],
-                force: force[k] * if on_axis { 2.0 } else { 1.0 },
-                closing: system.closing[k],
-                // In contact the gap is zero by definition; the rounding error there is checked, not reported.
-                gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach * system.closing[k] },
-            }
+        .map(|k| PairState {
+            x: system.zone.abscissa(k),
+            pressure: pressures[k],
+            force: system.pair_force(k, force[k]),
+            closing: system.closing[k],
+            // In contact the gap is zero by definition; the rounding error there is checked, not reported.
+            gap: if force[k] > 0.0 { 0.0 } else { unloaded_gap[k] - approach * system.closing[k] },
         })
         .collect()
 }

@@ -8,9 +8,10 @@
 //! Conjugate gradients find v and the contact forces r with the factor K that is there already as preconditioner. K_T itself is
 //! not formed: `(K - K_T) v` is the derivative of the initial-stress load in the direction of v.
 
-use crate::solver::body_system::system::{BlockVector, System};
-use crate::solver::couplings::iteration::State;
-use crate::solver::observer::ask;
+use crate::solver::body_system::system::System;
+use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Linearize as _};
+use crate::solver::method::couplings::iteration::State;
+use crate::solver::method::observer::ask;
 use crate::solver::{Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
 
@@ -34,9 +35,9 @@ impl Change {
         add_to(&mut self.force, 1.0, &other.force);
     }
 
-    /// Σ e r: the change of the load of what is meshed.
+    /// The change of the load of the whole contact.
     pub fn load(&self, system: &System) -> f64 {
-        self.force.iter().zip(&system.closing).map(|(r, e)| r * e).sum()
+        system.whole_load(&self.force)
     }
 }
 
@@ -103,13 +104,13 @@ impl<'a> ActivePairConstraint<'a> {
         let mut change = Change { displacement: system.zeros(), force: vec![0.0; system.initial_gap.len()] };
         ask(observer)?;
         let mut residual = softening(v);
-        let mut energy = system.inner(v, &residual);
+        let mut energy = system.work(v, &residual);
         let mut last: Option<(Change, BlockVector, f64)> = None;
         for _ in 0..MAX_STEPS {
             ask(observer)?;
             let mut direction = self.solve(&residual);
             ask(observer)?;
-            let product = system.inner(&residual, &direction.displacement);
+            let product = system.work(&residual, &direction.displacement);
             // `load` is K times the direction, but for contact forces, which do no work on it.
             let mut load = residual.clone();
             if let Some((last_direction, last_load, last_product)) = &last {
@@ -120,7 +121,7 @@ impl<'a> ActivePairConstraint<'a> {
             }
             let mut tangent_load = load.clone();
             add(&mut tangent_load, -1.0, &softening(&direction.displacement));
-            let curvature = system.inner(&direction.displacement, &tangent_load);
+            let curvature = system.work(&direction.displacement, &tangent_load);
             if !(product > 0.0 && curvature > 0.0) {
                 break;
             }

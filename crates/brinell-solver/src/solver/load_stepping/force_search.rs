@@ -17,9 +17,9 @@ use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::error::{Unreachable, UnreachableReason};
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
+use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
-use crate::solver::run::Run;
 use crate::solver::solution::{BodySolution, StepSolution};
 use crate::solver::{SolveError, SolveStatus};
 

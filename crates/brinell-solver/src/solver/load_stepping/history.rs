@@ -23,25 +23,26 @@ use super::path::Path;
 use super::progress::Progress;
 use super::steps::StepReceiver;
 use crate::contact::{ContactLoad, ContactSolver};
-use crate::fem::mesh::{ContactZone, MeshError};
-use crate::job::{Job, PositiveF64};
+use crate::fem::mesh::ContactZone;
+use crate::job::Job;
 use crate::material::ReferenceModuli;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
-use crate::solver::body_system::system::{Design, System};
+use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
-use crate::solver::couplings::iteration::{InitialState, Outcome};
 use crate::solver::final_check::LeastScales;
+use crate::solver::finite_elements::{FiniteElements, MeshDesign};
 use crate::solver::loads::largest_loads;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
-use crate::solver::mesh_solve::{
-    self, MAX_ENLARGEMENTS, MAX_NARROWINGS, MeshSolve, MeshSolveRequest, WIDENING,
-};
-use crate::solver::phases::Phase;
+use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest};
+use crate::solver::method::contact_system::Linearize as _;
+use crate::solver::method::couplings::iteration::{Controls, Outcome};
+use crate::solver::method::run::Run;
+use crate::solver::method::solve::{Leave, OnSystem, solve};
 use crate::solver::problem::Problem;
 use crate::solver::reference::ElasticReference;
-use crate::solver::run::Run;
 use crate::solver::solution::{CoarseFigures, IncrementRecord, LastIncrement, StepSolution};
-use crate::solver::{IncrementNumber, Interrupt, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::strategy::coupling;
+use crate::solver::{IncrementNumber, Interrupt, SolveError, SolveStatus, final_check};
 
 /// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
 /// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
@@ -107,7 +108,7 @@ pub(super) fn run(
     size = coarse.size;
     let mut mesh = request.sizing.request(largest, size, elements, 1.0, request.job.solver);
     mesh.contact = request.contact;
-    let guide = couplings::of(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
+    let guide = coupling(request.job.solver.coupling).uses_tangent_moduli().then_some(&coarse.path);
     let history = MeshHistory { request: &request, mesh, size, division, guide };
     let estimates = Estimates { coarse: &coarse.figures, increments: &errors };
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
@@ -133,9 +134,6 @@ struct Found {
     /// Why it ended early.
     interrupted: Option<Interrupt>,
 }
-
-/// What was found on a zone or, if the contact goes beyond it, a wider one.
-type OnZone = Result<Found, ContactZone>;
 
 /// Halves the increments on the coarse mesh until that no longer changes the figures at the ends of the loads.
 ///
@@ -231,50 +229,33 @@ struct LoadEnd {
 impl MeshHistory<'_> {
     /// Solves all loads, on wider and wider meshes while the contact reaches the edge of the zone.
     fn solve(&self, steps: &mut HistorySteps<'_>, run: &mut Run<'_>) -> Result<Found, SolveError> {
-        let mut mesh = self.mesh.clone();
-        let (mut enlargements, mut narrowings) = (0, 0);
-        let most_columns = mesh_solve::most_columns(&mesh.zone);
-        loop {
-            let history = MeshHistory { mesh: mesh.clone(), ..*self };
-            let can_enlarge = narrowings == 0 && enlargements < MAX_ENLARGEMENTS;
-            let most_columns = can_enlarge.then_some(most_columns);
-            match history.solve_on_zone(steps, enlargements, most_columns, run) {
-                Ok(Ok(mut found)) => {
-                    *run.passes += 1;
-                    found.mesh = mesh.zone;
-                    return Ok(found);
-                }
-                Ok(Err(wider)) => {
-                    *run.passes += 1;
+        let problem = self.request.problem;
+        let engine = FiniteElements { problem, request: &self.mesh, is_history: true };
+        let mut is_begun = false;
+        solve(
+            &engine,
+            MeshDesign::new(self.mesh.zone.clone(), self.search_region()),
+            None,
+            run,
+            |mesh, system, _, run| {
+                if std::mem::replace(&mut is_begun, true) {
                     steps.begin_anew();
-                    mesh.zone = wider;
-                    enlargements += 1;
                 }
-                // A contact that reaches the edge of the narrower zone is reported.
-                Err(SolveError::Mesh(MeshError::Inverted { .. })) if narrowings < MAX_NARROWINGS => {
-                    mesh.zone = mesh_solve::narrow(self.request.problem, &mesh.zone);
-                    narrowings += 1;
-                }
-                Err(error) => return Err(error),
-            }
-        }
+                self.solve_on(mesh, system, steps, run)
+            },
+        )
     }
 
-    /// Ends early on a zone that is too narrow, if that may become wider and have so many columns.
-    fn solve_on_zone(
+    /// Solves all loads on one mesh.
+    fn solve_on(
         &self,
+        mesh: &OnSystem<'_, FiniteElements<'_>>,
+        mut system: System,
         steps: &mut HistorySteps<'_>,
-        enlargements: usize,
-        most_columns: Option<usize>,
         run: &mut Run<'_>,
-    ) -> Result<OnZone, SolveError> {
-        let problem = self.request.problem;
-        let MeshSolveRequest { refinement, cache, .. } = self.mesh;
-        let zone = &self.mesh.zone;
-        let design = Design { zone, refinement, search_region: self.search_region(), cache };
-        let (mut system, _) = System::build(problem, design, None, run)?;
+    ) -> Result<Found, Leave<MeshDesign>> {
         let mut found = Found {
-            mesh: zone.clone(),
+            mesh: system.zone.clone(),
             size: self.size,
             path: Path {
                 meshes: system.bodies.iter().map(|body| Arc::clone(&body.elastic.mesh)).collect(),
@@ -284,7 +265,7 @@ impl MeshHistory<'_> {
             has_collapsed: false,
             interrupted: None,
         };
-        let mut progress = Progress::at_rest(system.zeros());
+        let mut progress = Progress::at_rest();
         let mut widest = 0.0;
         // Of all loads so far: what follows an increment that has not converged inherits its error.
         let mut status = SolveStatus::Converged;
@@ -299,16 +280,8 @@ impl MeshHistory<'_> {
                 let time = number as f64 + if k + 1 == count { 1.0 } else { leg.part(end) };
                 let (target, loads) = (leg.load(end), self.request.loads.len());
                 progress.number = IncrementNumber { number: k + 1, count, load: number + 1, loads };
-                let mut solve = self.increment(system, target, time, &leg, &mut progress, run)?;
-                solve.enlargements = enlargements;
+                let mut solve = self.increment(mesh, system, target, time, &leg, &progress, run)?;
                 let interrupted = solve.outcome.status.interrupt();
-                if let Some(most_columns) = most_columns
-                    && solve.reaches_edge
-                    && interrupted.is_none()
-                    && let Some(wider) = mesh_solve::enlarged(problem, zone, solve.meets, most_columns)
-                {
-                    return Ok(Err(wider));
-                }
                 history.append(&mut solve.outcome.history.clone());
                 let start = progress.reached_measure(&leg);
                 let may_halve = status == SolveStatus::Converged && self.request.increments.is_none();
@@ -329,14 +302,13 @@ impl MeshHistory<'_> {
                     widest = half_width;
                     found.size = self.size.found_by(&solve);
                 }
-                found.size.plastic = progress.plastic;
+                found.size.plastic = solve.system.accepted.plastic;
                 found.has_collapsed = final_check::has_collapsed(&solve);
                 found.interrupted = interrupted;
                 if let (false, Some(interrupt)) = (steps.are_final(), interrupted) {
-                    return Err(SolveError::Interrupted(interrupt));
+                    return Err(SolveError::Interrupted(interrupt).into());
                 }
                 let is_end = k + 1 == count || interrupted.is_some() || found.has_collapsed;
-                let displacement = std::mem::take(&mut solve.outcome.state.response.displacement);
                 if !steps.are_final() {
                     let nodal = solve.fields.iter().map(|field| field.nodal.clone()).collect();
                     found.path.points.push((time, nodal));
@@ -344,7 +316,6 @@ impl MeshHistory<'_> {
                 if is_end {
                     found.figures.push(Some(solve.all_figures()));
                 }
-                solve.outcome.state.response.displacement = displacement;
                 if is_end {
                     solve.outcome.history = std::mem::take(&mut history);
                     solve.outcome.status = status;
@@ -353,20 +324,19 @@ impl MeshHistory<'_> {
                     let end = LoadEnd { number, load, target, widest, last_increment, increments };
                     found.interrupted = self.end_load(end, &mut solve, &mut progress, steps, run);
                     if found.interrupted.is_some() {
-                        return Ok(Ok(found));
+                        return Ok(found);
                     }
                 }
                 if found.has_collapsed {
                     steps.end_before(number);
-                    return Ok(Ok(found));
+                    return Ok(found);
                 }
-                solve.system.commit(&solve.outcome.state.response.displacement);
-                progress.accepted = solve.outcome.state.response.displacement;
                 system = solve.system;
+                system.commit(solve.outcome.state.response.displacement);
                 k += 1;
             }
         }
-        Ok(Ok(found))
+        Ok(found)
     }
 
     /// How far plastic flow is looked for at first.
@@ -429,7 +399,7 @@ impl MeshHistory<'_> {
     }
 
     fn is_accelerated(&self) -> bool {
-        couplings::of(self.mesh.solver.coupling).uses_tangent_moduli()
+        coupling(self.mesh.solver.coupling).uses_tangent_moduli()
     }
 
     /// Whether smaller increments may come farther: strains are not small, or Newton's method has come to no end before it has made
@@ -446,21 +416,22 @@ impl MeshHistory<'_> {
     /// is changed.
     fn increment(
         &self,
+        mesh: &OnSystem<'_, FiniteElements<'_>>,
         mut system: System,
         target: ContactLoad,
         time: f64,
         leg: &Leg,
-        progress: &mut Progress,
+        progress: &Progress,
         run: &mut Run<'_>,
-    ) -> Result<MeshSolve, SolveError> {
+    ) -> Result<MeshSolve, Leave<MeshDesign>> {
         let (scales, increment) = (progress.scales, Some(progress.number));
-        let mut request = MeshSolveRequest { load: target, scales, increment, ..self.mesh.clone() };
-        request.previous = None;
+        let mut controls = Controls { load: target, scales, increment, ..self.mesh.controls() };
         if progress.number.number < progress.number.count {
-            request.solver.tolerance = within_load(request.solver.tolerance);
+            controls.tolerance = within_load(controls.tolerance);
         }
-        let mut start = None;
-        if couplings::of(request.solver.coupling).uses_tangent_moduli() {
+        let coupling = coupling(self.mesh.solver.coupling);
+        let mut start = system.accepted.displacement.clone();
+        if coupling.uses_tangent_moduli() {
             if leg.falls() {
                 system.linearize(None, run)?;
             } else if let Some(guide) = self.guide {
@@ -468,45 +439,13 @@ impl MeshHistory<'_> {
                 let fields = guide.meshes.iter().zip(&change);
                 let fields: Vec<_> =
                     fields.map(|(mesh, displacement)| NodalField { mesh, displacement }).collect();
-                start = Some(system.linearize_after(&progress.accepted, &fields, run)?);
+                start = system.linearize_after(&start, &fields, run)?;
             } else {
-                let ahead = progress.extrapolated(target.magnitude(), leg);
-                system.linearize(Some((&ahead, ReferenceModuli::Tangent)), run)?;
-                start = Some(ahead);
+                start = progress.extrapolated(start, target.magnitude(), leg);
+                system.linearize(Some((&start, ReferenceModuli::Tangent)), run)?;
             }
         }
-        let mut start = start.unwrap_or_else(|| progress.accepted.clone());
-        let mut history = Vec::new();
-        let mut widenings = 0;
-        loop {
-            let initial = InitialState { displacement: Some(start), history, ..InitialState::default() };
-            let mut outcome = mesh_solve::iterate(&mut system, &request, initial, run)?;
-            let fields = run
-                .time_observed(Phase::Output, |observer| mesh_solve::fields(&system, &mut outcome, observer));
-            let problem = self.request.problem;
-            let mut solve = run.time(Phase::Output, || MeshSolve::of(problem, system, outcome, fields));
-            let is_stopped = solve.outcome.status.is_stopped();
-            if !is_stopped && widenings < 3 && solve.yields_outside_region() {
-                let envelope = solve.yielded_envelope().joined(&progress.plastic).scaled(WIDENING);
-                let region = if widenings == 0 {
-                    PlasticSearchRegion::Within(envelope)
-                } else {
-                    PlasticSearchRegion::WholeBody
-                };
-                widenings += 1;
-                history = std::mem::take(&mut solve.outcome.history);
-                start = solve.fields.into_iter().map(|field| field.displacement).collect();
-                system = solve.system;
-                system.extend_plastic_region(region, &progress.whole);
-                if progress.whole.is_empty() {
-                    progress.accepted = system.zeros();
-                } else {
-                    progress.accepted.clone_from(&progress.whole);
-                }
-                continue;
-            }
-            return Ok(solve);
-        }
+        mesh.solve(system, Some(start), coupling, controls, run)
     }
 
     /// The end of a load, or of what the bodies bear of it, as a step of the solution.
@@ -544,18 +483,17 @@ impl MeshHistory<'_> {
 }
 
 /// The tolerance of increments that do not end a load.
-fn within_load(tolerance: PositiveF64) -> PositiveF64 {
-    let asked = tolerance.get();
-    PositiveF64::new((WITHIN_LOAD * asked).min(LARGEST_WITHIN_LOAD.max(asked))).unwrap_or(tolerance)
+fn within_load(tolerance: f64) -> f64 {
+    (WITHIN_LOAD * tolerance).min(LARGEST_WITHIN_LOAD.max(tolerance))
 }
 
 fn increment_record(solve: &MeshSolve) -> IncrementRecord {
-    let contact = &solve.outcome.state.response.contact;
+    let CoarseFigures { force, approach, peak_pressure, half_width } = solve.all_figures();
     IncrementRecord {
-        force: contact.total_force * solve.system.symmetry_factor() as f64,
-        approach: contact.approach,
-        peak_pressure: solve.system.peak_pressure(&contact.force),
-        half_width: solve.patch.map_or(0.0, |patch| patch.half_width()),
+        force,
+        approach,
+        peak_pressure,
+        half_width,
         iterations: solve.outcome.history.len(),
         plastic_points: solve.outcome.history.last().map_or(0, |record| record.plastic_points),
         status: solve.outcome.status,

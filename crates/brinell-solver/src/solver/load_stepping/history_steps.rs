@@ -4,7 +4,7 @@
 //! rest. For the others there is what the coarse mesh has found, which is less: no stresses, no error bars.
 
 use super::steps::StepReceiver;
-use crate::solver::run::Run;
+use crate::solver::method::run::Run;
 use crate::solver::solution::{CoarseFigures, StepMesh, StepSolution};
 use crate::solver::{Interrupt, Observer, SolveError};
 

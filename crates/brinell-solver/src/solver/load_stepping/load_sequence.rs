@@ -8,8 +8,8 @@ use super::steps::StepReceiver;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::job::Job;
 use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
-use crate::solver::run::Run;
 use crate::solver::{Interrupt, SolveError};
 
 /// The bodies, and how loads on them are solved.

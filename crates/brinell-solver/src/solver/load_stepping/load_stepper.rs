@@ -8,16 +8,18 @@ use crate::fem::mesh::ContactZone;
 use crate::job::{ContactMethod, Coupling, Job, PositiveF64, SolverSettings};
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
-use crate::solver::couplings::iteration::Scales;
+use crate::solver::body_system::system::System;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
 use crate::solver::mesh_sizing::end_of_contact::EndSearch;
-use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest, ReusableMesh};
-use crate::solver::phases::Phase;
+use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
+use crate::solver::method::couplings::iteration::Scales;
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
-use crate::solver::run::Run;
 use crate::solver::solution::StepSolution;
-use crate::solver::{Interrupt, SolveError, SolveStatus, couplings, final_check};
+use crate::solver::strategy::coupling;
+use crate::solver::{Interrupt, SolveError, SolveStatus, final_check};
 
 /// Elements over a half-width in the first mesh.
 const SIZING_ELEMENTS: usize = 6;
@@ -61,8 +63,8 @@ struct LastStep {
     /// The load for which the meshes were made.
     made_for: ContactLoad,
     extent: ContactSizeEstimate,
-    coarse: ReusableMesh,
-    fine: ReusableMesh,
+    coarse: System,
+    fine: System,
 }
 
 impl<'a> LoadStepper<'a> {
@@ -107,7 +109,7 @@ impl<'a> LoadStepper<'a> {
         let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
         request.contact = self.contact;
-        request.previous = couplings::of(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
+        request.previous = coupling(self.job.solver.coupling).uses_tangent_moduli().then_some(&previous);
         let mut pass = mesh_solve::run(self.problem, &request, fine, run)?;
         // Before the stresses are handed over.
         let found = run.time(Phase::Output, || extent.found_by(&pass));
@@ -128,8 +130,8 @@ impl<'a> LoadStepper<'a> {
         // Memory is freed here, where the time it takes is measured.
         self.last = run.time(Phase::Output, move || {
             drop(sizing);
-            let (extent, coarse, fine) = (found, coarse.into_reusable(load), pass.into_reusable(load));
-            // What has not converged is no place to start from.
+            let (extent, coarse, fine) = (found, coarse.into_system(load), pass.into_system(load));
+            // Only converged solutions seed the next load.
             next.filter(|_| is_converged).map(|_| LastStep { load, made_for, extent, coarse, fine })
         });
         Ok(step)
@@ -148,7 +150,7 @@ impl<'a> LoadStepper<'a> {
     /// Whether the meshes of the last load serve for a load whose contact is expected to have this extent.
     fn serves(&self, last: &LastStep, load: ContactLoad, extent: ContactSizeEstimate) -> bool {
         let elements = self.job.mesh.elements_per_half_width as usize;
-        let zone = &last.fine.system.zone;
+        let zone = &last.fine.zone;
         // What is found of an extent jumps by an element: a search would go from mesh to mesh and never settle.
         let is_near = || self.growth(last.made_for, load).ln().abs() <= RESOLUTION_SLACK.ln();
         zone.half_width() >= ZONE_MARGIN * extent.half_width
@@ -244,10 +246,10 @@ impl<'a> LoadStepper<'a> {
     fn solve_auxiliary(
         &self,
         request: &MeshSolveRequest<'_>,
-        reusable: Option<ReusableMesh>,
+        known: Option<System>,
         run: &mut Run<'_>,
     ) -> Result<MeshSolve, SolveError> {
-        let pass = run.silently(|run| mesh_solve::run(self.problem, request, reusable, run))?;
+        let pass = run.silently(|run| mesh_solve::run(self.problem, request, known, run))?;
         // One that was stopped has no fields that the next mesh could start from.
         match pass.outcome.status {
             SolveStatus::Cancelled => Err(SolveError::Interrupted(Interrupt::Cancelled)),
@@ -278,7 +280,7 @@ impl<'a> LoadStepper<'a> {
     ) -> MeshSolveRequest<'a> {
         let spacing = extent.spacing(elements) / reserve;
         // An envelope of distances from the middle of the contact does not follow a surface that bends round.
-        let is_whole = couplings::of(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
+        let is_whole = coupling(solver.coupling).needs_whole_body() || self.problem.conforming.is_some();
         let search_region = if is_whole {
             PlasticSearchRegion::WholeBody
         } else {

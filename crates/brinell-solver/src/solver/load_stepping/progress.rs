@@ -5,17 +5,13 @@ use crate::contact::ContactLoad;
 use crate::contact::kkt::ContactScales;
 use crate::fem::assembly::GaussPoint;
 use crate::solver::IncrementNumber;
-use crate::solver::body_system::plastic_search_region::RadialEnvelope;
-use crate::solver::body_system::system::BlockVector;
-use crate::solver::couplings::iteration::{Scales, norm};
 use crate::solver::final_check;
 use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
+use crate::solver::method::couplings::iteration::{Scales, norm};
 
 /// Where a history is.
 pub(super) struct Progress {
-    /// Displacements on the active equations at the last accepted increment, and those of all nodes.
-    pub accepted: BlockVector,
-    pub whole: BlockVector,
     /// Displacements one increment before, and the load measure then.
     pub before: Option<(BlockVector, f64)>,
     pub time: f64,
@@ -27,7 +23,6 @@ pub(super) struct Progress {
     pub scales: Scales,
     /// Largest scales of the contact conditions so far.
     pub contact_scales: ContactScales,
-    pub plastic: RadialEnvelope,
     /// Whether the load falls.
     pub is_falling: bool,
     /// Largest peak pressure so far, and its x.
@@ -48,11 +43,9 @@ pub(super) struct PointHistory {
 }
 
 impl Progress {
-    /// Before the first load; `zeros` are the displacements then.
-    pub fn at_rest(zeros: BlockVector) -> Self {
+    /// Before the first load.
+    pub fn at_rest() -> Self {
         Self {
-            accepted: zeros,
-            whole: Vec::new(),
             before: None,
             time: 0.0,
             number: IncrementNumber { number: 0, count: 0, load: 0, loads: 0 },
@@ -61,7 +54,6 @@ impl Progress {
             reached: [0.0; 2],
             scales: Scales::default(),
             contact_scales: ContactScales::default(),
-            plastic: RadialEnvelope::NONE,
             is_falling: false,
             peak: [0.0; 2],
             points: Vec::new(),
@@ -76,15 +68,16 @@ impl Progress {
         self.is_falling = leg.falls();
     }
 
-    /// Displacements at a load on the straight line through the last two increments of a leg.
-    pub fn extrapolated(&self, load: f64, leg: &Leg) -> BlockVector {
-        let Some((before, at)) = &self.before else { return self.accepted.clone() };
+    /// Displacements at a load on the straight line through the last two increments of a leg, the later of which has left
+    /// these.
+    pub fn extrapolated(&self, accepted: BlockVector, load: f64, leg: &Leg) -> BlockVector {
+        let Some((before, at)) = &self.before else { return accepted };
         let last = self.reached_measure(leg);
-        if last - at <= f64::EPSILON * last.abs() || before.len() != self.accepted.len() {
-            return self.accepted.clone();
+        if last - at <= f64::EPSILON * last.abs() || before.len() != accepted.len() {
+            return accepted;
         }
         let part = ((load - last) / (last - at)).clamp(0.0, 1.5);
-        let lines = before.iter().zip(&self.accepted);
+        let lines = before.iter().zip(&accepted);
         lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
     }
 
@@ -101,11 +94,14 @@ impl Progress {
     /// Takes over what an increment has found.
     pub fn accept(&mut self, solve: &mut MeshSolve, target: ContactLoad, time: f64, leg: &Leg) {
         let contact = &solve.outcome.state.response.contact;
-        self.before = (!leg.falls()).then(|| (self.accepted.clone(), self.reached_measure(leg)));
+        self.before = (!leg.falls()).then(|| {
+            let accepted = solve.system.accepted.displacement.clone();
+            (accepted, self.reached_measure(leg))
+        });
         self.time = time;
         self.force = match target {
             ContactLoad::Force(force) => force,
-            ContactLoad::Approach(_) => contact.total_force * solve.system.symmetry_factor() as f64,
+            ContactLoad::Approach(_) => solve.system.figures(contact).force,
         };
         self.approach = contact.approach;
         self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
@@ -113,8 +109,9 @@ impl Progress {
         self.scales.displacement =
             self.scales.displacement.max(solve.system.norm(&solve.outcome.state.response.displacement));
         self.contact_scales = self.contact_scales.larger(final_check::contact_scales(solve, target));
-        self.plastic = self.plastic.joined(&solve.yielded_envelope());
-        self.whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
+        let plastic = solve.system.accepted.plastic.joined(&solve.yielded_envelope());
+        let whole = solve.fields.iter().map(|field| field.displacement.clone()).collect();
+        (solve.system.accepted.plastic, solve.system.accepted.whole) = (plastic, whole);
         self.points.resize_with(solve.fields.len(), Vec::new);
         for (field, histories) in solve.fields.iter_mut().zip(&mut self.points) {
             let points = field.stress.points.as_flattened_mut();

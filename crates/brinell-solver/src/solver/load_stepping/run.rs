@@ -10,9 +10,9 @@ use crate::job::{ContactMethod, Job, Theory};
 use crate::solver::SolveError;
 use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
-use crate::solver::observer::Observer;
+use crate::solver::method::observer::Observer;
+use crate::solver::method::run::Run;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
-use crate::solver::run::Run;
 use crate::solver::solution::Solution;
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.

@@ -4,7 +4,7 @@ use super::Coupling;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, Outcome, State};
 use crate::solver::SolveError;
-use crate::solver::phases::Phase;
+use crate::solver::method::phases::Phase;
 
 /// The paper's choice: the next loads are those that the plastic law answers with.
 pub(crate) struct Strong;
@@ -45,7 +45,7 @@ fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<O
         let residual_norm = iteration.run.time(Phase::Plasticity, || system.distance(&image, &loads));
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
         if status.is_some() || iteration.has_stalled() {
-            return iteration.finish(State { response, loads, factors: None }, status);
+            return iteration.finish(State { response, loads, is_complete: false }, status);
         }
         start = response.displacement;
         match &mut anderson {

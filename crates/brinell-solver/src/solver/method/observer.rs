@@ -5,8 +5,6 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use crate::job::Named;
-
 /// How a solve ended. Not converging is a status, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -30,19 +28,6 @@ pub enum Interrupt {
     Cancelled,
     /// The deadline passed.
     TimedOut,
-}
-
-impl Named for SolveStatus {
-    const ALL: &'static [Self] = &[Self::Converged, Self::NotConverged, Self::Cancelled, Self::TimedOut];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::NotConverged => "not_converged",
-            Self::Cancelled => "cancelled",
-            Self::TimedOut => "timed_out",
-        }
-    }
 }
 
 impl SolveStatus {

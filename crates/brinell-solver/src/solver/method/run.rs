@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use crate::solver::observer::{Interrupt, IterationRecord, Observer, ask};
-use crate::solver::phases::{Phase, PhaseTimes};
+use crate::solver::method::observer::{Interrupt, IterationRecord, Observer, ask};
+use crate::solver::method::phases::{Phase, PhaseTimes};
 use crate::solver::{Solution, SolveError};
 
 /// A running solve.

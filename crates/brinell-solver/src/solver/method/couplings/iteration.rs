@@ -2,18 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::solver::body_system::system::{BlockVector, Response, System};
-use crate::solver::phases::Phase;
-use crate::solver::run::Run;
+use crate::contact::{ContactLoad, ContactSolution, ContactSolver};
+use crate::solver::method::contact_system::{
+    BlockVector, ContactFigures, ContactSystem, Response, SecantStiffness,
+};
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::{IncrementNumber, Interrupt, IterationRecord, SolveError, SolveStatus};
-use sparse_cholesky::Cholesky;
 
 /// What an iteration is run with.
 #[derive(Clone, Copy)]
 pub(crate) struct Controls<'a> {
     pub contact: &'a dyn ContactSolver,
-    /// Load of the meshed part: half of the job's force on a half model.
+    /// Load of the whole contact.
     pub load: ContactLoad,
     pub tolerance: f64,
     pub max_iterations: usize,
@@ -41,8 +42,8 @@ pub(crate) struct State {
     pub response: Response,
     /// Initial-stress loads that were applied.
     pub loads: BlockVector,
-    /// Factors of the present stiffness where it differs from that of the system (secant stiffness).
-    pub factors: Option<Vec<Cholesky>>,
+    /// Whether the displacements are known on all equations and not on the active ones alone.
+    pub is_complete: bool,
 }
 
 /// How an iteration ended.
@@ -94,12 +95,12 @@ struct Counts {
 
 /// A running iteration.
 pub(crate) struct Iteration<'a> {
-    pub system: &'a System,
+    pub system: &'a dyn ContactSystem,
     pub controls: Controls<'a>,
     pub run: Run<'a>,
     counts: Counts,
     history: Vec<IterationRecord>,
-    /// Records of earlier linearizations in the history.
+    /// Records from before this iteration, on other moduli or another plastic region.
     begun: usize,
     /// Displacements to start from.
     start: Option<BlockVector>,
@@ -110,7 +111,12 @@ pub(crate) struct Iteration<'a> {
 }
 
 impl<'a> Iteration<'a> {
-    pub fn new(system: &'a System, controls: Controls<'a>, initial: InitialState, run: Run<'a>) -> Self {
+    pub fn new(
+        system: &'a dyn ContactSystem,
+        controls: Controls<'a>,
+        initial: InitialState,
+        run: Run<'a>,
+    ) -> Self {
         Self {
             system,
             controls,
@@ -141,25 +147,27 @@ impl<'a> Iteration<'a> {
     pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, SolveError> {
         let Controls { contact, load, .. } = self.controls;
         let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let response = self.system.solve_equilibrium(loads, contact, load, warm, &mut self.run)?;
+        let response = self.system.equilibrium(loads, contact, load, warm, &mut self.run)?;
         self.counts.pivots += response.contact.pivots;
         Ok(response)
     }
 
     /// Contact alone, for a gap that plastic flow has widened by `gap_opening`.
     pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, SolveError> {
-        let gap: Vec<f64> = self.system.initial_gap.iter().zip(gap_opening).map(|(g, u)| g + u).collect();
-        let load = self.controls.load;
-        self.solve_contact(&self.system.contact_problem(&gap, load))
-    }
-
-    /// A contact problem, warm-started from the last contact.
-    pub fn solve_contact(&mut self, problem: &ContactProblem<'_>) -> Result<ContactSolution, SolveError> {
+        let Controls { contact, load, .. } = self.controls;
         let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let solver = self.controls.contact;
-        let contact = self.run.time(Phase::Contact, || solver.solve(problem, warm))?;
+        let contact = self.system.contact(gap_opening, contact, load, warm, &mut self.run)?;
         self.counts.pivots += contact.pivots;
         Ok(contact)
+    }
+
+    /// Contact and equilibrium with secant moduli, warm-started from the last contact.
+    pub fn secant_equilibrium(&mut self, stiffness: &dyn SecantStiffness) -> Result<Response, SolveError> {
+        let Controls { contact, load, .. } = self.controls;
+        let warm = self.previous.as_ref().map(|contact| &contact.active_set);
+        let response = stiffness.equilibrium(contact, load, warm, &mut self.run)?;
+        self.counts.pivots += response.contact.pivots;
+        Ok(response)
     }
 
     /// `u = K⁻¹ (P_e + R)` on the active equations.
@@ -190,9 +198,9 @@ impl<'a> Iteration<'a> {
         self.history.iter().map(|record| record.initial_stress_updates).sum()
     }
 
-    /// Counts one factorization of every model.
-    pub fn count_factorizations(&mut self) {
-        self.counts.factorizations += self.system.bodies.len();
+    /// Counts factorizations.
+    pub fn count_factorizations(&mut self, count: usize) {
+        self.counts.factorizations += count;
     }
 
     /// Writes down an iteration that went from the displacements `start` to a response which the plastic law
@@ -216,6 +224,7 @@ impl<'a> Iteration<'a> {
             .as_ref()
             .map_or(1.0, |previous| relative(distance(&response.contact.force, &previous.force), force));
         let counts = std::mem::take(&mut self.counts);
+        let ContactFigures { approach, peak_pressure, pairs, .. } = self.system.figures(&response.contact);
         let record = IterationRecord {
             iteration: self.history.len() + 1,
             contact_pivots: counts.pivots,
@@ -224,10 +233,10 @@ impl<'a> Iteration<'a> {
             displacement_change,
             force_change,
             equilibrium_residual,
-            plastic_points: plastic_points * self.system.symmetry_factor(),
-            contact_pairs: self.system.mirrored_count(&response.contact.active_set),
-            approach: response.contact.approach,
-            peak_pressure: self.system.peak_pressure(&response.contact.force),
+            plastic_points,
+            contact_pairs: pairs,
+            approach,
+            peak_pressure,
             elapsed_ms: 1e3 * self.run.observer.elapsed().as_secs_f64(),
             increment: self.controls.increment,
         };
@@ -280,17 +289,19 @@ impl<'a> Iteration<'a> {
 
     /// Whether the iterations left would have to be many more to get to the end at the rate of the last ones.
     fn is_hopeless(&self, residual: f64) -> bool {
-        let now = self.history.len() + 1;
+        // What came before was of another plastic region.
+        let records = &self.history[self.begun..];
+        let now = records.len() + 1;
         if now < 2 * OUTLOOK {
             return false;
         }
         let best = |records: &[IterationRecord]| {
             records.iter().map(|record| record.equilibrium_residual).fold(f64::INFINITY, f64::min)
         };
-        let (before, lately) = self.history[now - 2 * OUTLOOK..].split_at(OUTLOOK);
+        let (before, lately) = records[now - 2 * OUTLOOK..].split_at(OUTLOOK);
         let lately = best(lately).min(residual);
         let rate = (best(before) / lately).ln() / OUTLOOK as f64;
-        let left = self.controls.max_iterations.saturating_sub(now) as f64;
+        let left = self.controls.max_iterations.saturating_sub(self.history.len() + 1) as f64;
         (lately / self.controls.tolerance).ln() > OUTLOOK_SLACK * left * rate.max(0.0)
     }
 
@@ -302,7 +313,7 @@ impl<'a> Iteration<'a> {
     pub fn finish(mut self, state: State, status: Option<SolveStatus>) -> Result<Outcome, SolveError> {
         let state = if self.has_diverged {
             let loads = self.system.zeros();
-            State { response: self.solve_equilibrium(&loads)?, loads, factors: None }
+            State { response: self.solve_equilibrium(&loads)?, loads, is_complete: false }
         } else {
             state
         };

@@ -20,8 +20,8 @@
 use super::iteration::{Controls, InitialState, Iteration, Outcome, State};
 use crate::contact::ContactLoad;
 use crate::material::ReferenceModuli;
-use crate::solver::body_system::system::{BlockVector, System};
-use crate::solver::run::Run;
+use crate::solver::method::contact_system::{BlockVector, Linearize};
+use crate::solver::method::run::Run;
 use crate::solver::{SolveError, SolveStatus};
 
 /// Steps at most. Each costs a factorization.
@@ -43,7 +43,7 @@ const LEAST_STIFFENING: f64 = 1e-5;
 
 /// Goes on from where another iteration has ended.
 pub(crate) fn run(
-    system: &mut System,
+    system: &mut dyn Linearize,
     controls: Controls<'_>,
     from: Outcome,
     run: &mut Run<'_>,
@@ -61,11 +61,11 @@ pub(crate) fn run(
         }
         let initial = InitialState {
             displacement: Some(point.displacement.clone()),
-            factorizations: system.bodies.len(),
+            factorizations: system.factorizations(),
             contact: Some(outcome.state.response.contact),
             history: outcome.history,
         };
-        let mut iteration = Iteration::new(system, controls, initial, run.reborrow());
+        let mut iteration = Iteration::new(&*system, controls, initial, run.reborrow());
         let (start, loads) = iteration.initial_state();
         let response = iteration.solve_equilibrium(&loads)?;
         iteration.count_update();
@@ -73,11 +73,11 @@ pub(crate) fn run(
         let plastic_points = iteration.initial_stress(&response.displacement, &mut image);
         let residual_norm = system.distance(&image, &loads);
         let status = iteration.record(&start, &response, plastic_points, residual_norm);
-        let state = State { response, loads, factors: None };
+        let state = State { response, loads, is_complete: false };
         if status.is_some() || iteration.has_diverged() {
             return iteration.finish(state, status.or(Some(SolveStatus::NotConverged)));
         }
-        let share = point.advance(&mut iteration, &state, &image, residual_norm);
+        let share = point.advance(&*system, &mut iteration, &state, &image, residual_norm);
         stiffening = if share < SHORT {
             (10.0 * stiffening).min(1.0)
         } else if share > LONG || stiffening > STIFFENING {
@@ -92,7 +92,7 @@ pub(crate) fn run(
 
 /// Factorizes with the moduli of a point, stiffened; more so where rounding makes the stiffness indefinite.
 fn linearize(
-    system: &mut System,
+    system: &mut dyn Linearize,
     at: &BlockVector,
     stiffening: &mut f64,
     run: &mut Run<'_>,
@@ -122,11 +122,11 @@ struct Point {
 
 impl Point {
     /// The state of an initial-stress iteration: its `K u` is known.
-    fn of(system: &System, state: &State) -> Self {
+    fn of(system: &dyn Linearize, state: &State) -> Self {
         let displacement = state.response.displacement.clone();
         let mut image = system.zeros();
         system.initial_stress(&displacement, &mut image);
-        let mut internal = applied(system, state);
+        let mut internal = system.applied(&state.loads, &state.response.contact.force);
         add(&mut internal, -1.0, &image);
         let contact = &state.response.contact;
         Self {
@@ -144,12 +144,12 @@ impl Point {
     /// All of it where the out-of-balance force has fallen; else to where φ' is about zero.
     fn advance(
         &mut self,
+        system: &dyn Linearize,
         iteration: &mut Iteration<'_>,
         answer: &State,
         image: &BlockVector,
         residual_norm: f64,
     ) -> f64 {
-        let system = iteration.system;
         let mut direction = answer.response.displacement.clone();
         add(&mut direction, -1.0, &self.displacement);
         let step = answer.response.contact.approach - self.approach;
@@ -160,8 +160,8 @@ impl Point {
         // K u and K u*, with the stiffness K in force; answer.loads is P(u).
         let mut before = self.internal.clone();
         add(&mut before, 1.0, &answer.loads);
-        let after = applied(system, answer);
-        let slope = |internal: &BlockVector| system.inner(internal, &direction) - force * step;
+        let after = system.applied(&answer.loads, &answer.response.contact.force);
+        let slope = |internal: &BlockVector| system.work(internal, &direction) - force * step;
         let internal = |share: f64, image: &BlockVector| {
             let combine = |(b, a, p): (&Vec<f64>, &Vec<f64>, &Vec<f64>)| -> Vec<f64> {
                 b.iter().zip(a).zip(p).map(|((b, a), p)| b + share * (a - b) - p).collect()
@@ -227,15 +227,6 @@ impl Point {
 /// Where the straight line through two points `(t, φ')` is zero.
 fn zero(low: (f64, f64), high: (f64, f64)) -> f64 {
     (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1)
-}
-
-/// Initial-stress loads and contact forces: `K u`.
-fn applied(system: &System, state: &State) -> BlockVector {
-    let mut load = state.loads.clone();
-    for (body, load) in system.bodies.iter().zip(&mut load) {
-        body.elastic.add_contact_forces(&state.response.contact.force, load);
-    }
-    load
 }
 
 /// `a += factor · b`.

@@ -10,10 +10,10 @@
 //! Engng 1 (1969) 275–277.
 
 use super::Coupling;
-use crate::solver::body_system::system::{BlockVector, Response};
-use crate::solver::couplings::anderson::Anderson;
-use crate::solver::couplings::iteration::{Iteration, Outcome, State, norm};
-use crate::solver::phases::Phase;
+use crate::solver::method::contact_system::{BlockVector, Response};
+use crate::solver::method::couplings::anderson::Anderson;
+use crate::solver::method::couplings::iteration::{Iteration, Outcome, State, norm};
+use crate::solver::method::phases::Phase;
 use crate::solver::{SolveError, SolveStatus};
 
 const FIRST_FACTOR: f64 = 0.3;
@@ -43,7 +43,7 @@ impl Coupling for Weak {
 
 fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
-    let mut relaxation = Aitken::new(system.initial_gap.len());
+    let mut relaxation = Aitken::new(system.pairs());
     let (mut start, mut loads) = iteration.initial_state();
     let mut unsettled = 0;
     loop {
@@ -62,14 +62,14 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             residual_norm = system.distance(&image, &loads);
         }
         if let Some(status) = iteration.record(&start, &response, plastic_points, residual_norm) {
-            return iteration.finish(State { response, loads, factors: None }, Some(status));
+            return iteration.finish(State { response, loads, is_complete: false }, Some(status));
         }
         if iteration.updates() > MAX_UPDATES || unsettled > MAX_UNSETTLED {
-            let state = State { response, loads, factors: None };
+            let state = State { response, loads, is_complete: false };
             return iteration.finish(state, Some(SolveStatus::NotConverged));
         }
         start = response.displacement;
-        relaxation.advance(&system.plastic_gap(&loads));
+        relaxation.advance(&system.gap_opening(&loads));
     }
 }
 

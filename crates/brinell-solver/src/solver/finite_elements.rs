@@ -1,0 +1,173 @@
+//! Finite elements as an engine of the method: which mesh, and what becomes of an outcome on it.
+
+use crate::fem::mesh::{ContactZone, MeshError};
+use crate::material::ReferenceModuli;
+use crate::solver::SolveError;
+use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
+use crate::solver::body_system::system::{Design, System};
+use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest, enlarged, fields, most_columns, narrow};
+use crate::solver::method::contact_system::{BlockVector, Linearize as _};
+use crate::solver::method::couplings::iteration::Outcome;
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
+use crate::solver::method::solve::{Engine, Round, Verdict};
+use crate::solver::problem::Problem;
+use crate::solver::strategy::coupling;
+
+/// Narrowings of a zone around which no mesh can be made.
+const MAX_NARROWINGS: usize = 12;
+/// Enlargements after which the contact is taken to be wider than the body.
+const MAX_ENLARGEMENTS: usize = 12;
+/// How much farther than it was found plastic flow is looked for when it had not been expected there.
+const WIDENING: f64 = 1.3;
+
+/// Two bodies that are meshed as a request says.
+pub(crate) struct FiniteElements<'a> {
+    pub problem: &'a Problem,
+    pub request: &'a MeshSolveRequest<'a>,
+    /// Whether loads are increments of a history, from whose states the material goes on.
+    pub is_history: bool,
+}
+
+/// A mesh.
+#[derive(Clone)]
+pub(crate) struct MeshDesign {
+    zone: ContactZone,
+    search_region: PlasticSearchRegion,
+    /// Columns that the zone may have after it has become wider.
+    most_columns: usize,
+    enlargements: usize,
+    narrowings: usize,
+    /// How often more of the bodies had to be searched for plastic flow.
+    widenings: usize,
+}
+
+impl MeshDesign {
+    pub fn new(zone: ContactZone, search_region: PlasticSearchRegion) -> Self {
+        let most_columns = most_columns(&zone);
+        Self { zone, search_region, most_columns, enlargements: 0, narrowings: 0, widenings: 0 }
+    }
+}
+
+impl FiniteElements<'_> {
+    /// Takes the tangent moduli of a state, or the elastic ones without any, if the coupling wants it.
+    fn linearize(
+        &self,
+        system: &mut System,
+        at: Option<&BlockVector>,
+        run: &mut Run<'_>,
+    ) -> Result<(), SolveError> {
+        if coupling(self.request.solver.coupling).uses_tangent_moduli() {
+            system.linearize(at.map(|at| (at, ReferenceModuli::Tangent)), run)?;
+        }
+        Ok(())
+    }
+
+    /// Looks for plastic flow in a larger part of the bodies, from the same state on.
+    fn widen(
+        &self,
+        mut solve: MeshSolve,
+        is_first: bool,
+        under: Round,
+        run: &mut Run<'_>,
+    ) -> Result<Verdict<Self>, SolveError> {
+        let search_region = if is_first {
+            let envelope = solve.yielded_envelope().joined(&solve.system.accepted.plastic);
+            PlasticSearchRegion::Within(envelope.scaled(WIDENING))
+        } else {
+            PlasticSearchRegion::WholeBody
+        };
+        let history = std::mem::take(&mut solve.outcome.history);
+        let mut system = solve.into_system(under.load);
+        let start = system.last_state().cloned();
+        if self.is_history {
+            system.extend_plastic_region(search_region);
+        } else {
+            run.time(Phase::Plasticity, || system.set_plastic_region(search_region));
+            self.linearize(&mut system, start.as_ref(), run)?;
+        }
+        Ok(Verdict::Continue { system, start, history })
+    }
+
+    /// The design with a wider zone, if the contact reaches the edge of the present one and there is room.
+    fn wider(&self, design: &MeshDesign, solve: &MeshSolve, under: Round) -> Option<MeshDesign> {
+        // A contact that reaches the edge of a narrowed zone is reported.
+        let may_enlarge = design.enlargements < MAX_ENLARGEMENTS && design.narrowings == 0;
+        if !(solve.reaches_edge && may_enlarge) {
+            return None;
+        }
+        let zone = enlarged(self.problem, &solve.system.zone, solve.meets, design.most_columns)?;
+        let enlargements = design.enlargements + 1;
+        // A history begins anew where nothing has yielded.
+        if self.is_history {
+            return Some(MeshDesign { zone, enlargements, ..design.clone() });
+        }
+        let (search_region, widenings) = (solve.system.search_region, design.widenings + under.number);
+        Some(MeshDesign { zone, search_region, enlargements, widenings, ..design.clone() })
+    }
+}
+
+impl Engine for FiniteElements<'_> {
+    type System = System;
+    type Design = MeshDesign;
+    type Answer = MeshSolve;
+
+    fn build(
+        &self,
+        design: &mut MeshDesign,
+        run: &mut Run<'_>,
+    ) -> Result<(System, Option<BlockVector>), SolveError> {
+        let MeshSolveRequest { refinement, cache, previous, .. } = *self.request;
+        loop {
+            let MeshDesign { zone, search_region, .. } = &*design;
+            let plan = Design { zone, refinement, search_region: *search_region, cache };
+            match System::build(self.problem, plan, previous, run) {
+                Err(SolveError::Mesh(MeshError::Inverted { .. })) if design.narrowings < MAX_NARROWINGS => {
+                    design.narrowings += 1;
+                    design.zone = narrow(self.problem, &design.zone);
+                }
+                built => return built,
+            }
+        }
+    }
+
+    /// From the straight line through the last two states, or from an answer on another mesh if the request has one.
+    fn resume(
+        &self,
+        design: &MeshDesign,
+        mut system: System,
+        run: &mut Run<'_>,
+    ) -> Result<(System, Option<BlockVector>), SolveError> {
+        let start = system.extrapolated(self.request.load.magnitude());
+        run.time(Phase::Plasticity, || system.set_plastic_region(design.search_region));
+        if let Some(previous) = self.request.previous {
+            let transferred = system.linearize_by(previous, run)?;
+            return Ok((system, Some(transferred)));
+        }
+        self.linearize(&mut system, start.as_ref(), run)?;
+        Ok((system, start))
+    }
+
+    fn verdict(
+        &self,
+        design: &MeshDesign,
+        system: System,
+        mut outcome: Outcome,
+        under: Round,
+        run: &mut Run<'_>,
+    ) -> Result<Verdict<Self>, SolveError> {
+        let fields = run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
+        let mut solve = run.time(Phase::Output, || MeshSolve::of(self.problem, system, outcome, fields));
+        solve.enlargements = design.enlargements;
+        if solve.outcome.status.is_stopped() {
+            return Ok(Verdict::Accept(solve));
+        }
+        if run.time(Phase::Output, || solve.yields_outside_region()) {
+            return self.widen(solve, design.widenings + under.number == 0, under, run);
+        }
+        Ok(match self.wider(design, &solve, under) {
+            Some(wider) => Verdict::Again(wider),
+            None => Verdict::Accept(solve),
+        })
+    }
+}

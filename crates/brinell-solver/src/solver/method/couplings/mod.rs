@@ -1,0 +1,84 @@
+//! The couplings of contact and plasticity, as algorithms.
+//!
+//! Initial-stress couplings iterate on the load `P_e` that plastic flow puts on the elastic bodies. One step is
+//!
+//! ```text
+//! contact:     u_p = K⁻¹ P_e,  R from the gap δ0 + u_p
+//! equilibrium: u = K⁻¹ (P_e + R)
+//! plasticity:  P_e' = Σ ∫ Bᵀ (D_e - D_s(u)) B dV u
+//! ```
+//!
+//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`.
+//!
+//! A coupling is one file with a type that implements [`Coupling`], and a line in `solver/strategy.rs`.
+
+mod anderson;
+pub(crate) mod iteration;
+pub(crate) mod newton;
+mod secant;
+mod strong;
+mod weak;
+
+use iteration::{Controls, InitialState, Iteration, Outcome};
+pub(crate) use secant::SecantStiffness;
+pub(crate) use strong::{Accelerated, Strong};
+pub(crate) use weak::Weak;
+
+use super::contact_system::ContactSystem;
+use super::run::Run;
+use crate::material::ReferenceModuli;
+use crate::solver::SolveError;
+
+/// A way to alternate contact and plasticity.
+pub(crate) trait Coupling {
+    /// Iterates until the state is in equilibrium, or the iteration says that it ends.
+    ///
+    /// # Errors
+    /// Those of a contact solve or a factorization.
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError>;
+
+    /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where the iteration stalls.
+    fn uses_tangent_moduli(&self) -> bool {
+        false
+    }
+
+    /// Whether plastic flow has to be evaluated in the whole body, because the iteration cannot go on from a state that
+    /// missed some of it.
+    fn needs_whole_body(&self) -> bool {
+        false
+    }
+}
+
+/// Iterates. Where a coupling with tangent moduli does not get on the system is linearized anew, once, and then left to Newton's
+/// method.
+///
+/// # Errors
+/// Those of a contact solve or a factorization.
+pub(crate) fn iterate(
+    system: &mut dyn ContactSystem,
+    coupling: &dyn Coupling,
+    mut controls: Controls<'_>,
+    initial: InitialState,
+    run: &mut Run<'_>,
+) -> Result<Outcome, SolveError> {
+    controls.renewable = coupling.uses_tangent_moduli() && system.linearizable().is_some();
+    let first = coupling.iterate(Iteration::new(&*system, controls, initial, run.reborrow()))?;
+    let Some(system) = system.linearizable().filter(|_| first.stalled) else { return Ok(first) };
+    let at = (&first.state.response.displacement, ReferenceModuli::Tangent);
+    match system.linearize(Some(at), run) {
+        Ok(()) => {}
+        // The iterations made so far are kept.
+        Err(SolveError::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
+        Err(SolveError::Factorization(_)) => return newton::run(system, controls, first, run),
+        Err(error) => return Err(error),
+    }
+    let Outcome { state, history, .. } = first;
+    let initial = InitialState {
+        displacement: Some(state.response.displacement),
+        history,
+        factorizations: system.factorizations(),
+        contact: Some(state.response.contact),
+    };
+    let second = coupling.iterate(Iteration::new(&*system, controls, initial, run.reborrow()))?;
+    if second.stalled { newton::run(system, controls, second, run) } else { Ok(second) }
+}

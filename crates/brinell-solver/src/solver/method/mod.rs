@@ -1,0 +1,13 @@
+//! The method: contact and plasticity in alternation, over bodies of any kind.
+//!
+//! [`ContactSystem`](contact_system::ContactSystem) is all that it asks of two bodies. Nothing here knows a mesh, an element or a
+//! job.
+
+pub(crate) mod contact_system;
+pub(crate) mod couplings;
+#[cfg(test)]
+mod half_planes;
+pub(crate) mod observer;
+pub(crate) mod phases;
+pub(crate) mod run;
+pub(crate) mod solve;
