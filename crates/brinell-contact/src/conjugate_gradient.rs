@@ -22,11 +22,11 @@ use super::{
     PolonskyKeerSolver, StopHook, start,
 };
 
-/// Reduction of the residual by which an inner iteration ends. Measured: 0.02 takes fewest applications over all.
+/// Reduction of the residual by which an inner iteration ends. From the prototype in Python; not tuned here.
 const INNER_REDUCTION: f64 = 0.02;
-/// Sets after which the fallback takes over. Smooth contacts take 8 to 12, rough ones up to 25.
+/// Sets after which the fallback takes over. Hertz on 32 × 32 cells takes 7 and 8 at Ry/Rx 1 and 2; rough surfaces are untried.
 const SET_LIMIT: usize = 60;
-/// Applications within one set. A set of 256 × 256 cells takes 10.
+/// Applications within one set: a guard, not a measured bound.
 const INNER_LIMIT: usize = 400;
 
 /// Solves contact problems by applications of the flexibility alone. Holds its work space.

@@ -13,7 +13,7 @@ use super::{
     ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus, StopHook, start,
 };
 
-/// Iterations after which the solver gives up. Rough surfaces with a third in contact take 93.
+/// Iterations after which the solver gives up: a guard. Hertz to 1e-10 takes 73 and 109 applications at Ry/Rx 1 and 20.
 const ITERATION_LIMIT: usize = 2000;
 
 /// The fallback of [`ConjugateGradientSolver`](super::ConjugateGradientSolver). Holds its work space.

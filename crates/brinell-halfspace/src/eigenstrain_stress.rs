@@ -262,9 +262,9 @@ fn scatter(stress: &[Lanes; COMPONENTS], layer: &mut [Complex64], mx: usize, sta
     }
 }
 
-/// Below this x the series are taken; the closed forms lose three digits there.
+/// Below this x the series are taken, because the closed forms cancel. Both meet to 1e-13.
 const SERIES_BELOW: f64 = 0.5;
-/// Terms of the series: the last is 1e-18 of the first.
+/// Terms of the series; the first left out is below 1e-17 of the first.
 const TERMS: u32 = 16;
 
 /// e, al, be, I0/h, I1/h.

@@ -45,9 +45,9 @@ impl Hardening for LinearHardening {
     }
 }
 
-/// Parts into which the plastic part of a path is divided. One part differs by 0.15 % of the largest pressure.
+/// Parts into which the plastic part of a path is divided, as in the plane solver.
 const PARTS: u32 = 6;
-/// Newton steps of a return: a linear curve takes three, a power law six.
+/// Newton steps of a return: a guard.
 const RETURN_STEPS: usize = 50;
 /// Residual of a return over the yield stress.
 const RETURN_TOLERANCE: f64 = 1e-14;
