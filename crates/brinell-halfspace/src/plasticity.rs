@@ -152,8 +152,6 @@ fn newton(
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
-
     use super::*;
 
     const SHEAR: f64 = 80_000.0;

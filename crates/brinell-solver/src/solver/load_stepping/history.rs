@@ -414,6 +414,7 @@ impl MeshHistory<'_> {
 
     /// One increment, from the accepted states; nothing of the system but its stiffness and the extent of its plastic region
     /// is changed.
+    #[expect(clippy::too_many_arguments, reason = "what an increment needs of a history")]
     fn increment(
         &self,
         mesh: &OnSystem<'_, FiniteElements<'_>>,

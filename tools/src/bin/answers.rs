@@ -10,7 +10,7 @@ use brinell_solver::report;
 use brinell_solver::solver::Unobserved;
 use serde_json::{Value, json};
 
-#[path = "../tests/support/random_job.rs"]
+#[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
 mod random_job;
 
 /// Elements over the half-width.
