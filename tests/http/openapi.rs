@@ -182,9 +182,11 @@ fn the_page_about_the_interface_needs_no_other_server() {
     assert_eq!((page.status, page.header("content-type")), (200, Some("text/html; charset=utf-8")));
     let policy = page.header("content-security-policy").unwrap();
     assert!(policy.starts_with("default-src 'self';") && !policy.contains("unsafe"), "{policy}");
-    let named =
-        text.split(&['"'][..]).filter(|part| [".js", ".css", ".svg"].iter().any(|end| part.ends_with(end)));
-    let named: Vec<_> = named.collect();
+    let parts: Vec<&str> = text.split('"').collect();
+    let is_address = |before: &str| before.ends_with("href=") || before.ends_with("src=");
+    let is_file = |part: &str| [".js", ".css", ".svg"].iter().any(|end| part.ends_with(end));
+    let pairs = parts.windows(2).filter(|pair| is_address(pair[0]) && is_file(pair[1]));
+    let named: Vec<&str> = pairs.map(|pair| pair[1]).collect();
     assert_eq!(named.len(), 4, "{named:?}");
     for file in named {
         let path = file.strip_prefix("../").expect("an address relative to /docs/");

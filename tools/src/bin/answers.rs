@@ -1,7 +1,7 @@
 //! Prints the reports of seeded random jobs, one line of JSON for each, without the times they took: to compare what two versions
 //! of the solver answer.
 //!
-//! `cargo run --release --example answers 200 > before.jsonl`
+//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`
 
 #![expect(clippy::print_stdout, reason = "printing is what it is for")]
 
