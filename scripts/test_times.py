@@ -110,6 +110,9 @@ def main():
             table(["s", "unit"], rows),
         ]
     PAGE.write_text("\n".join(page))
+    failed = [f"{suite}: {test}" for suite, r in report.items() for test, (_, end) in r["tests"].items() if end == "failed"]
+    if failed:
+        sys.exit("failed: " + ", ".join(failed))
 
 
 if __name__ == "__main__":

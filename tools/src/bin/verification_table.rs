@@ -285,7 +285,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     page.push_str(NOTES);
     match std::env::args().nth(1).as_deref() {
         Some("--write") => std::fs::write(PAGE, page)?,
-        Some("--check") => check(&std::fs::read_to_string(PAGE)?, &page)?,
+        Some("--check") => compare(&std::fs::read_to_string(PAGE)?, &page)?,
         _ => print!("{page}"),
     }
     Ok(())
@@ -293,7 +293,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Compares two pages: words exactly, figures to three digits or the last one shown. The last column of a
 /// row is a time, which nobody promises.
-fn check(old: &str, new: &str) -> Result<(), Box<dyn Error>> {
+fn compare(old: &str, new: &str) -> Result<(), Box<dyn Error>> {
     let words = |page: &str| -> Vec<String> {
         let untimed = |line: &str| match line.strip_suffix(" |").and_then(|row| row.rsplit_once(" | ")) {
             Some((row, time)) if time.parse::<f64>().is_ok() => row.to_owned(),
