@@ -43,6 +43,8 @@ export MYPYPATH=$PWD/generated:$PWD/generated_python
 npm run --silent check
 
 data=$(mktemp -d)
+BRINELL_API_KEY=$("$brinell" key create clients --scope admin --data-dir "$data" | tail -n 1)
+export BRINELL_API_KEY
 coproc server { exec "$brinell" serve --listen 127.0.0.1:0 --data-dir "$data" --log warn; }
 trap 'kill "$server_PID" 2>/dev/null || true; wait "$server_PID" 2>/dev/null || true; rm -rf "$data"' EXIT
 read -r line <&"${server[0]}"

@@ -1,5 +1,6 @@
 """The service through openapi-python-client: typed in, typed out, errors as models."""
 
+import os
 import sys
 from http import HTTPStatus
 
@@ -43,7 +44,7 @@ def reference_problem() -> ContactJob:
 
 def main() -> None:
     # A service that asks for no keys takes no notice of this one.
-    client = AuthenticatedClient(base_url=sys.argv[1], token="none")
+    client = AuthenticatedClient(base_url=sys.argv[1], token=os.environ["BRINELL_API_KEY"])
     job = reference_problem()
 
     validation = post_validate.sync(client=client, body=job)

@@ -53,14 +53,16 @@ pub(super) fn ending(response: Response, end: impl Future<Output = ()> + Send + 
     }
     let end = AbortOnDropHandle::new(tokio::spawn(end));
     response.map(|body| {
-        Body::from_stream(stream::unfold((body.into_data_stream(), Some(end)), async |(mut body, end)| {
+        let pieces = stream::unfold((body.into_data_stream(), Some(end)), async |(mut body, end)| {
             let mut end = end?;
             tokio::select! {
                 biased;
                 _ = &mut end => Some((Err(axum::Error::new(StoreError::KeyEnded)), (body, None))),
                 piece = body.next() => Some((piece?, (body, Some(end)))),
             }
-        }))
+        });
+        // The connection may look for more behind the end.
+        Body::from_stream(pieces.fuse())
     })
 }
 
@@ -128,5 +130,15 @@ mod tests {
         while body.frame().await.unwrap().is_ok() {
             tokio::task::yield_now().await;
         }
+    }
+
+    #[tokio::test]
+    async fn a_body_under_a_key_may_be_asked_again_behind_its_end() {
+        let pieces = Body::from_stream(stream::iter([Ok::<_, StoreError>("a")]));
+        let response = ending(Response::new(pieces), std::future::pending());
+        let mut body = response.into_body().into_data_stream();
+        assert!(body.next().await.is_some());
+        assert!(body.next().await.is_none());
+        assert!(body.next().await.is_none());
     }
 }
