@@ -65,11 +65,16 @@ impl Follower {
         Self { state, job, subscription, prefix, position, sent_state: None, events }
     }
 
-    /// Follows the job to its end. Where the store fails, the stream breaks off; the client comes
-    /// back to where it was.
+    /// Follows the job to its end. While the store does not answer, the client waits; where what is
+    /// stored cannot be read, the stream breaks off.
     pub(super) async fn run(mut self) -> Result<(), StoreError> {
         let closing = self.state.closing.clone();
-        while !self.look().await? {
+        loop {
+            match self.look().await {
+                Ok(true) => break,
+                Ok(false) | Err(StoreError::Unavailable(_)) => {}
+                Err(error) => return Err(error),
+            }
             tokio::select! {
                 _ = self.subscription.changed() => {}
                 () = sleep(POLL_INTERVAL) => {}
@@ -82,7 +87,7 @@ impl Follower {
     /// Sends what is new; whether that was the end.
     async fn look(&mut self) -> Result<bool, StoreError> {
         loop {
-            let record = self.state.jobs.get(self.job).await?;
+            let record = self.record().await?;
             if record.attempts != self.position.attempt || record.iterations < self.position.seen {
                 self.position = EventPosition { attempt: record.attempts, seen: 0 };
             }
@@ -103,8 +108,10 @@ impl Follower {
 
     /// Sends a page of iterations; `false` if there is none.
     async fn send_page(&mut self) -> Result<bool, StoreError> {
+        let turn = self.state.streams.turn().await;
         let page = self.state.jobs.history(self.job, self.position.seen).await?;
-        if self.state.jobs.get(self.job).await?.attempts != self.position.attempt {
+        drop(turn);
+        if self.record().await?.attempts != self.position.attempt {
             return Ok(true);
         }
         for iteration in &page {
@@ -114,15 +121,23 @@ impl Follower {
         Ok(!page.is_empty())
     }
 
+    async fn record(&self) -> Result<JobRecord, StoreError> {
+        let _turn = self.state.streams.turn().await;
+        self.state.jobs.get(self.job).await
+    }
+
     async fn send_state(&mut self, record: &JobRecord, id: Option<String>) -> Result<(), StoreError> {
         let now = (record.state, record.attempts, record.cancel_requested);
-        if self.sent_state.replace(now) != Some(now) {
+        if self.sent_state != Some(now) {
+            let turn = self.state.streams.turn().await;
             let job = JobDocument::of(&self.state, record.clone(), &self.prefix).await?;
+            drop(turn);
             let event = event("state", &job).map(|event| match id {
                 Some(id) => event.id(id),
                 None => event,
             });
             self.send(event).await;
+            self.sent_state = Some(now);
         }
         Ok(())
     }

@@ -1,10 +1,10 @@
 //! A bound on event streams: each holds a connection for as long as its client likes. A key has a
-//! quarter of them.
+//! quarter of them, and all of them together leave readers of the store to other requests.
 
 use std::sync::Arc;
 
 use metrics::gauge;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, SemaphorePermit};
 
 use super::problem::Problem;
 use super::problem_type::ProblemType;
@@ -13,10 +13,14 @@ use crate::jobs::{KeyId, Turn, Turns};
 /// Event streams that are open.
 pub const EVENT_STREAMS: &str = "brinell_event_streams";
 
+/// Streams that read from the store at a time; SQLite has four readers.
+const READING: usize = 2;
+
 /// Places for streams.
 #[derive(Debug)]
 pub(super) struct EventStreamLimit {
     permits: Arc<Semaphore>,
+    reading: Semaphore,
     keys: Turns,
 }
 
@@ -24,7 +28,12 @@ impl EventStreamLimit {
     /// At most so many at a time.
     pub(super) fn new(most: usize) -> Self {
         let permits = Arc::new(Semaphore::new(most.min(Semaphore::MAX_PERMITS)));
-        Self { permits, keys: Turns::new(most.div_ceil(4)) }
+        Self { permits, reading: Semaphore::new(READING), keys: Turns::new(most.div_ceil(4)) }
+    }
+
+    /// Waits for a stream's turn to read from the store.
+    pub(super) async fn turn(&self) -> Option<SemaphorePermit<'_>> {
+        self.reading.acquire().await.ok()
     }
 
     /// Takes a place, if there is one.
