@@ -145,6 +145,7 @@ export const LOADS = {
     label: 'Sweep of forces',
     field: {
       key: 'forces',
+      help: 'force',
       label: 'Forces',
       symbol: 'P',
       quantity: 'load',
