@@ -158,6 +158,7 @@ export const LOADS = {
     label: 'Sweep of approaches',
     field: {
       key: 'approaches',
+      help: 'approach',
       label: 'Approaches',
       symbol: 'α',
       quantity: 'length',
