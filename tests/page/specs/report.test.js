@@ -102,7 +102,7 @@ service.test('a report is no wider for what its tags say', async (page) => {
 
 service.test('cards stand in rows of about the same length', async (page) => {
   await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
-  for (const width of [1440, 1250, 1100]) {
+  for (const width of [1250, 1100]) {
     await page.setViewportSize({ width, height: 900 });
     await page.waitForFunction((width) => {
       const cards = [...document.querySelectorAll('#headline dl.figures > div')];
