@@ -145,6 +145,7 @@ export const LOADS = {
     label: 'Sweep of forces',
     field: {
       key: 'forces',
+      help: 'force',
       label: 'Forces',
       symbol: 'P',
       quantity: 'load',
@@ -157,6 +158,7 @@ export const LOADS = {
     label: 'Sweep of approaches',
     field: {
       key: 'approaches',
+      help: 'approach',
       label: 'Approaches',
       symbol: 'α',
       quantity: 'length',

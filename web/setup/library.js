@@ -4,7 +4,7 @@ import { dialogue } from '../lib/dialogue.js';
 import { h, toast } from '../lib/dom.js';
 import { browser, isObject, kept } from '../lib/kept.js';
 import { readNumber } from '../lib/number.js';
-import { PRESETS } from './materials.js';
+import { PRESETS } from './presets.js';
 
 /** @typedef {import('./materials.js').Preset} Preset */
 
@@ -49,7 +49,10 @@ export const strengthOf = (hardness) => -90.7 + 2.876 * hardness;
 const [SOFTEST, HARDEST] = [136, 622];
 /** Brinell over Vickers hardness, ISO 18265. */
 const BRINELL = 0.95;
-/** Rockwell C and Vickers hardness of unalloyed and low-alloy steels, ISO 18265, table A.1. */
+/**
+ * Rockwell C and Vickers hardness of unalloyed and low-alloy steels: DIN 50150 (2000), table A.1, which ISO 18265 has taken over. Other
+ * steels are off by one to two HRC.
+ */
 // prettier-ignore
 const ROCKWELL = [
   [20.3, 240], [22.2, 250], [24, 260], [25.6, 270], [27.1, 280], [28.5, 290], [29.8, 300], [32.2, 320], [34.4, 340], [36.6, 360],

@@ -4,7 +4,8 @@ import { h, toast } from '../lib/dom.js';
 import { unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
 import { allMaterials, askHardness, askToForget, askToKeep, ownMaterials } from './library.js';
-import { PRESETS, inMegapascals, materialOf, presetsOf } from './materials.js';
+import { inMegapascals, materialOf, presetsOf } from './materials.js';
+import { PRESETS } from './presets.js';
 
 /** @typedef {import('./materials.js').Preset} Preset */
 

@@ -179,7 +179,7 @@ service.test('charts go out as vector drawings with legend and units', async (pa
   await shown(page, {});
   for (const [panel, parts] of /** @type {[string, RegExp[]][]} */ ([
     ['pressure', [/Hertz, elastic/, /p\s+\[MPa\]/, /x\s+\[mm\]/, /Contact pressure, /]],
-    ['depth', [/von Mises, elastic/, /depth\s+\[mm\]/, /plastic strain \(right\)/]],
+    ['depth', [/von Mises, elastic/, /depth at x = 0\s+\[mm\]/, /plastic strain \(right\)/]],
   ])) {
     const [file] = await Promise.all([
       page.waitForEvent('download'),
@@ -269,7 +269,7 @@ service.test('iterations go out with names and units, in files that name the job
   const file = await taken('iterations', 'CSV');
   assert.equal(file.suggestedFilename(), `${id.slice(-8)}-µm-step-3-iterations.csv`);
   const [head, first] = (await readFile(await file.path(), 'utf8')).split('\n');
-  assert.match(head, /^no\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/);
+  assert.match(head, /^\ufeffno\.,out of balance,.*,approach \[µm\],peak pressure \[MPa\],.*,time \[ms\]$/);
   assert.equal(first.split(',').length, head.split(',').length);
   await page.getByLabel('Step', { exact: true }).fill('0');
   assert.equal((await taken('depth', 'SVG')).suggestedFilename(), `${id.slice(-8)}-µm-step-1-depth.svg`);

@@ -78,11 +78,13 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
         .ok_or(ExportError::NoSubsurface)?;
     let reach = shown_depth(step, profile);
     let mut curves = Vec::new();
-    for (name, values, colour) in [
-        ("σ_x", &profile.sigma_x, BLUE),
-        ("σ_y", &profile.sigma_y, VERMILION),
-        ("σ_z", &profile.sigma_z, GREEN),
-    ] {
+    let (abscissa, names) = if job.analysis == Analysis::Axisymmetric {
+        ("r", ["σ_r", "σ_z", "σ_θ"])
+    } else {
+        ("x", ["σ_x", "σ_y", "σ_z"])
+    };
+    let stresses = [(&profile.sigma_x, BLUE), (&profile.sigma_y, VERMILION), (&profile.sigma_z, GREEN)];
+    for (name, (values, colour)) in names.into_iter().zip(stresses) {
         let points = profile.depth.iter().copied().zip(values.iter().copied());
         curves.push(Curve {
             name: format!("{name}, this contact"),
@@ -112,7 +114,10 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     Chart {
         title: if step.contact.force > 0.0 { "Stresses below the contact" } else { "Residual stresses" }
             .to_owned(),
-        x_label: format!("depth [{length}]"),
+        x_label: format!(
+            "depth [{length}] below {abscissa} = {} {length}",
+            short(step.contact.peak_position)
+        ),
         y_label: format!("stress, tension positive [{stress}]"),
         x_range: (0.0, reach),
         y_range: (lowest - margin, highest + margin),
@@ -121,6 +126,11 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
         band: plastic_band(profile).map(|band| (band, "plastic".to_owned())),
     }
     .svg()
+}
+
+/// The value in four digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().map_or(value, |short: f64| short + 0.0)
 }
 
 /// Four half-widths or, where nothing touches, half as deep again as the plastic zone; at most what there is.
@@ -291,7 +301,7 @@ mod tests {
             assert!(pressure.contains(text), "{text}");
         }
         let depth = depth_svg(&job, &report, 0).unwrap();
-        for text in ["depth [mm]", "σ_x", "σ_y", "σ_z", "plastic", "McEwen"] {
+        for text in ["depth [mm] below x = 0 mm", "σ_x", "σ_y", "σ_z", "plastic", "McEwen"] {
             assert!(depth.contains(text), "{text}");
         }
         assert_eq!(pressure_svg(&job, &report, 1), Err(ExportError::NoStep(1)));
