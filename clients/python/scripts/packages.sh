@@ -1,26 +1,34 @@
 #!/usr/bin/env bash
-# Builds wheels and sdists of both packages, installs them into an empty environment and runs the blocks of the README there.
-# The server is built from its sdist, as one does who has no wheel.
+# Builds wheels and sdists of both packages, installs the wheels into an empty environment and runs the blocks of the
+# README there. The server's wheel is built from its sdist, so that the sdist is known to be whole, and tagged for the glibc
+# of this machine.
 #
-#     clients/python/scripts/packages.sh
+#     clients/python/scripts/packages.sh [PROFILE]
+#
+# PROFILE is that of the server's program: `release`, unless it is only a check.
 set -euo pipefail
+profile=${1:-release}
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 python=$PWD/target/python/bin/python
 dist=$PWD/target/python-dist
 rm -rf "$dist"
 
 "$python" -m build --outdir "$dist" clients/python/brinell
-(cd clients/python/server && "$python" -m maturin sdist --out "$dist")
-CARGO_TARGET_DIR=$PWD/target/python-server "$python" -m pip wheel --quiet --disable-pip-version-check --no-deps \
-    --wheel-dir "$dist" "$dist"/brinell_server-*.tar.gz
+(cd clients/python/server && CARGO_TARGET_DIR=$OLDPWD/target/python-server \
+    "$python" -m maturin build --sdist --profile "$profile" --out "$dist")
 ls -l "$dist"
 
 empty=$(mktemp -d)
 trap 'rm -rf "$empty"' EXIT
 python3 -m venv "$empty/env"
-"$empty/env/bin/pip" install --quiet --disable-pip-version-check --find-links "$dist" "brinell[all]"
+# The two packages come from here alone, whatever a registry has under their names.
+wheel=$(echo "$dist"/brinell-*.whl)
+"$empty/env/bin/pip" install --quiet --disable-pip-version-check "$dist"/brinell_server-*.whl "${wheel}[all]"
 # Neither this repository nor another program named brinell is in sight.
-(cd "$empty" && env -u BRINELL_PROGRAM -u BRINELL_URL PATH=/usr/bin:/bin MPLBACKEND=agg \
-    "$empty/env/bin/python" "$OLDPWD/clients/python/scripts/run_readme.py" "$OLDPWD/clients/python/brinell/README.md")
-"$empty/env/bin/python" -m brinell_server --version
-"$empty/env/bin/brinell" --version
+root=$PWD
+cd "$empty"
+export PATH=/usr/bin:/bin MPLBACKEND=agg
+unset BRINELL_PROGRAM BRINELL_URL
+env/bin/python "$root/clients/python/scripts/run_readme.py" "$root/clients/python/brinell/README.md"
+env/bin/python -m brinell_server --version
+env/bin/brinell --version

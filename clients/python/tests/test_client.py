@@ -18,6 +18,7 @@ from conftest import EXAMPLES, roller
 
 import brinell
 from brinell import Client
+from brinell._plain import document_of
 
 SLOW = {"analysis": "plane_strain", "force": 612.6106, "elements_per_half_width": 160}
 
@@ -111,6 +112,35 @@ def test_many_jobs_come_in_their_order_and_what_fails_is_a_value(client: Client)
     assert forces == sorted(forces)
     unordered = list(client.map(jobs[:20], ordered=False, progress=True))
     assert sorted(str(job) for job, _ in unordered) == sorted(str(job) for job in jobs[:20])
+
+
+def test_jobs_that_are_too_long_together_go_in_parts(client: Client) -> None:
+    # A measured curve of many points: a job is far below the 1 MiB of a request, all are above.
+    strain = np.linspace(0, 0.1, 3000)
+    law = brinell.table(points=np.column_stack([strain, 400 + 300 * strain**0.3]))
+    steel = brinell.material(young_modulus=210000, poisson_ratio=0.3, plasticity=law)
+    body = brinell.cylinder(radius=20, material=steel)
+    jobs = [
+        brinell.job(body, body, analysis="plane_strain", force=f, elements_per_half_width=6)
+        for f in np.linspace(100, 200, 12)
+    ]
+    assert sum(len(json.dumps(document_of(job))) for job in jobs) > 1 << 20
+    assert all(result.converged for _, result in client.map(jobs))
+    # One that is too long by itself does not stop the others.
+    big = {**document_of(jobs[0]), "tags": {"long": "x" * (1 << 20)}}
+    (_, good), (_, bad) = client.map([jobs[0], big])
+    assert good.converged
+    assert isinstance(bad.error, brinell.ServiceError)
+    assert bad.error.status == 413
+
+
+def test_one_job_or_one_value_where_many_are_wanted_says_so(client: Client, job: Any) -> None:
+    for one in (job, document_of(job), EXAMPLES / "two_cylinders.json"):
+        with pytest.raises(TypeError, match="several jobs"):
+            next(client.map(one))
+    for values in (100, "S355"):
+        with pytest.raises(TypeError, match="/load/force"):
+            client.sweep(job, {"/load/force": values})  # type: ignore[dict-item]
 
 
 def test_jobs_of_a_map_that_is_left_are_cancelled(client: Client) -> None:

@@ -19,6 +19,10 @@ from brinell._plain import document_of, with_values
     [
         (lambda: brinell.cylinder(radius=-20, material=brinell.rigid), "#/radius"),
         (lambda: brinell.cylinder(radius="wide", material=brinell.rigid), "#/radius"),
+        (
+            lambda: brinell.cylinder(radius=5, material="S355", support="fixed"),
+            "#/support",
+        ),
         (lambda: brinell.swift(yield_stress=500, strain_offset=0.002, exponent=2), "#/exponent"),
         (lambda: brinell.material(young_modulus=2e5, poisson_ratio=0.5), "#/poisson_ratio"),
         (
@@ -33,6 +37,12 @@ from brinell._plain import document_of, with_values
         ),
         (
             lambda: brinell.job(roller(), roller(), analysis="plane_strain", force=-1),
+            "#/load/force",
+        ),
+        (
+            lambda: brinell.job(
+                roller(), roller(), analysis="plane_strain", force=np.linspace(1, 3, 3)
+            ),
             "#/load/force",
         ),
         (lambda: brinell.job(roller(), roller(), analysis="plane_strain"), "#/load"),

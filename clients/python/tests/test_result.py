@@ -98,6 +98,27 @@ def test_what_is_in_words_has_error_bars_and_remarks_on_top(client: Client, job:
     assert "invalid" in repr(stopped)
 
 
+def test_meshes_are_taken_to_pyvista(dent: Result) -> None:
+    # Only the environment with every package has it.
+    pytest.importorskip("pyvista")
+    fields = dent.fields(0)
+    lower = fields.lower
+    assert lower is not None
+    blocks = fields.to_pyvista()
+    assert set(blocks.keys()) == {"upper", "lower"}
+    grid = blocks["lower"]
+    assert grid.n_cells == len(lower.elements)
+    np.testing.assert_array_equal(grid.points[:, :2], lower.nodes)
+    assert not grid.points[:, 2].any()
+    np.testing.assert_array_equal(grid.point_data["von_mises"], lower["von_mises"])
+    assert grid.point_data["displacement"].shape == (len(lower.nodes), 3)
+    # Corners in their order: no cell is folded, and both halves are twice the one.
+    areas = grid.compute_cell_sizes()["Area"]
+    assert areas.min() > 0
+    both = lower.whole().to_pyvista().compute_cell_sizes()["Area"]
+    assert both.sum() == pytest.approx(2 * areas.sum())
+
+
 @pytest.mark.parametrize(
     "name", ["pressure", "depth", "load_approach", "field", "dent", "residual_stress"]
 )
@@ -111,11 +132,15 @@ def test_pictures_are_drawn(dent: Result, name: str) -> None:
     plt.close(ax.figure)
 
 
-def test_what_cannot_be_drawn_says_why(sweep: Result) -> None:
+def test_what_cannot_be_drawn_says_why(sweep: Result, dent: Result) -> None:
     with pytest.raises(brinell.BrinellError, match="flow"):
         sweep.plot.dent()
     with pytest.raises(brinell.BrinellError, match="fields=True"):
         sweep.fields()
+    with pytest.raises(brinell.BrinellError, match=r"there are .*von_mises"):
+        sweep.plot.depth("mises")
+    with pytest.raises(KeyError, match=r"there are .*von_mises"):
+        dent.plot.field("mises")
     plt.close("all")
 
 

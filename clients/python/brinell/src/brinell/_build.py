@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, TypeAlias, TypeVar
 
@@ -63,7 +64,7 @@ def _fault(at: str, error: Any) -> Fault:
             path.append(f"/{step}")
         before = step
     given = error["input"]
-    said = f", got {given!r}" if isinstance(given, (int, float, str)) else ""
+    said = f", got {reprlib.repr(given)}" if isinstance(given, (int, float, str, list)) else ""
     what = (
         "missing"
         if error["type"] == "missing"
@@ -82,7 +83,8 @@ def build_body(
         material = materials[material]
     elif isinstance(material, Mapping):
         material = checked(models.Deformable, material, at="#/material")
-    return models.ContactBody.model_construct(shape=outline, material=material, support=support)
+    body = {"shape": outline, "material": material, "support": support}
+    return checked(models.ContactBody, body)
 
 
 def build_law(model: type[M], /, **values: Any) -> M:

@@ -22,6 +22,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 import httpx
+from pydantic import BaseModel
 
 from ._core import (
     FIGURES,
@@ -39,8 +40,8 @@ from ._core import (
 from ._errors import InvalidJob
 from ._fields import Fields
 from ._local import LocalServer
-from ._plain import JobLike, document_of, plain, with_values
-from ._result import NO_FIGURES, Result, need
+from ._plain import JobLike, document_of, need, plain, with_values
+from ._result import NO_FIGURES, Result
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -673,7 +674,7 @@ def grid_of(
     job: JobLike | Callable[..., JobLike], grid: Grid
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """The points of a grid, each with a name for every value, and the job at each of them."""
-    axes = {key: list(values) for key, values in grid.items()}
+    axes = {key: _values(key, values) for key, values in grid.items()}
     names = {key: key if isinstance(key, str) else key[0] for key in axes}
     points, documents = [], []
     base = None if callable(job) else document_of(job)
@@ -691,6 +692,12 @@ def grid_of(
             }
             documents.append(with_values(base, placed))
     return points, documents
+
+
+def _values(key: Any, values: Any) -> list[Any]:
+    if isinstance(values, (str, Mapping, BaseModel)) or not isinstance(values, Iterable):
+        raise TypeError(f"a grid has a list of values for {key!r}, not {values!r}")
+    return list(values)
 
 
 def _cell(value: Any) -> Any:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import os
 import random
 import uuid
 from collections.abc import Generator, Iterable, Iterator, Mapping
@@ -17,6 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias, TypeVar
 
 import httpx
+from pydantic import BaseModel
 
 from ._errors import (
     BrinellError,
@@ -40,6 +42,8 @@ FIGURES = "history"
 # other jobs to look after.
 LONGEST_WAIT = 60.0
 LOOK = 1.0
+# Most jobs in one request, as the service has it.
+BATCH = 100
 # First pause before a retry and the longest [s].
 PAUSE, LONGEST_PAUSE = 0.2, 8.0
 
@@ -271,7 +275,7 @@ class Core:
             with contextlib.suppress(httpx.TransportError, BrinellError):
                 # The job may be there although its answer is not.
                 id = id or str((yield from self.submit(document, 0, key))["id"])
-                yield Send("POST", f"/v1/jobs/{id}/cancel")
+                yield from call(0, "POST", f"/v1/jobs/{id}/cancel")
             raise
         return id, report
 
@@ -320,6 +324,8 @@ class Core:
 
         At most `in_flight` are with the service.
         """
+        if isinstance(jobs, (str, os.PathLike, Mapping, BaseModel)):
+            raise TypeError("map takes several jobs, as in [job], not one")
         given: Iterator[tuple[int, JobLike]] = iter(enumerate(jobs))
         waiting: dict[int, tuple[JobLike, dict[str, Any], str]] = {}
         flying: dict[str, int] = {}
@@ -356,8 +362,10 @@ class Core:
             raise
         except BaseException:
             with contextlib.suppress(httpx.TransportError, BrinellError):
-                if flying:
-                    yield Send("POST", "/v1/batch/cancel", body=_ids(flying), headers=_JSON)
+                ids = list(flying)
+                for start in range(0, len(ids), BATCH):
+                    body = {"ids": ids[start : start + BATCH]}
+                    yield from call(0, "POST", "/v1/batch/cancel", body=body)
             raise
 
     def _hand_in(
@@ -373,14 +381,27 @@ class Core:
         refused.
         """
         under_way = set(flying.values())
-        places = [place for place in waiting if place not in under_way and place not in done][:100]
+        places = [place for place in waiting if place not in under_way and place not in done]
+        places = places[:BATCH]
         if not places:
             return None
         members = [
             {"job": waiting[place][1], "idempotency_key": waiting[place][2], "priority": priority}
             for place in places
         ]
-        answer = yield from self.json("POST", "/v1/batch/submit", body={"jobs": members})
+        while True:
+            try:
+                answer = yield from self.json("POST", "/v1/batch/submit", body={"jobs": members})
+                break
+            except ServiceError as refused:
+                if refused.status != 413:
+                    raise
+                if len(members) == 1:
+                    done[places[0]] = Outcome(waiting[places[0]][1], "", None, refused)
+                    return None
+                # Together they are too long for one request: half of them, the rest next time.
+                members = members[: len(members) // 2]
+                places = places[: len(members)]
         after = None
         for place, item in zip(places, answer["jobs"], strict=True):
             if "job" in item:
@@ -406,7 +427,7 @@ class Core:
             self.retries, "HEAD", f"/v1/jobs/{middle}", params={"wait": f"{LOOK:g}"}, wait=LOOK
         )
         answer = yield from self.json(
-            "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids[:100]}
+            "POST", "/v1/batch/fetch", params={"fields": parts}, body={"ids": ids[:BATCH]}
         )
         for id, item in zip(ids, answer["jobs"], strict=False):
             info = item.get("job")
@@ -421,13 +442,6 @@ class Core:
             else:
                 continue
             del flying[id]
-
-
-_JSON = {"Content-Type": "application/json"}
-
-
-def _ids(flying: Mapping[str, int]) -> bytes:
-    return json.dumps({"ids": list(flying)[:100]}).encode()
 
 
 def failed(info: Mapping[str, Any]) -> BrinellError:

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._plain import need
+
 if TYPE_CHECKING:
     import pyvista
 
@@ -54,7 +56,10 @@ class BodyFields(Mapping[str, Array]):
     """Whether one half, x ≥ 0, stands for both."""
 
     def __getitem__(self, name: str) -> Array:
-        return self.arrays[name]
+        try:
+            return self.arrays[name]
+        except KeyError:
+            raise KeyError(f"no field {name!r}; there are {', '.join(self.arrays)}") from None
 
     def __iter__(self) -> Any:
         return iter(self.arrays)
@@ -103,14 +108,13 @@ class BodyFields(Mapping[str, Array]):
 
     def to_pyvista(self) -> pyvista.UnstructuredGrid:
         """The mesh with its fields for PyVista."""
-        import pyvista
-
+        kit = need("pyvista", "fields")
         elements = self.elements.astype(np.int64)
         cells = np.column_stack([np.full(len(elements), 4), elements]).ravel()
         flat = np.zeros((len(self.nodes), 1))
-        grid = pyvista.UnstructuredGrid(
+        grid: pyvista.UnstructuredGrid = kit.UnstructuredGrid(
             cells,
-            np.full(len(elements), pyvista.CellType.QUAD, np.uint8),
+            np.full(len(elements), kit.CellType.QUAD, np.uint8),
             np.hstack([self.nodes.astype(float), flat]),
         )
         for name, values in self.arrays.items():
@@ -143,6 +147,6 @@ class Fields:
 
     def to_pyvista(self) -> pyvista.MultiBlock:
         """Both bodies for PyVista."""
-        import pyvista
-
-        return pyvista.MultiBlock({body.name: body.to_pyvista() for body in self.bodies})
+        blocks = {body.name: body.to_pyvista() for body in self.bodies}
+        made: pyvista.MultiBlock = need("pyvista", "fields").MultiBlock(blocks)
+        return made

@@ -145,6 +145,16 @@ def document_of(job: JobLike) -> dict[str, Any]:
     return document
 
 
+def need(package: str, extra: str) -> Any:
+    """A package that an extra brings."""
+    import importlib
+
+    try:
+        return importlib.import_module(package)
+    except ImportError as error:
+        raise ImportError(f'this needs {package}: pip install "brinell[{extra}]"') from error
+
+
 def tokens_of(pointer: str) -> list[str]:
     """The steps of a JSON pointer, with or without `#`."""
     path = pointer.removeprefix("#")

@@ -9,7 +9,8 @@ import numpy as np
 from ._errors import BrinellError
 from ._fields import BodyFields, Fields
 from ._html import unit_of_force
-from ._result import Result, need
+from ._plain import need
+from ._result import Result
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -82,6 +83,9 @@ class Plot:
         }
         if not bodies:
             raise BrinellError("this step has no stresses over depth")
+        known = [name for name in next(iter(bodies.values())) if name != "depth"]
+        if quantity not in known:
+            raise BrinellError(f"no {quantity!r} over depth; there are {', '.join(known)}")
         # Where both bodies are alike one line hides the other, so that the second is dashed.
         for (name, values), line in zip(bodies.items(), ("-", "--"), strict=False):
             ax.plot(

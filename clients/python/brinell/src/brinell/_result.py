@@ -13,6 +13,7 @@ import numpy as np
 from ._errors import BrinellError, ServiceError
 from ._fields import Array, Fields
 from ._html import html_of, text_of
+from ._plain import need
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -22,16 +23,6 @@ if TYPE_CHECKING:
     from ._plot import Plot
 
 NAN = math.nan
-
-
-def need(package: str, extra: str) -> Any:
-    """A package that an extra brings."""
-    import importlib
-
-    try:
-        return importlib.import_module(package)
-    except ImportError as error:
-        raise ImportError(f'this needs {package}: pip install "brinell[{extra}]"') from error
 
 
 class Remark(NamedTuple):
@@ -56,7 +47,7 @@ class Pressure:
 
     def to_xarray(self) -> xr.Dataset:
         """As a dataset over x."""
-        xarray = need("xarray", "fields")
+        xarray = need("xarray", "pandas")
         names = ("pressure", "force", "gap")
         dataset: xr.Dataset = xarray.Dataset(
             {name: ("x", getattr(self, name)) for name in names},
