@@ -107,7 +107,10 @@ class Plot:
         return ax
 
     def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
-        """Tangential and out-of-plane stress over depth, as it is left when the load is zero."""
+        """Tangential and out-of-plane stress over depth, as it is left when the load is zero.
+
+        The line runs where the pressure was largest.
+        """
         ax = _axes(ax)
         one = self._result.steps[step]
         values = (one.data.get("subsurface") or {}).get(body)
