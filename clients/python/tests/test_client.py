@@ -184,6 +184,9 @@ def test_a_sweep_is_a_table(client: Client, job: Any) -> None:
     assert table["status"].tolist() == ["converged", "invalid"]
     assert np.isnan(table["peak_pressure"].iloc[1])
     assert "analysis" in table["error"].iloc[1]
+    steels = client.sweep(job, {("/upper/material", "/lower/material"): ["S235", "S355"]})
+    assert steels["/upper/material"].tolist() == ["S235", "S355"]
+    assert steels["peak_pressure"].is_monotonic_increasing
     with pytest.raises(brinell.InvalidJob, match="/load/forc"):
         client.sweep(job, {"/load/forc": [1, 2]})
 

@@ -13,6 +13,8 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 from pydantic import BaseModel
 
+from ._materials import materials
+
 
 @runtime_checkable
 class Quantity(Protocol):
@@ -166,7 +168,7 @@ def tokens_of(pointer: str) -> list[str]:
 def with_values(document: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """A copy of the document with other values at these pointers.
 
-    Objects on the way are made if they are missing.
+    Objects on the way are made if they are missing. A material may be a name of the library.
     """
     made: dict[str, Any] = copy.deepcopy(dict(document))
     for pointer, value in values.items():
@@ -179,6 +181,8 @@ def with_values(document: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
                 if place.get(step) is None:
                     place[step] = {}
                 place = place[step]
+        if last == "material" and isinstance(value, str):
+            value = materials[value]
         figure = plain(value, made, last if isinstance(place, dict) else way[-1])
         if isinstance(place, list):
             place[int(last)] = figure
