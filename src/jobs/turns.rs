@@ -60,11 +60,6 @@ impl Turn {
     pub fn free() -> Self {
         Self { permit: None }
     }
-
-    /// Whether the key has no other turn left.
-    pub fn is_last(&self) -> bool {
-        self.permit.as_ref().is_some_and(|permit| permit.semaphore().available_permits() == 0)
-    }
 }
 
 #[cfg(test)]
