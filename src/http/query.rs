@@ -196,19 +196,30 @@ pub(super) struct WaitQuery {
     /// `Prefer: wait=N`.
     #[param(minimum = 0, example = 30)]
     wait: Option<f64>,
+    /// The large parts of each step that are wanted of the result inside, as of `GET /v1/jobs/{id}/result`;
+    /// `summary` is none of them.
+    #[param(
+        example = "summary",
+        pattern = "^(summary|contact|subsurface|plasticity|fields|history)(,(summary|contact|subsurface|plasticity|fields|history))*$"
+    )]
+    fields: Option<String>,
 }
 
-/// `?wait=` or `Prefer: wait=`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Wait(pub(super) Option<Granted>);
+/// `?wait=` or `Prefer: wait=`, and `?fields=` of the result that the answer may hold.
+#[derive(Debug, Clone)]
+pub(super) struct Wait {
+    pub(super) granted: Option<Granted>,
+    pub(super) selection: Selection,
+}
 
 impl FromRequestParts<HttpState> for Wait {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["wait"]).await;
-        let wait = query.wait(parts, state.settings.wait_limit);
-        query.finish(Self(wait))
+        let mut query = Reader::new(parts, state, &["wait", "fields"]).await;
+        let granted = query.wait(parts, state.settings.wait_limit);
+        let selection = Selection { parts: query.parts(), ..Selection::default() };
+        query.finish(Self { granted, selection })
     }
 }
 
@@ -230,6 +241,7 @@ pub(super) struct SubmitParameters {
 pub(super) struct SubmitQuery {
     pub(super) priority: i16,
     pub(super) wait: Option<Granted>,
+    pub(super) selection: Selection,
     pub(super) callback_url: Option<String>,
 }
 
@@ -237,16 +249,17 @@ impl FromRequestParts<HttpState> for SubmitQuery {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-        let mut query = Reader::new(parts, state, &["priority", "wait", "callback_url"]).await;
+        let mut query = Reader::new(parts, state, &["priority", "wait", "fields", "callback_url"]).await;
         let range = -MAX_PRIORITY..=MAX_PRIORITY;
         let expected = format!("a whole number between -{MAX_PRIORITY} and {MAX_PRIORITY}");
         let priority = query.value("priority", &expected, |priority| range.contains(priority)).unwrap_or(0);
         let wait = query.wait(parts, state.settings.wait_limit);
+        let selection = Selection { parts: query.parts(), ..Selection::default() };
         let callback_url = query.text("callback_url");
         if let Some(Err(detail)) = callback_url.as_deref().map(|url| state.callbacks.check(url)) {
             query.fault("callback_url", FaultCode::OutOfRange, detail);
         }
-        query.finish(Self { priority, wait, callback_url })
+        query.finish(Self { priority, wait, selection, callback_url })
     }
 }
 
@@ -274,6 +287,13 @@ impl Reader {
     fn step(&mut self) -> Option<usize> {
         let step = self.value("step", "a whole number, 1 or greater", |Whole(step)| *step >= 1);
         step.map(|Whole(step)| step - 1)
+    }
+
+    /// `?fields=`: the large parts that are named; `summary` names none.
+    fn parts(&mut self) -> Option<Vec<StepPart>> {
+        let named = StepPart::ALL.iter().map(|part| (part.name(), Some(*part)));
+        let known: Vec<_> = std::iter::once(("summary", None)).chain(named).collect();
+        Some(self.words("fields", &known)?.into_iter().flatten().collect())
     }
 }
 
@@ -323,11 +343,11 @@ impl Named for StepPart {
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct SelectionQuery {
     /// The large parts of a step that are wanted, separated by commas: `contact` (`contact.nodes`), `subsurface`,
-    /// `plasticity` (`outline`), `fields`, `history`. The others are left out, or empty where the schema requires
-    /// them; single figures always stay. Everything, unless it is given.
+    /// `plasticity` (`outline`), `fields`, `history`; `summary` is none of them. The others are left out, or empty
+    /// where the schema requires them; single figures always stay. Everything, unless it is given.
     #[param(
         example = "contact,subsurface",
-        pattern = "^(contact|subsurface|plasticity|fields|history)(,(contact|subsurface|plasticity|fields|history))*$"
+        pattern = "^(summary|contact|subsurface|plasticity|fields|history)(,(summary|contact|subsurface|plasticity|fields|history))*$"
     )]
     fields: Option<String>,
     /// Only this step of a sweep, counted from 1.
@@ -380,8 +400,7 @@ impl FromRequestParts<HttpState> for Selection {
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
         let mut query = Reader::new(parts, state, &["fields", "step", "subsurface_points"]).await;
-        let parts: Vec<_> = StepPart::ALL.iter().map(|part| (part.name(), *part)).collect();
-        let wanted = query.words("fields", &parts);
+        let wanted = query.parts();
         let step = query.step();
         let expected = format!("a whole number, {MIN_DEPTHS} or greater");
         let depths = query.value("subsurface_points", &expected, |Whole(count)| *count >= MIN_DEPTHS);

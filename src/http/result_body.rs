@@ -86,19 +86,20 @@ pub(super) async fn result(
     Ok((common, body).into_response())
 }
 
-/// 200 with a job and its whole result inside. What the client has of the result does not matter: it asked for the job.
+/// 200 with a job and its result inside, or the parts of it that are wanted. What the client has of the result does not matter: it asked for the job.
 pub(super) async fn inside(
     state: &HttpState,
     job: &JobDocument,
     head: ResultHead,
+    selection: Selection,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
     let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
     before.pop();
     before.extend_from_slice(b",\"result\":");
     let around = (Bytes::from(before), Bytes::from_static(b"}"));
-    let form = Form::of(&head, &Selection::default(), headers);
-    let body = body(state, job.id, head, Selection::default(), form, around).await?;
+    let form = Form::of(&head, &selection, headers);
+    let body = body(state, job.id, head, selection, form, around).await?;
     let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
     Ok((common, body).into_response())
 }

@@ -91,7 +91,19 @@ fn the_parts_that_are_not_wanted_stay_behind() {
         assert_eq!(depth[0], all[0]);
         assert_eq!(step["contact"]["nodes"]["pressure"], json!([]));
     }
-    let tags = ["", "?step=3", "?fields=subsurface", "?fields=subsurface&subsurface_points=5"];
+    let summary = solved.get("/result?fields=summary", &[]);
+    assert!(summary.body.len() < solved.get("/result", &[]).body.len() / 5);
+    let waited = solved.get("?wait=0&fields=summary", &[]).json();
+    assert_eq!(waited["result"], summary.json());
+    assert_eq!(
+        waited["result"]["steps"][2]["contact"]["peak_pressure"],
+        expected["contact"]["peak_pressure"]
+    );
+    assert_eq!(waited["result"]["steps"][2]["contact"]["nodes"]["pressure"], json!([]));
+    solved.get("?wait=0&fields=figures", &[]).problem(400, "invalid-query");
+
+    let tags =
+        ["", "?step=3", "?fields=summary", "?fields=subsurface", "?fields=subsurface&subsurface_points=5"];
     let mut tags =
         tags.map(|query| solved.get(&format!("/result{query}"), &[]).header("etag").unwrap().to_owned());
     tags.sort_unstable();

@@ -4,7 +4,7 @@ use axum::http::header::{CONTENT_LOCATION, LOCATION};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 
-use crate::http::query::Granted;
+use crate::http::query::{Granted, Selection};
 use crate::http::result_body::no_result;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem, ProblemType, result_body};
@@ -17,10 +17,11 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 pub(super) async fn with_result(
     state: &HttpState,
     job: JobDocument,
+    selection: Selection,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
     match state.jobs.result(job.id).await? {
-        Some(head) if job.done => result_body::inside(state, &job, head, headers).await,
+        Some(head) if job.done => result_body::inside(state, &job, head, selection, headers).await,
         _ => Ok(job.into_response()),
     }
 }
@@ -30,6 +31,7 @@ pub(super) async fn finished(
     state: &HttpState,
     record: JobRecord,
     prefix: &Prefix,
+    selection: Selection,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
     if record.state.is_finished() && !record.has_report {
@@ -37,7 +39,7 @@ pub(super) async fn finished(
     }
     let job = JobDocument::of(state, record, prefix).await?;
     let (done, address) = (job.done, job.links.job.clone());
-    Ok(addressed(with_result(state, job, headers).await?, done, &address))
+    Ok(addressed(with_result(state, job, selection, headers).await?, done, &address))
 }
 
 /// The answer to a client that hands a job in.

@@ -30,7 +30,7 @@ pub(in crate::http) async fn get_job(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
     prefix: Prefix,
-    Wait(wait): Wait,
+    Wait { granted: wait, selection }: Wait,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let record = match wait {
@@ -38,8 +38,11 @@ pub(in crate::http) async fn get_job(
         None => state.jobs.get(id).await?,
     };
     let job = JobDocument::of(&state, record, &prefix).await?;
-    let mut response =
-        if wait.is_some() { with_result(&state, job, &headers).await? } else { job.into_response() };
+    let mut response = if wait.is_some() {
+        with_result(&state, job, selection, &headers).await?
+    } else {
+        job.into_response()
+    };
     apply_preference(&mut response, wait);
     Ok(response)
 }

@@ -56,7 +56,7 @@ use crate::jobs::Submission;
 pub(in crate::http) async fn post_job(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
-    SubmitQuery { priority, wait, callback_url }: SubmitQuery,
+    SubmitQuery { priority, wait, selection, callback_url }: SubmitQuery,
     Trace(trace): Trace,
     prefix: Prefix,
     caller: Caller,
@@ -78,7 +78,7 @@ pub(in crate::http) async fn post_job(
         let known = JobDocument::brief(enqueued.job.clone(), &state.settings.retention, &prefix);
         let waited = async {
             let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;
-            finished(&state, record, &prefix, &headers).await
+            finished(&state, record, &prefix, selection, &headers).await
         };
         unless_out_of_reach(waited.await, known)
     } else {

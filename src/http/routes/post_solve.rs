@@ -64,7 +64,7 @@ const URGENT: i16 = 1;
 pub(in crate::http) async fn post_solve(
     State(state): State<HttpState>,
     IdempotencyKey(idempotency_key): IdempotencyKey,
-    Wait(wait): Wait,
+    Wait { granted: wait, selection }: Wait,
     Trace(trace): Trace,
     prefix: Prefix,
     caller: Caller,
@@ -90,7 +90,7 @@ pub(in crate::http) async fn post_solve(
         state.jobs.sync().await?;
     }
     attended.release();
-    let answer = finished(&state, record, &prefix, &headers).await;
+    let answer = finished(&state, record, &prefix, selection, &headers).await;
     let mut response = answer.unwrap_or_else(IntoResponse::into_response);
     mark_replayed(&mut response, enqueued.replayed);
     apply_preference(&mut response, wait);
