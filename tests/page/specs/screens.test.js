@@ -62,6 +62,10 @@ for (const [name, options, show, fullPage] of [...OF_DOCUMENTS, ...OTHERS])
     `the view “${name}” is as it was`,
     async (page) => {
       await show(page);
+      // How far a form has scrolled depends on how fast its answers came.
+      await page.evaluate(() => {
+        for (const element of document.querySelectorAll('*')) element.scrollTop = 0;
+      });
       const png = await page.screenshot({ fullPage, animations: 'disabled' });
       const blank = await page.context().newPage();
       const now = await little(blank, png);
