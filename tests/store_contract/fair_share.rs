@@ -43,19 +43,6 @@ pub async fn a_key_leaves_a_place_of_a_worker_to_others(subject: &Subject) {
     assert_eq!(ids(&subject.claims(elsewhere).await.jobs), of_greedy[2..]);
 }
 
-pub async fn an_urgent_job_without_a_key_has_the_place_that_is_kept(subject: &Subject) {
-    let long = [subject.enqueue("x").await, subject.enqueue("x").await];
-    subject.enqueue("x").await;
-    let two_solvers = ClaimRequest { places_of_key: 2, ..Subject::request(3) };
-    assert_eq!(ids(&subject.claims(two_solvers).await.jobs), long);
-    let rest = ClaimRequest { places: 1, exclusive: false, ..two_solvers };
-    assert!(subject.claims(rest).await.jobs.is_empty());
-    submit(subject, KeyId::generate(), 1).await;
-    let urgent = subject.submit(NewJob { priority: 1, ..job("x") }).await.unwrap().job.id;
-    let claims = subject.claims(ClaimRequest { places: 2, ..rest }).await.jobs;
-    assert_eq!((claims.len(), claims[1].lease.job), (2, urgent), "a key goes first: it holds nothing");
-}
-
 pub async fn keys_share_by_solver_time_and_not_by_number(subject: &Subject) {
     let keys = [(); 2].map(|()| KeyId::generate());
     let times = [1000, 100].map(SignedDuration::from_millis);

@@ -56,7 +56,6 @@ macro_rules! contract {
             results a_job_without_a_report_keeps_no_steps;
             fair_share a_greedy_key_does_not_hold_up_another;
             fair_share a_key_leaves_a_place_of_a_worker_to_others;
-            fair_share an_urgent_job_without_a_key_has_the_place_that_is_kept;
             fair_share keys_share_by_solver_time_and_not_by_number;
             fair_share what_was_spent_is_forgotten_within_a_minute;
             fair_share a_small_job_does_not_wait_for_memory;

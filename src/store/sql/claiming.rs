@@ -11,7 +11,7 @@ use crate::store::StoreLimits;
 
 /// The job that goes next: of the key that holds the fewest places, and among equals of the one
 /// that has spent the least solver time, the first that waits. A key holds so many places of a
-/// worker (`$3`), and so many of all (`$4`); urgent jobs without a key (`$7`) have one more.
+/// worker (`$3`), and so many of all (`$4`).
 ///
 /// SQLite joins crossed tables as they are written: keys are few, and the first job of each is
 /// looked up.
@@ -22,8 +22,7 @@ pub(in crate::store) const NEXT: &str = "
             SELECT q.id FROM jobs q
             WHERE q.account = a.id AND q.state = 'queued' AND q.memory <= $1 AND q.losses < $6
             ORDER BY q.losses DESC, q.priority DESC, q.id LIMIT 1)
-        AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id AND r.owner = $2)
-            - CASE WHEN a.id = $7 AND j.priority > 0 THEN 1 ELSE 0 END < $3
+        AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id AND r.owner = $2) < $3
         AND (SELECT count(*) FROM jobs r WHERE r.state = 'running' AND r.account = a.id)
             < coalesce((SELECT k.max_running FROM api_keys k WHERE k.id = a.id), $4)
     ORDER BY
@@ -202,8 +201,7 @@ macro_rules! claiming {
                         .bind(bound(request.places_of_key))
                         .bind(limits.by_key.running.map_or(i64::MAX, i64::from))
                         .bind(now)
-                        .bind(last_chance)
-                        .bind(Uuid::nil());
+                        .bind(last_chance);
                     let Some(job) = next.fetch_optional(&mut *self).await? else { break };
                     if room.take(count(job.1)?) {
                         claims.jobs.extend(self.lease(job, false, request, now).await?);
