@@ -5,14 +5,24 @@ FROM rust:1.95-slim-bookworm AS build
 WORKDIR /build
 # The libraries by themselves: this layer lasts until Cargo.lock changes.
 COPY Cargo.toml Cargo.lock ./
+COPY crates/brinell-contact/Cargo.toml crates/brinell-contact/
+COPY crates/brinell-halfspace/Cargo.toml crates/brinell-halfspace/
 COPY crates/brinell-solver/Cargo.toml crates/brinell-solver/
 COPY crates/sparse-cholesky/Cargo.toml crates/sparse-cholesky/
-RUN mkdir -p src crates/brinell-solver/src crates/sparse-cholesky/src crates/brinell-solver/benches \
- && benches=$(sed -n '/^\[\[bench\]\]/{n;s#name = "\(.*\)"#crates/brinell-solver/benches/\1.rs#p}' crates/brinell-solver/Cargo.toml) \
- && echo 'fn main() {}' | tee src/main.rs $benches >/dev/null \
- && touch src/lib.rs crates/brinell-solver/src/lib.rs crates/sparse-cholesky/src/lib.rs \
+COPY tools/Cargo.toml tools/
+# A stand-in for every target that a manifest names.
+RUN for package in . crates/* tools; do \
+      mkdir -p $package/src && touch $package/src/lib.rs \
+      && for kind in bench:benches example:examples test:tests bin:src/bin; do \
+        folder=$package/${kind#*:} && mkdir -p $folder \
+        && for name in $(sed -n "/^\[\[${kind%:*}\]\]/{n;s/name = \"\(.*\)\"/\1/p}" $package/Cargo.toml); do \
+          echo 'fn main() {}' > $folder/$name.rs; \
+        done; \
+      done; \
+    done \
+ && echo 'fn main() {}' > src/main.rs \
  && cargo build --profile dist --locked --bin brinell \
- && rm -r src crates
+ && rm -r src crates tests tools
 COPY . .
 # Copied files keep their times, and cargo goes by those.
 RUN touch src/lib.rs src/main.rs crates/*/src/lib.rs && cargo build --profile dist --locked --bin brinell && mkdir /data

@@ -5,16 +5,14 @@
 use std::error::Error;
 
 use brinell_contact::{
-    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, DenseFlexibility,
-    never,
+    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, never,
 };
+use sparse_cholesky::dense::SymmetricMatrix;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let n = 21_u16;
-    let len = usize::from(n);
     // [mm/N]: falls with the distance.
-    let entries = (0..n).flat_map(|i| (0..n).map(move |j| 0.01 / (1.0 + f64::from(i.abs_diff(j))))).collect();
-    let flexibility = DenseFlexibility::new(len, entries).ok_or("the entries are not symmetric")?;
+    let flexibility = SymmetricMatrix::from_fn(usize::from(n), |i, j| 0.01 / (1.0 + i.abs_diff(j) as f64));
     let gap: Vec<f64> = (0..n).map(|k| 2e-3 * (f64::from(k) - 10.0).powi(2)).collect();
     let problem =
         ContactProblem { flexibility: &flexibility, initial_gap: &gap, load: ContactLoad::Force(10.0) };

@@ -1,14 +1,16 @@
 //! What a contact needs to know of two elastic bodies.
 
+use sparse_cholesky::dense::SymmetricMatrix;
+
 /// The displacements along the normals that contact forces cause, `u = F R`.
 ///
 /// `F = flexibility [mm/N]`, the sum over both bodies, is symmetric and positive definite. u is positive where it
-/// opens the gap.
+/// opens the gap. Direct solvers need its [entries](Self::dense), conjugate gradients apply it.
 pub trait Flexibility {
-    /// Number of candidate cells.
+    /// Number of candidate cells or pairs.
     fn len(&self) -> usize;
 
-    /// Whether there are no candidate cells.
+    /// Whether there are none.
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -27,42 +29,24 @@ pub trait Flexibility {
     }
 }
 
-/// A flexibility given by its entries.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DenseFlexibility {
-    len: usize,
-    entries: Vec<f64>,
-}
-
-impl DenseFlexibility {
-    /// A matrix of `len` rows from its entries row by row; `None` unless they are `len²` numbers, symmetric to
-    /// the last bit.
-    pub fn new(len: usize, entries: Vec<f64>) -> Option<Self> {
-        let at = |i: usize, j: usize| entries[i * len + j].to_bits();
-        let fits = entries.len() == len * len;
-        let symmetric = fits && (0..len).all(|i| (0..i).all(|j| at(i, j) == at(j, i)));
-        symmetric.then_some(Self { len, entries })
-    }
-}
-
-impl Flexibility for DenseFlexibility {
+impl Flexibility for SymmetricMatrix {
     fn len(&self) -> usize {
-        self.len
+        Self::len(self)
     }
 
     fn apply(&self, force: &[f64], displacement: &mut [f64]) {
-        for (row, u) in self.entries.chunks_exact(self.len).zip(displacement) {
-            *u = row.iter().zip(force).map(|(f, r)| f * r).sum();
+        for (i, u) in displacement.iter_mut().enumerate() {
+            *u = self.row(i).iter().zip(force).map(|(entry, r)| entry * r).sum();
         }
     }
 
     fn precondition(&self, displacement: &[f64], force: &mut [f64]) {
         for (k, (r, u)) in force.iter_mut().zip(displacement).enumerate() {
-            *r = u / self.entries[k * (self.len + 1)];
+            *r = u / self[(k, k)];
         }
     }
 
     fn dense(&self) -> Option<&[f64]> {
-        Some(&self.entries)
+        Some(self.as_slice())
     }
 }

@@ -35,7 +35,7 @@ use std::ops::ControlFlow;
 
 pub use conjugate_gradient::ConjugateGradientSolver;
 pub use error::ContactError;
-pub use flexibility::{DenseFlexibility, Flexibility};
+pub use flexibility::Flexibility;
 pub use kkt::KktReport;
 pub use polonsky_keer::PolonskyKeerSolver;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution, ContactStatus};

@@ -7,8 +7,17 @@ use super::{ContactError, Flexibility, KktReport};
 pub enum ContactLoad {
     /// Resultant of the contact forces P >= 0 \[N\]; the approach is an output.
     Force(f64),
-    /// Approach α \[mm\]; the force is an output, and may be zero.
+    /// Approach α of the supports \[mm\]; the force is an output, and may be zero.
     Approach(f64),
+}
+
+impl ContactLoad {
+    /// The figure that is prescribed.
+    pub const fn magnitude(self) -> f64 {
+        match self {
+            Self::Force(value) | Self::Approach(value) => value,
+        }
+    }
 }
 
 /// The contact of n candidate cells under one load.

@@ -6,9 +6,10 @@ use std::ops::ControlFlow;
 
 use brinell_contact::{
     ConjugateGradientSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
-    ContactStatus, DenseFlexibility, Flexibility, PolonskyKeerSolver, kkt, never,
+    ContactStatus, Flexibility, PolonskyKeerSolver, kkt, never,
 };
 use proptest::prelude::*;
+use sparse_cholesky::dense::SymmetricMatrix;
 
 const TOLERANCE: f64 = 1e-9;
 
@@ -18,9 +19,9 @@ fn solvers() -> [Box<dyn ContactSolver>; 2] {
 
 /// `f(i, j) = 1/(1 + |i - j|)` on a line, positive definite as a convex falling function of the distance, and some more
 /// on its diagonal.
-fn line(n: usize, extra: f64) -> DenseFlexibility {
+fn line(n: usize, extra: f64) -> SymmetricMatrix {
     let entry = |i: usize, j: usize| 1.0 / (1.0 + i.abs_diff(j) as f64) + if i == j { extra } else { 0.0 };
-    DenseFlexibility::new(n, (0..n * n).map(|k| entry(k / n, k % n)).collect()).unwrap()
+    SymmetricMatrix::from_fn(n, entry)
 }
 
 fn solve(solver: &mut dyn ContactSolver, problem: &ContactProblem<'_>) -> ContactSolution {
@@ -148,7 +149,7 @@ fn data_that_are_no_contact_are_refused() {
     assert_eq!(refused(&[0.0; 2], ContactLoad::Force(f64::NAN)), ContactError::NotFinite("force"));
     assert_eq!(refused(&[0.0, f64::NAN], ContactLoad::Force(1.0)), ContactError::NotFinite("initial gap"));
 
-    let indefinite = DenseFlexibility::new(2, vec![1.0, 2.0, 2.0, 1.0]).unwrap();
+    let indefinite = SymmetricMatrix::from_fn(2, |i, j| if i == j { 1.0 } else { 2.0 });
     let problem =
         ContactProblem { flexibility: &indefinite, initial_gap: &[0.0; 2], load: ContactLoad::Force(1.0) };
     for mut solver in solvers() {

@@ -23,8 +23,8 @@
 
 mod active_set;
 mod bordered;
+mod entries;
 mod error;
-mod flexibility;
 pub mod kkt;
 mod pairs;
 mod problem;
@@ -32,11 +32,11 @@ mod simplex;
 mod tableau;
 
 pub use active_set::ActiveSetSolver;
+pub use brinell_contact::{ContactLoad, Flexibility};
 pub use error::ContactError;
-pub use flexibility::Flexibility;
 pub use kkt::KktReport;
 pub use pairs::ActiveSet;
-pub use problem::{ContactLoad, ContactProblem, ContactSolution};
+pub use problem::{ContactProblem, ContactSolution};
 pub use simplex::SimplexSolver;
 
 /// A method that solves a [`ContactProblem`].

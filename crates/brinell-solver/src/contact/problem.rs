@@ -1,25 +1,7 @@
 //! What goes into a contact solve and what comes out.
 
-use super::flexibility::Entries;
-use super::{ActiveSet, ContactError, Flexibility};
-
-/// What is prescribed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ContactLoad {
-    /// Resultant of the contact forces P >= 0 \[N\]; the approach is an output.
-    Force(f64),
-    /// Approach α of the supports \[mm\]; the force is an output, and may be zero.
-    Approach(f64),
-}
-
-impl ContactLoad {
-    /// The figure that is prescribed.
-    pub const fn magnitude(self) -> f64 {
-        match self {
-            Self::Force(value) | Self::Approach(value) => value,
-        }
-    }
-}
+use super::entries::Entries;
+use super::{ActiveSet, ContactError, ContactLoad, Flexibility};
 
 /// The contact of n candidate pairs under one load.
 #[derive(Clone, Copy)]

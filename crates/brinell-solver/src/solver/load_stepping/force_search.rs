@@ -8,7 +8,6 @@
 //!
 //! Figures of contacts follow powers of the force over long ranges, so that both are looked at in logarithms.
 
-use super::bracket::{Bracket, Next};
 use super::load_sequence::LoadSequence;
 use super::load_stepper::auxiliary;
 use super::utilization::{highest_at_ends, highest_utilization};
@@ -17,6 +16,7 @@ use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::error::{Unreachable, UnreachableReason};
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
+use crate::solver::method::bracket::{Bracket, Next};
 use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;

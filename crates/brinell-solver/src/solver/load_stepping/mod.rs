@@ -1,6 +1,5 @@
 //! From a job to its solution: loads one after the other, each on its meshes.
 
-mod bracket;
 pub(super) mod force_search;
 mod history;
 mod history_steps;

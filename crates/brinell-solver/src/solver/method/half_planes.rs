@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
+use super::bracket::{Bracket, Next};
 use super::contact_system::{BlockVector, ContactFigures, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome, Scales, norm};
 use super::couplings::{self, Accelerated, Coupling, SecantStiffness, Strong, Weak};
@@ -288,6 +289,31 @@ fn a_history_begins_anew_where_its_contact_outgrows_the_system() {
     assert!(answers.iter().all(|answer| answer.system.pairs() == answers[1].system.pairs()));
     let (single, _) = solved(&Accelerated, &[100.0], &mut Unobserved);
     assert!((peak(&answers[2]) / peak(&single[0]) - 1.0).abs() < 1e-6);
+}
+
+/// The force under which the largest pressure is as wanted, to a tenth of a per cent.
+fn force_of_pressure(wanted: f64, mut force: f64) -> f64 {
+    let mut bracket = Bracket::new(0.5);
+    for _ in 0..20 {
+        let (answers, _) = solved(&Accelerated, &[force], &mut Unobserved);
+        let ratio = peak(&answers[0]) / wanted;
+        if (ratio - 1.0).abs() < 1e-3 {
+            return force;
+        }
+        bracket.record(force, ratio);
+        let Next::Force(next) = bracket.next() else { panic!("no force beyond {force} N/mm") };
+        force = next;
+    }
+    panic!("not found, last tried {force} N/mm");
+}
+
+#[test]
+fn a_search_finds_the_force_of_a_pressure_from_either_side() {
+    let [below, above] = [40.0, 600.0].map(|first| force_of_pressure(600.0, first));
+    assert!((below / above - 1.0).abs() < 0.01, "{below} {above}");
+    // Plastic flow takes more of the peak than the springs do without it.
+    let elastic = 0.95 * (below * MODULUS / (PI * RADIUS)).sqrt();
+    assert!(elastic > 600.0, "{elastic}");
 }
 
 /// Sees iterations and stops one of them.

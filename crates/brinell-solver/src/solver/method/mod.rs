@@ -3,6 +3,7 @@
 //! [`ContactSystem`](contact_system::ContactSystem) is all that it asks of two bodies. Nothing here knows a mesh, an element or a
 //! job.
 
+pub(crate) mod bracket;
 pub(crate) mod contact_system;
 pub(crate) mod couplings;
 #[cfg(test)]
