@@ -397,6 +397,8 @@ def test_the_server_ends_with_its_parent(way: int | None) -> None:
 
 CTRL_C = """
 import threading, signal, os, brinell, sys
+# A program that a shell has put into the background ignores the key.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 client = brinell.Client()
 job = brinell.job(
     brinell.cylinder(radius=20, material=brinell.steels["S355"]),
