@@ -353,7 +353,7 @@ service.test('steels of the library say where their figures are from, and conver
   for (const name of await choice.locator('option').allTextContents()) {
     if (name === 'own figures') continue;
     await choice.selectOption(name);
-    assert.match((await source.textContent()) ?? '', /EN |ISO|Pavlina|Jiang|static_rating/, name);
+    assert.match((await source.textContent()) ?? '', /EN |ISO|Pavlina|Jiang|static rating/, name);
   }
   await choice.selectOption({ label: 'Gear steel 18CrNiMo7-6, case 1 mm' });
   await source.getByText('the least of ISO 6336-5').waitFor();
