@@ -97,3 +97,19 @@ service.test(
   },
   PHONE,
 );
+
+service.test(
+  'Solve stays in reach while the form is gone through',
+  async (page) => {
+    const solve = page.getByRole('button', { name: 'Solve', exact: true });
+    for (const place of ['/analysis', '/upper/shape/radius', '/lower/material/young_modulus', '/load/force']) {
+      const field = page.locator(`[data-place="${place}"] :is(input[type=text], select)`);
+      await field.scrollIntoViewIfNeeded();
+      await field.focus();
+      const [seen, button] = await Promise.all([field.boundingBox(), solve.boundingBox()]);
+      assert.ok(seen && button && button.y >= 0 && button.y + button.height <= 844, `${place}: ${button?.y}`);
+      assert.ok(seen.y + seen.height <= button.y, `${place} is not behind the bar with Solve`);
+    }
+  },
+  PHONE,
+);
