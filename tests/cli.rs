@@ -188,6 +188,10 @@ fn the_table_begins_with_the_answer() {
         assert!(names.contains(&expected), "{expected:?} is missing:\n{table}");
     }
     assert!(!unloaded.contains("Hertz"), "{table}");
+    assert!(
+        unloaded.contains(" at x ") && table.contains(" N/mm²\n") && !table.contains("N/mm mm"),
+        "{table}"
+    );
     // A line for every increment of a load that is divided.
     assert!(table.contains(" inc  iter"), "{table}");
     for line in table.lines() {

@@ -4,6 +4,7 @@ import { hasKey, onKeyWanted, useKey } from './api/client.js';
 import { announce } from './api/connection.js';
 import { byId } from './lib/dom.js';
 import { browser, onKept } from './lib/kept.js';
+import { toolbar } from './lib/toolbar.js';
 
 const NAME = document.title;
 
@@ -43,6 +44,8 @@ export function showPart(part, on = true) {
 
 /** Buttons that show and hide the JSON and the jobs. @param {() => void} jobsShown */
 export function startParts(jobsShown) {
+  toolbar(byId('parts'), 'Parts, interface, colours');
+  toolbar(byId('setup-tools'), 'Set-up');
   for (const part of ['json', 'jobs']) {
     const turn = (/** @type {boolean} */ on) => {
       showPart(part, on);

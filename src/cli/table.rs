@@ -11,7 +11,7 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PerBody, PlasticityReport, Report, StepReport, SubsurfaceReport,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, SubsurfaceReport,
     SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
@@ -58,6 +58,18 @@ impl Names {
         if self.is_round { "r" } else { "|x|" }
     }
 
+    /// Of a plane body for each length of its thickness, which cancels with the length of the way.
+    fn work(self) -> String {
+        match self.force.strip_suffix(&format!("/{}", self.length)) {
+            Some(force) => force.to_owned(),
+            None => format!("{} {}", self.force, self.length),
+        }
+    }
+
+    fn stiffness(self) -> String {
+        if self.is_round { format!("{}/{}", self.force, self.length) } else { format!("{}²", self.force) }
+    }
+
     /// Hertz's mean pressure over its peak: an ellipse over a line, an ellipsoid over a circle.
     fn mean_of_peak(self) -> f64 {
         if self.is_round { 2.0 / 3.0 } else { std::f64::consts::FRAC_PI_4 }
@@ -98,7 +110,7 @@ impl Page {
         let mesh = &report.mesh;
         let half = if mesh.symmetric { " of one half" } else { "" };
         self.line(&format!(
-            "mesh   {} elements, {} equations{half}, spacing {} {}, {} passes",
+            "mesh   {} elements, {} equations{half}, spacing {} {}, {} mesh solves",
             mesh.elements,
             mesh.equations,
             significant(mesh.spacing, 3),
@@ -160,7 +172,7 @@ impl Page {
         self.line("");
         self.plastic_zone("upper", step.plasticity.upper.as_ref());
         self.plastic_zone("lower", step.plasticity.lower.as_ref());
-        self.utilization(step.subsurface.as_ref());
+        self.utilization(step);
         if let Some(flow) = &step.flow {
             self.flow(flow, step.contact.force > 0.0);
         }
@@ -245,7 +257,8 @@ impl Page {
             else {
                 continue;
             };
-            let place = format!("{name} at depth {} {length}", significant(depth, 3));
+            let (abscissa, at) = (self.names.abscissa(), significant(step.contact.peak_position, 3));
+            let place = format!("{name} at {abscissa} {at}, depth {} {length}", significant(depth, 3));
             self.value(&format!("tension, {body} body"), self.names.stress, stress, None, &place);
         }
     }
@@ -291,16 +304,18 @@ impl Page {
     }
 
     /// How much of its strength a body uses that is not equally strong everywhere, where that is most.
-    fn utilization(&mut self, bodies: Option<&PerBody<Option<SubsurfaceReport>>>) {
-        let Some(bodies) = bodies else { return };
+    fn utilization(&mut self, step: &StepReport) {
+        let Some(bodies) = &step.subsurface else { return };
         for (name, profile) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
             let Some(SubsurfaceReport { depth, utilization: Some(used), .. }) = profile else { continue };
             let Some((used, depth)) = used.iter().zip(depth).max_by(|a, b| a.0.total_cmp(b.0)) else {
                 continue;
             };
             self.line(&format!(
-                "{name}  uses at most {} % of its yield stress, at depth {} {} below the peak",
+                "{name}  uses at most {} % of its yield stress, at {} {}, depth {} {}",
                 significant(100.0 * used, 3),
+                self.names.abscissa(),
+                significant(step.contact.peak_position, 3),
                 significant(*depth, 3),
                 self.names.length
             ));
@@ -316,28 +331,38 @@ impl Page {
             else {
                 continue;
             };
-            let reverse = if surface.yielded_in_reverse { "; yielded in reverse" } else { "" };
-            self.line(&format!(
-                "{name}  surface {} {} deep, pile-up {} at {} {}{reverse}",
-                significant(surface.depth, 4),
-                names.length,
+            // What a load has left stands above.
+            let depth = format!("surface {} {} deep", significant(surface.depth, 4), names.length);
+            let pile_up = format!(
+                "pile-up {} {} at {} {}",
                 significant(surface.pile_up, 3),
+                names.length,
                 names.pile_up_abscissa(),
                 significant(surface.pile_up_position, 3),
-            ));
+            );
+            let words = [
+                (loaded, depth),
+                (loaded && surface.pile_up > 0.0, pile_up),
+                (surface.yielded_in_reverse, "yielded in reverse".to_owned()),
+            ];
+            let words: Vec<String> =
+                words.into_iter().filter(|(is_so, _)| *is_so).map(|(_, one)| one).collect();
+            self.line(&wrapped(&format!("{name}  "), &words, ", "));
         }
         let energy = &flow.energy;
-        let work = format!("{} {}", names.force, names.length);
+        let stored = significant(energy.stored, 3);
+        let stored =
+            if energy.stored > 0.0 { format!(", stored by backstress {stored}") } else { String::new() };
         self.line(&format!(
-            "work   {} {work}: elastic {}, dissipated {}, stored by backstress {}",
+            "work   {} {}: elastic {}, dissipated {}{stored}",
             significant(energy.work, 4),
+            names.work(),
             significant(energy.elastic, 3),
             significant(energy.dissipated, 3),
-            significant(energy.stored, 3),
         ));
         if flow.unloading_stiffness > 0.0 {
             let stiffness = significant(flow.unloading_stiffness, 4);
-            self.line(&format!("unloading stiffness {stiffness} {}/{}", names.force, names.length));
+            self.line(&format!("unloading stiffness {stiffness} {}", names.stiffness()));
         }
     }
 

@@ -38,6 +38,24 @@ fn every_form_of_a_result_is_served_under_its_name() {
 }
 
 #[test]
+fn stresses_over_depth_say_at_which_x_or_r_they_lie() {
+    let server = Server::start();
+    let mut asked = example();
+    asked["mesh"] = json!({"elements_per_half_width": 6});
+    for (analysis, place) in [("plane_strain", "x [mm]"), ("axisymmetric", "r [mm]")] {
+        asked["analysis"] = json!(analysis);
+        let job = server.target.submit(&asked);
+        server.target.wait_for(&job, &["succeeded"]);
+        let text = String::from_utf8(server.target.get(&format!("{job}/subsurface.csv")).body).unwrap();
+        let mut rows = text.lines().map(|line| line.rsplit(',').next().unwrap());
+        assert_eq!(rows.next(), Some(place));
+        let report = server.target.get(&format!("{job}/result")).json();
+        let peak = report["steps"][0]["contact"]["peak_position"].as_f64().unwrap();
+        assert!(rows.all(|row| row.parse::<f64>().unwrap() == peak), "{analysis}");
+    }
+}
+
+#[test]
 fn a_history_is_served_as_tables_and_figures() {
     let server = Server::start();
     let mut asked = example();

@@ -33,10 +33,12 @@ fn the_document_is_in_the_repository() {
 
 #[test]
 fn the_tables_of_the_form_are_those_of_the_core() {
-    assert_written("web/setup/tables.js", &form::tables());
+    let figures = types::figures(&openapi::document());
+    assert_written("web/setup/tables.js", &format!("{}\n{figures}", form::tables()));
 }
 
 #[test]
 fn the_types_of_the_page_are_those_of_the_document() {
-    assert_written("web/wire.js", &types::types(&openapi::document()));
+    let page = fs::read_to_string(root().join("web/types.js")).unwrap();
+    assert_written("web/wire.js", &types::types(&openapi::document(), &page));
 }

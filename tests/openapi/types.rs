@@ -1,19 +1,24 @@
 //! The page's types of what goes over the wire, from the schemas of the document.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const HEAD: &str = "\
 /**
- * What goes over the wire, one type for each schema of the OpenAPI document. Generated from it:
+ * What goes over the wire: the schemas of the OpenAPI document that the page names, and those that they refer to. Generated from it:
  * `BRINELL_WRITE=1 cargo test --test openapi`.
  *
 ";
 
-pub fn types(document: &Value) -> String {
+/// The types that a module of the page imports from this one.
+pub fn types(document: &Value, page: &str) -> String {
+    let is_letter = |sign: &char| sign.is_ascii_alphanumeric();
+    let named = page.split("wire.js').").skip(1).map(|rest| rest.chars().take_while(is_letter).collect());
     let mut text = HEAD.to_owned();
-    for (name, schema) in document["components"]["schemas"].as_object().into_iter().flatten() {
+    for name in reached(document, named.collect()) {
+        let schema = &document["components"]["schemas"][&name];
         if let Some(properties) = schema["properties"].as_object() {
             writeln!(text, " * @typedef {{object}} {name}").unwrap();
             for (key, property) in properties {
@@ -29,6 +34,69 @@ pub fn types(document: &Value) -> String {
     }
     text += " */\n\nexport {};\n";
     text
+}
+
+/// These schemas, and all that they refer to.
+fn reached(document: &Value, mut wanted: Vec<String>) -> BTreeSet<String> {
+    fn refer(node: &Value, wanted: &mut Vec<String>) {
+        match node {
+            Value::Object(members) => {
+                for (key, one) in members {
+                    match one.as_str() {
+                        Some(target) if key == "$ref" => {
+                            wanted.push(target.rsplit('/').next().unwrap().to_owned())
+                        }
+                        _ => refer(one, wanted),
+                    }
+                }
+            }
+            Value::Array(items) => items.iter().for_each(|one| refer(one, wanted)),
+            _ => {}
+        }
+    }
+    let mut seen = BTreeSet::new();
+    while let Some(name) = wanted.pop() {
+        if seen.insert(name.clone()) {
+            refer(&document["components"]["schemas"][&name], &mut wanted);
+        }
+    }
+    seen
+}
+
+/// What a figure is whose description ends like this.
+const SAID: [(&str, &str); 6] = [
+    ("length", "Unit: mm (SI: m)."),
+    ("stress", "Unit: MPa (SI: Pa)."),
+    ("load", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry."),
+    ("slope", "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m)."),
+    ("area", "Unit: mm² (SI: m²)."),
+    ("energy", "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry."),
+];
+
+/// The keys of every quantity in a report, and of the figures for which a force can be looked for.
+pub fn figures(document: &Value) -> String {
+    let mut found: BTreeMap<&str, &str> = BTreeMap::new();
+    for name in reached(document, vec!["Report".to_owned(), "TargetLoad".to_owned()]) {
+        let schema = &document["components"]["schemas"][&name];
+        for (key, property) in schema["properties"].as_object().into_iter().flatten() {
+            let said = property["description"].as_str().unwrap_or_default();
+            let Some((quantity, _)) = SAID.iter().find(|(_, unit)| said.ends_with(unit)) else { continue };
+            let before = found.insert(key, quantity);
+            assert!(before.is_none_or(|before| before == *quantity), "{key} is a {quantity} in {name}");
+        }
+    }
+    let mut text = "\
+/** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
+/* prettier-ignore */
+export const FIGURES = {
+"
+    .to_owned();
+    for (quantity, _) in SAID {
+        let keys: Vec<&str> =
+            found.iter().filter(|(_, one)| **one == quantity).map(|(key, _)| *key).collect();
+        writeln!(text, "  {quantity}: {},", json!(keys)).unwrap();
+    }
+    text + "};\n"
 }
 
 /// A schema as TypeScript writes its type.

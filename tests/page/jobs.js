@@ -92,6 +92,12 @@ export async function shown(page, change) {
   return id;
 }
 
+/** Opens what is folded in the form. @param {Page} page */
+export const unfold = (page) =>
+  page.locator('#form details').evaluateAll((all) => {
+    for (const one of /** @type {HTMLDetailsElement[]} */ (all)) one.open = true;
+  });
+
 /** Waits until the field is drawn. @param {Page} page */
 export const drawn = (page) => page.waitForFunction(() => performance.getEntriesByName('field-drawn').length > 0);
 

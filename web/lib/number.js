@@ -1,4 +1,4 @@
-/** Numbers as people write them: decimal points and commas, grouped thousands, a unit behind. */
+/** Numbers as people write them: a decimal point or comma, digits in groups of three, a power of ten, a unit behind. */
 
 import { inJobUnits } from './units.js';
 
@@ -7,55 +7,34 @@ import { inJobUnits } from './units.js';
 /** @typedef {{value: number} | {problem: string}} Reading */
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const COMMA = /^[+-]?\d*,\d+(e[+-]?\d+)?$/i;
 /** One comma and three digits behind it: a decimal comma or a thousand. */
 const AMBIGUOUS = /^[+-]?[1-9]\d{0,2},\d{3}$/;
-/** The same of a point among decimal commas. */
-const AMBIGUOUS_POINT = /^[+-]?[1-9]\d{0,2}\.\d{3}$/;
-const DECIMAL_COMMA = /^[+-]?\d*,\d+(e[+-]?\d+)?$/i;
-const COMMA_THOUSANDS = /^[+-]?\d{1,3}(,\d{3})+(\.\d*)?(e[+-]?\d+)?$/i;
-const POINT_THOUSANDS = /^[+-]?\d{1,3}(\.\d{3})+,\d*(e[+-]?\d+)?$/i;
 
-/** What commas stand for in a text: `null` if they may be either. @param {string} text @returns {'decimal' | 'thousands' | null | undefined} */
-export function commas(text) {
+/** Whether a text is a number with a comma that cannot group thousands. @param {string} text */
+export function hasDecimalComma(text) {
   const plain = tidy(text);
-  if (!plain.includes(',')) return undefined;
-  if (AMBIGUOUS.test(plain)) return null;
-  if (DECIMAL_COMMA.test(plain) || POINT_THOUSANDS.test(plain)) return 'decimal';
-  return COMMA_THOUSANDS.test(plain) ? 'thousands' : undefined;
+  return COMMA.test(plain) && !AMBIGUOUS.test(plain);
 }
 
 /**
  * @param {string} text
- * @param {'decimal' | 'thousands'} [meaning] of commas, where it is known
+ * @param {boolean} [commas] whether numbers beside it have decimal commas
  * @returns {Reading}
  */
-export function readNumber(text, meaning) {
-  if (text.length > LONGEST) return { problem: `${quoted(text)} is not a number` };
-  const plain = tidy(text);
-  if (meaning === 'decimal' && AMBIGUOUS_POINT.test(plain)) {
-    const [whole, part] = plain.split('.');
-    return {
-      problem: `${quoted(text)} can be read as ${whole},${part} or as ${whole}${part}, where commas are decimal: write one of these`,
-    };
-  }
-  if (NUMBER.test(plain)) return valueOf(plain, text);
-  const means = meaning ?? commas(plain);
-  if (means === null) {
-    const [whole, part] = plain.split(',');
-    return { problem: `${quoted(text)} can be read as ${whole}.${part} or as ${whole}${part}: write one of these` };
-  }
-  const converted =
-    means === 'decimal' ? plain.replaceAll('.', '').replace(',', '.') : means ? plain.replaceAll(',', '') : '';
-  if (NUMBER.test(converted)) return valueOf(converted, text);
-  return { problem: `${quoted(text)} is not a number` };
-}
-
-/** @param {string} plain @param {string} text as it was typed @returns {Reading} */
-function valueOf(plain, text) {
-  const value = Number(plain);
-  if (!Number.isFinite(value)) return { problem: `${quoted(text)} is too large for a number` };
-  const vanishes = value === 0 && /[1-9]/.test(plain.replace(/e.*/i, ''));
-  return vanishes ? { problem: `${quoted(text)} is too close to 0 for a number` } : { value };
+export function readNumber(text, commas = false) {
+  const plain = text.length > LONGEST ? '' : tidy(text);
+  const refuse = (/** @type {string} */ words) => ({ problem: `${quoted(text)} ${words}` });
+  if (commas && NUMBER.test(plain) && plain.includes('.'))
+    return refuse('has a decimal point, and others have a decimal comma: write one of them');
+  if (!commas && AMBIGUOUS.test(plain))
+    return refuse(`can be read as ${plain.replace(',', '.')} or as ${plain.replace(',', '')}: write one of these`);
+  const point = COMMA.test(plain) ? plain.replace(',', '.') : plain;
+  if (!NUMBER.test(point)) return refuse('is not a number');
+  const value = Number(point);
+  if (!Number.isFinite(value)) return refuse('is too large for a number');
+  const vanishes = value === 0 && /[1-9]/.test(point.replace(/e.*/i, ''));
+  return vanishes ? refuse('is too close to 0 for a number') : { value };
 }
 
 /** What stands before the unit, and the unit, where there is one. @param {string} text @returns {{digits: string, name: string}} */
@@ -71,16 +50,15 @@ export function parted(text) {
  * @param {string} text
  * @param {Quantity | undefined} quantity
  * @param {Units} units
- * @param {{unit?: string, meaning?: 'decimal' | 'thousands'}} [given] a unit where none stands behind the number; the meaning of commas
+ * @param {{unit?: string, commas?: boolean}} [given] a unit where none stands behind the number; whether commas are decimal
  * @returns {Reading}
  */
-export function readQuantity(text, quantity, units, { unit = '', meaning } = {}) {
+export function readQuantity(text, quantity, units, { unit = '', commas } = {}) {
   if (text.length > LONGEST) return readNumber(text);
   const { digits, name } = parted(text);
   // Neither is the x of 0x10 a unit.
-  if (/^x\d/i.test(name)) return readNumber(text);
-  if (!(name || unit) || !quantity) return readNumber(text, meaning);
-  const reading = readNumber(digits, meaning);
+  if (/^x\d/i.test(name) || !(name || unit) || !quantity) return readNumber(text, commas);
+  const reading = readNumber(digits, commas);
   if ('problem' in reading) return reading;
   const value = inJobUnits(reading.value, name || unit, quantity, units);
   return value === undefined ? { problem: `${quoted(name || unit)} is no unit known here for this figure` } : { value };
@@ -103,16 +81,6 @@ export function readShown(text, quantity, units, times) {
 /** A figure of a job that is one: what is typed and is no number stands in the job as text. @param {unknown} value @returns {number} */
 export const numberOf = (value) => (typeof value === 'number' ? value : NaN);
 
-/** Without the spaces that do not break, and the apostrophes, that group digits before the decimal sign. @param {string} text */
-export const groupsJoined = (text) =>
-  text.replace(/(?<![\d.,\u00a0\u2009\u202f'’])\d{1,3}(?:[\u00a0\u2009\u202f'’]\d{3})+(?!\d)/g, (number) =>
-    number.replace(/\D/g, ''),
-  );
-
-/** A number whose digits are grouped by threes, before the decimal sign, behind it or on both sides. */
-const GROUPED =
-  /^[+-]?(?:\d{1,3}(?:[\s'’]\d{3})+|\d*)(?:[.,](?:\d{3}(?:[\s'’]\d{3})*(?:[\s'’]\d{1,3})?|\d*))?(?:e[+-]?\d+)?$/i;
-
 /** Dashes that stand for a minus where a keyboard has none, or a program has put them: hyphens, short dashes, the sign itself. */
 const MINUS = /[\u2010-\u2013\u2212\ufe63\uff0d]/g;
 
@@ -130,11 +98,14 @@ const withExponents = (text) =>
     return `${digit}e${level ?? lowered}`;
   });
 
+/** Digits before the decimal sign in groups of three. */
+const GROUPED = /^[+-]?\d{1,3}(?:[\s'’]\d{3})+(?=$|[.,e])/i;
+
 /** Without what groups digits, with a plain minus and an exponent for a power of ten. @param {string} text */
-function tidy(text) {
-  const plain = withExponents(text).trim();
-  return GROUPED.test(plain) ? plain.replace(/[\s'’]/g, '') : plain;
-}
+const tidy = (text) =>
+  withExponents(text)
+    .trim()
+    .replace(GROUPED, (whole) => whole.replace(/[\s'’]/g, ''));
 
 /** Most letters of a text that are repeated in a message, and of one that may be a number. */
 const [SAID, LONGEST] = [40, 200];

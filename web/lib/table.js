@@ -1,92 +1,71 @@
-/** Tables of points as spreadsheets and instruments write them. */
+/** Tables of points as spreadsheets and instruments write them. What stands above the figures is known word for word, or refused. */
 
-import { orderCalled, unitsNamed } from './headers.js';
-import { columnsInWords, commas, groupsJoined, parted, readQuantity, withMinus } from './number.js';
-import { inJobUnits } from './units.js';
+import { columnsInWords, hasDecimalComma, quoted, readNumber, withMinus } from './number.js';
+import { inJobUnits, isUnit, unit } from './units.js';
 
 /** @typedef {import('./units.js').Quantity} Quantity */
 /** @typedef {import('./units.js').Units} Units */
-/** @typedef {import('./headers.js').Row} Row */
+/** @typedef {{number: number, cells: string[], comment: boolean}} Row a line of the text, counted from 1 */
 /** @typedef {{points: number[][], notes: string[]} | {problem: string}} Table */
 
 /** Most lines of figures that the service takes, and letters of a line of two or three of them. */
 const [MOST, LONGEST] = [10_000, 1000];
 
 /**
- * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines of words before the first numbers are
- * headers; a unit that they name, or that stands behind a number, is converted. One that is not understood is refused.
+ * Points from as many columns as there are quantities, separated by tabs, semicolons, spaces or commas. Lines above the first
+ * numbers name columns and their units.
  * @param {string} text
  * @param {Quantity[]} quantities of the columns
  * @param {Units} units of the job
- * @param {string[]} [symbols] of the columns, which headers may name in another order
+ * @param {string[]} symbols of the columns, which headers may name in another order
  * @returns {Table} `problem` names the first line at fault
  */
-export function readTable(text, quantities, units, symbols = []) {
-  const typed = withMinus(text).split(/\r\n?|\n/);
-  const long = typed.findIndex((line) => line.length > LONGEST);
+export function readTable(text, quantities, units, symbols) {
+  const lines = withMinus(text).split(/\r\n?|\n/);
+  const long = lines.findIndex((line) => line.length > LONGEST);
   if (long >= 0)
-    return { problem: `line ${long + 1} has ${typed[long].length} letters: a point has a line of its own` };
-  const lines = typed.map(groupsJoined);
+    return { problem: `line ${long + 1} has ${lines[long].length} letters: a point has a line of its own` };
   const separator = separatorOf(lines);
-  const given = withoutBlankColumns(
-    lines.map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) })).filter(({ cells }) => cells.length),
-  );
+  const rows = lines
+    .map((line, k) => ({ number: k + 1, ...cellsOf(line, separator) }))
+    .filter(({ cells }) => cells.length);
   // Whatever sign stands before a digit, it is no word: a line of figures that cannot be read is said to be one.
-  const isFigures = (/** @type {Row} */ { comment, cells }) =>
-    !comment && cells.some((cell) => /^[^\p{L}\p{N}([]*\d/u.test(cell));
-  const first = Math.max(0, given.findIndex(isFigures));
-  const called = orderCalled(given.slice(0, first), symbols);
-  if ('problem' in called) return called;
-  const { order } = called;
-  const rows = order ? given.map((row) => reordered(row, order)) : given;
-  const headers = rows.slice(0, first);
+  const first = rows.findIndex(
+    ({ comment, cells }) => !comment && cells.some((one) => /^[^\p{L}\p{N}([]*\d/u.test(one)),
+  );
+  const headers = rows.slice(0, Math.max(0, first));
   const body = rows.slice(headers.length).filter(({ comment }) => !comment);
   if (body.length > MOST) return { problem: `${body.length} lines of figures: at most ${MOST} are taken` };
-  const meanings = new Set(body.flatMap(({ cells }) => cells.map((cell) => commas(parted(cell).digits))));
-  if (meanings.has('decimal') && meanings.has('thousands'))
-    return { problem: 'Commas are decimal in some lines and group thousands in others' };
-  const meaning = meanings.has('decimal') ? 'decimal' : meanings.has('thousands') ? 'thousands' : undefined;
-  const header = unitsNamed(headers, quantities, units);
+  const header = namedBy(headers, quantities, units, symbols);
   if ('problem' in header) return header;
-  const { named } = header;
-  const counted = quantities.map((_, axis) => body.some(({ cells }) => parted(cells[axis] ?? '').name));
-  const lacking = (/** @type {string[]} */ cells) => {
-    const bare = cells.find((cell, axis) => counted[axis] && !named[axis] && !parted(cell).name && /[1-9]/.test(cell));
-    return bare && { problem: `“${bare}” has no unit, and others of its column have one` };
-  };
-  const points = /** @type {number[][]} */ ([]);
-  const problems = [];
-  for (const { number, cells } of body) {
-    const readings = cells.map((cell, axis) =>
-      cell
-        ? readQuantity(cell, quantities[axis], units, { unit: named[axis], meaning })
-        : { problem: `column ${axis + 1} is empty` },
-    );
-    const fault = readings.find((reading) => 'problem' in reading) ?? lacking(cells);
+  const { order, named } = header;
+  const commas = body.some(({ cells }) => cells.some(hasDecimalComma));
+  const problems = /** @type {string[]} */ ([]);
+  const points = body.map(({ number, cells }) => {
+    const readings = cells.map((cell) => readNumber(cell, commas));
+    const fault = readings.find((reading) => 'problem' in reading);
     if (fault && 'problem' in fault) problems.push(`line ${number}: ${fault.problem}`);
     else if (cells.length !== quantities.length)
-      problems.push(
-        `line ${number} has ${cells.length} column${cells.length === 1 ? '' : 's'}, not ${columnsInWords(quantities.length)}`,
-      );
-    else points.push(readings.map((reading) => ('value' in reading ? reading.value : NaN)));
-  }
-  if (problems.length) return { problem: problems[0] + more(problems.length - 1) };
-  const skipped = headers.filter(({ comment }) => !comment).length;
-  const notes = skipped ? [`${skipped} header line${skipped === 1 ? '' : 's'} skipped`] : [];
-  if (order) notes.push('columns taken by their names');
-  if (meaning === 'decimal') notes.push('decimal commas read');
+      problems.push(`line ${number} has ${counted(cells.length, 'column')}, not ${columnsInWords(quantities.length)}`);
+    return order.map((k, axis) => {
+      const reading = readings[k];
+      const value = reading && 'value' in reading ? reading.value : NaN;
+      return inJobUnits(value, named[axis], quantities[axis], units) ?? value;
+    });
+  });
+  const [fault, ...more] = problems;
+  if (fault) return { problem: more.length ? `${fault} (and ${counted(more.length, 'more line')})` : fault };
+  const notes = headers.length ? [`${counted(headers.length, 'header line')} read`] : [];
+  if (order.some((k, axis) => k !== axis)) notes.push('columns taken by their names');
+  if (commas) notes.push('decimal commas read');
   for (const [axis, name] of named.entries())
     if (name && inJobUnits(1, name, quantities[axis], units) !== 1)
-      notes.push(`column ${axis + 1} converted from ${name}`);
+      notes.push(`column ${order[axis] + 1} converted from ${name}`);
   return { points, notes };
 }
 
-/** @param {Row} row @param {number[]} order @returns {Row} with its cells in another order, if it has as many */
-const reordered = (row, order) =>
-  row.cells.length === order.length ? { ...row, cells: order.map((k) => row.cells[k]) } : row;
-
-/** @param {number} count of further lines at fault */
-const more = (count) => (count === 0 ? '' : ` (and ${count} more line${count === 1 ? '' : 's'})`);
+/** @param {number} count @param {string} what */
+const counted = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 /** @param {string[]} lines @returns {RegExp} */
 function separatorOf(lines) {
@@ -96,25 +75,89 @@ function separatorOf(lines) {
   return lines.some((line) => /\d,\s+[+-]?[.,]?\d/.test(line)) ? /,\s+|\s+/ : /\s+/;
 }
 
-/** The cells of a line up to the last one that is not empty; a unit in brackets belongs to the word before it. @param {string} line @param {RegExp} separator */
+/** The cells of a line; a unit in brackets belongs to the word before it. @param {string} line @param {RegExp} separator */
 function cellsOf(line, separator) {
   const [sign] = /^\s*(#|%(?!\s*[;,\t])|\/\/)/.exec(line) ?? [''];
-  const bare = line.slice(sign.length);
+  const bare = line.slice(sign.length).trim();
   const cells = (separator.test(' ') ? bare.replace(/(\S)\s+(?=[[(][^\])]*[\])])/g, '$1\u0000') : bare)
-    .trimEnd()
-    .replace(sign && /^\s+/, '')
     .split(separator)
-    .map((cell) =>
-      cell
-        .replaceAll('\u0000', ' ')
-        .trim()
-        .replace(/^"(.*)"$/, '$1'),
-    );
+    .map((cell) => cell.replace('\u0000', ' ').trim().replace(/^"(.*)"$/, '$1')); // prettier-ignore
   return { comment: sign !== '', cells: cells.slice(0, cells.findLastIndex(Boolean) + 1) };
 }
 
-/** Without the columns that are empty in every line. @param {Row[]} rows @returns {Row[]} */
-function withoutBlankColumns(rows) {
-  const isBlank = (/** @type {number} */ axis) => rows.every(({ cells }) => !cells[axis]);
-  return rows.map(({ cells, ...row }) => ({ ...row, cells: cells.filter((_, axis) => !isBlank(axis)) }));
+const STRESS = '(residual)?(σ|s|sig|sigma|stress)';
+/** What columns are called, by their symbols; small letters without spaces, dots and dashes. @type {Record<string, RegExp>} */
+const CALLED = {
+  x: /^(x|r|position|distance)$/,
+  height: /^(h|y|z|height|depth|profile)$/,
+  z: /^(z|depth|tiefe)$/,
+  HV: /^(hardness|härte|vickers)*((hv|vhn|dph|dpn)[\d,/]*)?$/,
+  factor: /^factor$/,
+  σ_x: new RegExp(`^${STRESS}(x|xx|11)$`),
+  σ_z: new RegExp(`^${STRESS}(z|zz|33)$`),
+  σ_r: new RegExp(`^${STRESS}(r|rr|11)$`),
+  σ_θ: new RegExp(`^${STRESS}(θ|θθ|t|33)$`),
+  ε_p: /^(true|plastic|total|eng|engineering)*(ε|eps|epsilon|strain)p?$/,
+  q: /^(true|eng|engineering|flow|vonmises)*(σ|sig|sigma|stress|q)$/,
+  C: /^(c|modulus)$/,
+  γ: /^(γ|gamma|rate)$/,
+};
+
+/** Other scales of hardness than that of Vickers, whose figures look alike. */
+const OTHER_SCALE = /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
+
+/** Name and unit of a header: the unit in brackets, or behind the last words. @param {string} header @returns {[name: string, unit: string]} */
+function partsOf(header) {
+  const [, before, bracketed] = /^(.*?)\s*[[(]\s*([^\])]+?)\s*[\])]$/.exec(header) ?? [];
+  if (bracketed) return [before, bracketed];
+  const start = [0, ...[...header.matchAll(/[\s/,_]/g)].map(({ index }) => index + 1)];
+  const at = start.find((from) => isUnit(header.slice(from).trim()));
+  return at === undefined
+    ? [header, '']
+    : [header.slice(0, at).replace(/(\sin)?[\s/,_]*$/, ''), header.slice(at).trim()];
+}
+
+/** Whether a line has plain words alone, none of them a unit. @param {string} line */
+const isTitle = (line) => /^[\p{L}\s.,:;()-]+$/u.test(line) && !line.split(/[^\p{L}]+/u).some(isUnit);
+
+/**
+ * What the lines above the figures say: for each wanted column the one of the text, and its unit.
+ * @param {Row[]} headers @param {Quantity[]} quantities @param {Units} units of the job @param {string[]} symbols
+ * @returns {{order: number[], named: string[]} | {problem: string}}
+ */
+function namedBy(headers, quantities, units, symbols) {
+  let order = quantities.map((_, axis) => axis);
+  const named = quantities.map(() => '');
+  const example = quantities.map(
+    (one, axis) => `${symbols[axis].replace('_', '')}${unit(one, units) && ` [${unit(one, units)}]`}`,
+  );
+  for (const { number, cells } of headers) {
+    const refuse = (/** @type {string} */ text, /** @type {string} */ words) => ({
+      problem: `line ${number}: ${quoted(text)} ${words}. The names of the columns are ${example.join(', ')}; other lines above the figures are to be left out`,
+    });
+    const scale = quantities.includes('hardness') && OTHER_SCALE.exec(cells.join(' '))?.[0];
+    if (scale) return { problem: `line ${number}: “${scale}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265` }; // prettier-ignore
+    if (cells.length !== quantities.length) {
+      if (isTitle(cells.join(' '))) continue;
+      return refuse(cells.join(' '), 'is not known here');
+    }
+    const parts = cells.map(partsOf);
+    const axes = parts.map(([name], k) => {
+      const plain = name.toLowerCase().replace(/[\s_.:-]/g, '');
+      const isCalled = (/** @type {number} */ axis) => CALLED[symbols[axis]]?.test(plain);
+      return !plain || isCalled(order[k]) ? order[k] : symbols.findIndex((_, axis) => isCalled(axis));
+    });
+    const strange = axes.findIndex((axis, k) => axis < 0 || axes.indexOf(axis) < k);
+    if (strange >= 0) return refuse(cells[strange], 'is not known here');
+    for (const [k, [, name]] of parts.entries()) {
+      const axis = axes[k];
+      if (name && inJobUnits(1, name, quantities[axis], units) === undefined)
+        return refuse(name, `is no unit known here for column ${k + 1}`);
+      if (name && named[axis] && named[axis] !== name)
+        return refuse(name, `is not “${named[axis]}” as in a line above`);
+      named[axis] ||= name;
+    }
+    order = order.map((_, axis) => axes.indexOf(axis));
+  }
+  return { order, named };
 }

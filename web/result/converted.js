@@ -1,61 +1,20 @@
 /** A result in other units: what each of its figures is, and the same figure in the units that are shown. */
 
 import { energyOf, factor, forceOf, setOf, stiffnessOf } from '../lib/units.js';
+import { FIGURES } from '../setup/tables.js';
 
 /** @typedef {import('../lib/units.js').Quantity} Quantity */
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
 /** @typedef {'load' | 'slope' | 'energy'} OfAnalysis quantities whose units depend on the analysis */
 
 /** What each figure of a result is. Keys that are not listed have no unit. @type {Record<string, Quantity | OfAnalysis>} */
-export const QUANTITIES = {
-  ...named('length', [
-    'approach',
-    'half_width',
-    'peak_position',
-    'left',
-    'right',
-    'x',
-    'gap',
-    'depth',
-    'position',
-    'outline',
-    'spacing',
-    'yield_onset_depth',
-    'shakedown_depth',
-    'height',
-    'pile_up',
-    'pile_up_position',
-    'permanent_approach',
-    'dent_depth',
-  ]),
-  ...named('stress', [
-    'peak_pressure',
-    'mean_pressure',
-    'pressure',
-    'sigma_x',
-    'sigma_y',
-    'sigma_z',
-    'initial_sigma_x',
-    'initial_sigma_y',
-    'initial_sigma_z',
-    'tau_max',
-    'tau_xy',
-    'von_mises',
-    'yield_stress',
-    'shakedown_pressure',
-  ]),
-  ...named('load', ['force', 'yield_onset_force']),
-  ...named('slope', ['contact_stiffness', 'stiffness', 'unloading_stiffness']),
-  ...named('area', ['area', 'reverse_area']),
-  ...named('energy', ['work', 'elastic', 'plastic', 'stored', 'dissipated']),
-};
+export const QUANTITIES = Object.fromEntries(
+  Object.entries(FIGURES).flatMap(([quantity, keys]) =>
+    keys.map((key) => [key, /** @type {Quantity | OfAnalysis} */ (quantity)]),
+  ),
+);
 /** Parts without units: relative errors, times, meshes whose figures are converted where they are read. */
 export const LEFT = new Set(['estimated_error', 'timings_ms', 'fields', 'tags', 'validity']);
-
-/** @param {Quantity | OfAnalysis} quantity @param {string[]} keys */
-function named(quantity, keys) {
-  return Object.fromEntries(keys.map((key) => [key, quantity]));
-}
 
 /**
  * A result in other units.

@@ -48,6 +48,8 @@ export class Form {
   /** Those that there were before the form was built last. @type {Map<string, Made>} */
   #before = new Map();
   #shape = '';
+  /** Whether there is something not as usual below the fields that every body has. */
+  #unusual = { upper: false, lower: false };
   /** What the service has said of each field, and of which value. @type {Map<string, {message: string, of: unknown}>} */
   #reported = new Map();
 
@@ -159,9 +161,15 @@ export class Form {
       if (quantity) entry.setUnit(unit(quantity, units));
       if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
+    const alike = pointer.same(job.upper, job.lower);
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       this.materials[body].show();
       this.#showPreview(body);
+      this.parts[body].copy.hidden = alike;
+      // What is not as usual is seen, until somebody closes it.
+      const unusual = isUnusual(job[body]);
+      if (unusual && !this.#unusual[body]) this.parts[body].more.open = true;
+      this.#unusual[body] = unusual;
     }
     this.#showErrors();
   }
@@ -184,8 +192,14 @@ export class Form {
         this.#readAgain();
       }),
     ]);
-    arrange(this.parts.upper, this.#body('upper'));
-    arrange(this.parts.lower, this.#body('lower'));
+    for (const body of /** @type {const} */ (['upper', 'lower'])) {
+      const { fields, more, rare } = this.parts[body];
+      arrange(fields, this.#body(body));
+      arrange(rare, this.#rare(body));
+      const law = lawOf(this.draft.job[body]?.material);
+      const words = ['Support', LAWS[law]?.fields.length && 'strength over depth', law !== 'rigid' && 'initial stress'];
+      /** @type {HTMLElement} */ (more.firstChild).textContent = words.filter(Boolean).join(', ');
+    }
     arrange(this.parts.load, this.#load());
     arrange(
       this.parts.settings,
@@ -197,25 +211,28 @@ export class Form {
   /** What holds the fields, and stays when they change. */
   #layOut() {
     const grid = () => h('div', { class: 'grid' });
-    const parts = {
-      general: h('div', { class: 'pair' }),
-      upper: grid(),
-      lower: grid(),
-      load: grid(),
-      settings: grid(),
-    };
-    const body = (/** @type {Body} */ own, /** @type {Body} */ other, /** @type {string} */ title) => {
-      const copy = () => {
+    const body = (/** @type {Body} */ own, /** @type {Body} */ other) => {
+      const take = () => {
         this.kinds.forget(`/${own}/`);
         this.draft.set(`/${own}`, structuredClone(this.draft.job[other]), SOURCE);
       };
-      const button = h('button', { type: 'button', class: 'plain', onclick: copy }, `same as ${other}`);
-      return h('fieldset', {}, h('legend', {}, title, button), parts[own]);
+      const [fields, rare] = [grid(), grid()];
+      const copy = h('button', { type: 'button', class: 'plain', onclick: take }, `same as ${other}`);
+      return { fields, rare, copy, more: h('details', {}, h('summary'), rare) };
     };
+    const parts = {
+      general: h('div', { class: 'pair' }),
+      upper: body('upper', 'lower'),
+      lower: body('lower', 'upper'),
+      load: grid(),
+      settings: grid(),
+    };
+    const fieldset = (/** @type {ReturnType<typeof body>} */ { fields, more, copy }, /** @type {string} */ title) =>
+      h('fieldset', {}, h('legend', {}, title, copy), fields, more);
     this.root.replaceChildren(
       parts.general,
-      body('upper', 'lower', 'Upper body'),
-      body('lower', 'upper', 'Lower body'),
+      fieldset(parts.upper, 'Upper body'),
+      fieldset(parts.lower, 'Lower body'),
       h('fieldset', {}, h('legend', {}, 'Load'), parts.load),
       h('details', {}, h('summary', {}, 'Mesh, solver, output, tags'), parts.settings),
     );
@@ -229,23 +246,30 @@ export class Form {
     const at = `/${body}`;
     const law = lawOf(material);
     const laws = Object.fromEntries(Object.entries(LAWS).map(([key, { label }]) => [key, label]));
-    const { shape: ofShape, curve, stress } = this.previews[body];
+    const { shape: ofShape, curve } = this.previews[body];
     return [
       this.#choice(`${at}/shape/type`, 'Shape', shapesFor(job.analysis, shape?.type), (type) =>
         this.kinds.useShape(body, String(type)),
       ),
       ...(SHAPES[shape?.type]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
       ofShape,
-      this.#choice(`${at}/support`, 'Support', SUPPORTS),
       ...this.materials[body].elements,
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
       this.#choice(`${at}/material/law`, 'Hardening', laws, (law) => this.kinds.useLaw(body, String(law))),
       ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
-      ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
       ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
       curve,
+    ];
+  }
+
+  /** Fields that few bodies need. @param {Body} body */
+  #rare(body) {
+    const law = lawOf(this.draft.job[body]?.material);
+    return [
+      this.#choice(`/${body}/support`, 'Support', SUPPORTS),
+      ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
       ...(law === 'rigid' ? [] : this.#initialStress(body)),
-      stress,
+      this.previews[body].stress,
     ];
   }
 
@@ -372,6 +396,12 @@ function previews(body) {
   const place = (/** @type {string} */ name) => h('div', { 'data-preview': `${body}-${name}` });
   return { shape: place('shape'), curve: place('curve'), stress: place('stress') };
 }
+
+/** Whether a body has something in the fields that few need. @param {Record<string, any> | undefined} body */
+const isUnusual = (body) =>
+  (body?.support ?? 'clamped') !== 'clamped' ||
+  overDepthOf(body?.material) !== 'uniform' ||
+  hasInitialStress(body?.material);
 
 /** What the field of a place shows: a part of the job, or which of its kinds it is. @param {import('../types.js').Job} job @param {string} place */
 function valueIn(job, place) {

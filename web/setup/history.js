@@ -4,7 +4,7 @@ import { h } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
 import { same } from '../lib/pointer.js';
 import { exact } from '../lib/units.js';
-import { LONGEST, partsOf, readParts, tooLong } from './list.js';
+import { LONGEST, partsOf, readParts, unclear } from './list.js';
 import { written } from './written.js';
 
 /** @typedef {{force: number} | {approach: number}} HistoryLoad */
@@ -84,8 +84,8 @@ export function historyWords(history, units, { few = FEW, is = ' ' } = {}) {
  * @returns {{loads: HistoryLoad[]} | {problem: string}}
  */
 export function readHistory(text, force, units) {
-  const long = tooLong(text);
-  if (long) return long;
+  const refused = unclear(text);
+  if (refused) return refused;
   const parts = partsOf(text).map((part) => {
     const far = APPROACH.exec(part)?.[1];
     return far

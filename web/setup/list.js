@@ -1,7 +1,7 @@
 /** Several numbers in one field: separated by spaces, semicolons, arrows, or commas with a space; or a range. */
 
 import { h } from '../lib/dom.js';
-import { commas, groupsJoined, parted, quoted, readQuantity, withMinus } from '../lib/number.js';
+import { hasDecimalComma, parted, quoted, readQuantity, withMinus } from '../lib/number.js';
 import { exact, inJobUnits } from '../lib/units.js';
 import { written } from './written.js';
 
@@ -15,22 +15,24 @@ const MOST = 1000;
 /** Most letters of a text that may be as many. */
 export const LONGEST = 50_000;
 
-/** @param {string} text @returns {{problem: string} | undefined} where it is more than numbers in a field are */
-export const tooLong = (text) =>
-  text.length > LONGEST
-    ? { problem: `${quoted(text)} and so on is too long: at most ${MOST} numbers are taken` }
-    : undefined;
+/** Digits that may belong together or not: groups of three with a space or an apostrophe, and commas with nothing else between numbers. */
+const UNCLEAR = /\d(?:[\u00a0\u2009\u202f'’]\d{3}|\s+0\d\d)(?!\d)|^\D*[1-9]\d*(?:,\d+)+\D*$/;
 
-/** Numbers between which nothing but spaces that do not break or are thin stands: one number in groups, or several as a document has them. */
-const UNBROKEN =
-  /^\s*[α\d.,+\-\u00a0\u2009\u202f]*\d{1,3}[\u00a0\u2009\u202f]\d{3}(?!\d)[\d.,\u00a0\u2009\u202f]*(?:\s*[^\d\s].*)?$/;
+/** @param {string} text @returns {{problem: string} | undefined} why it is not clear which numbers it has */
+export function unclear(text) {
+  if (text.length > LONGEST)
+    return { problem: `${quoted(text)} and so on is too long: at most ${MOST} numbers are taken` };
+  return UNCLEAR.test(text)
+    ? {
+        problem: `${quoted(text)} can be one number or several: put a space between numbers, none within, and a point for decimals`,
+      }
+    : undefined;
+}
 
 /** @param {string} text @returns {string[]} numbers as they are typed, each with the word behind it */
 export function partsOf(text) {
-  const plain = withMinus(text);
-  if (UNBROKEN.test(plain)) return [plain.trim()];
   const parts = /** @type {string[]} */ ([]);
-  for (const part of groupsJoined(plain)
+  for (const part of withMinus(text)
     .replace(/α\s+/g, 'α')
     .replace(/[-=]>/g, '→')
     .split(/\s*[;→]\s*|\s*,\s+|\s+,\s*|\s+/)
@@ -60,45 +62,17 @@ export function readParts(parts, units, name = 'number') {
       return { problem: 'write the unit behind each number, or behind the last one for all' };
     shared.set(quantity, !each && quantity && inJobUnits(1, last, quantity, units) ? last : '');
   }
+  const commas = parts.some(({ text }) => hasDecimalComma(parted(text).digits));
   const values = [];
   const problems = [];
-  const decimal = parts.some(({ text }) => commas(parted(text).digits) === 'decimal');
   for (const [k, { text, quantity }] of parts.entries()) {
-    const problem = severalIn(text, parts.length === 1, parts[k - 1]?.text ?? '');
-    const reading = problem
-      ? { problem }
-      : readQuantity(text, quantity, units, {
-          unit: shared.get(quantity),
-          meaning: decimal ? 'decimal' : undefined,
-        });
+    const reading = readQuantity(text, quantity, units, { unit: shared.get(quantity), commas });
     if ('problem' in reading)
       problems.push(parts.length > 1 ? `${name} ${k + 1}: ${reading.problem}` : reading.problem);
     else values.push(reading.value);
   }
   const [first, ...more] = problems;
   return first ? { problem: more.length ? `${first} (and ${more.length} more)` : first } : { values };
-}
-
-/**
- * What may be one number or several.
- * @param {string} text
- * @param {boolean} alone whether it is all there is
- * @param {string} before the number before it
- * @returns {string | undefined} what is not clear about it
- */
-function severalIn(text, alone, before) {
-  const { digits } = parted(text);
-  if (/[\u00a0\u2009\u202f]/.test(digits))
-    return `${quoted(digits)} can be one number or several: put plain spaces between numbers, and none within`;
-  const commas = digits.match(/\d,(?=\d)/g)?.length ?? 0;
-  if (commas > 1) return `${quoted(digits)} can be one number or several: put spaces between numbers`;
-  if (commas === 1 && alone && !/^\D*0,/.test(digits) && !digits.includes('.')) {
-    const [left, right] = digits.split(',');
-    return `${quoted(digits)} can be one number or two: write ${left}.${right}, or ${left} ${right}`;
-  }
-  return /^[+-]?\d{1,3}$/.test(before) && /^0\d\d([.,]\d*)?$/.test(digits)
-    ? `“${before} ${digits}” can be one number or two: write ${before}${digits} without a space`
-    : undefined;
 }
 
 /**
@@ -113,14 +87,14 @@ export function readList(text, quantity, units) {
       parts.map((part) => ({ text: part, quantity })),
       units,
     );
-  const long = tooLong(text);
-  if (long) return long;
+  const refused = unclear(text);
+  if (refused) return refused;
   if (!/…|\.\./.test(text)) return read(partsOf(text));
   const [, from, to, count] = /^\s*(.+?)\s*(?:…|\.{2,3})\s*(.+?)\s*\/\s*(\d+)\s*$/.exec(text) ?? [];
   if (!count) return { problem: 'a range is written as 100…1200/12: from, to, how many' };
   const many = Number(count);
   if (many < 2 || many > MOST) return { problem: `a range has 2 to ${MOST} numbers, not ${count}` };
-  const ends = read([from, to].map(groupsJoined));
+  const ends = read([from, to]);
   if ('problem' in ends) return ends;
   const [first, last] = ends.values;
   const step = (last - first) / (many - 1);

@@ -1,6 +1,7 @@
 /** The choice of a material for a body, and what one does with it: from a hardness, kept as one's own, forgotten. */
 
 import { h, toast } from '../lib/dom.js';
+import { toolbar } from '../lib/toolbar.js';
 import { unitsOf } from '../lib/units.js';
 import { symbol } from './entry.js';
 import { allMaterials, askHardness, askToForget, askToKeep, ownMaterials } from './library.js';
@@ -32,12 +33,15 @@ export class MaterialChoice {
     this.origin = h('p', { class: 'source', 'data-source': body });
     this.elements = [
       h('div', { class: 'entry choice' }, h('label', {}, 'Material', h('span', { class: 'value' }, this.select))),
-      h(
-        'div',
-        { class: 'bar beside' },
-        button('From hardness…', () => askHardness((material) => this.#use({ material }))),
-        button('Keep as own…', () => this.#keep()),
-        this.drop,
+      toolbar(
+        h(
+          'div',
+          { class: 'bar beside' },
+          button('From hardness…', () => askHardness((material) => this.#use({ material }))),
+          button('Keep as own…', () => this.#keep()),
+          this.drop,
+        ),
+        'Material',
       ),
       this.origin,
     ];

@@ -25,7 +25,7 @@ export function pointsControl(field, id, change, { units, parent }) {
   const quantities = field.columns ?? ['number', 'number'];
   const input = h('textarea', { id, rows: 5, spellcheck: 'false', autocomplete: 'off' });
   const note = h('p', { class: 'note', role: 'status' });
-  const table = (/** @type {string} */ text) => readTable(text, quantities, units(), field.symbol?.split(', '));
+  const table = (/** @type {string} */ text) => readTable(text, quantities, units(), field.symbol?.split(', ') ?? []);
   // A table at fault stays in the draft as its text, and is refused there.
   const read = () => {
     const result = table(input.value);

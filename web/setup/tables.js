@@ -191,3 +191,14 @@ export const OVER_DEPTH = {
 /* prettier-ignore */
 /** @type {import('./fields.js').Field} */
 export const INITIAL_STRESS = {"columns":["length","stress","stress"],"description":"Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.","key":"initial_stress","kind":"terms","label":"Initial stress","members":["depth","sigma_x","sigma_z"],"optional":true,"symbol":"z, σ_x, σ_z"};
+
+/** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
+/* prettier-ignore */
+export const FIGURES = {
+  length: ["approach","depth","displacement","gap","half_width","height","left","nodes","outline","peak_position","pile_up","pile_up_position","position","right","shakedown_depth","spacing","x","yield_onset_depth"],
+  stress: ["initial_sigma_x","initial_sigma_y","initial_sigma_z","mean_pressure","peak_pressure","pressure","shakedown_pressure","sigma_x","sigma_y","sigma_z","tau_max","tau_xy","von_mises","yield_stress"],
+  load: ["force","yield_onset_force"],
+  slope: ["contact_stiffness","stiffness","unloading_stiffness"],
+  area: ["area","reverse_area"],
+  energy: ["dissipated","elastic","plastic","stored","work"],
+};

@@ -145,8 +145,8 @@ fn framed(
     style: Style,
 ) -> String {
     let legend = if has_hertz { "line: this contact, dots: Hertz" } else { "" };
-    let mut text =
-        format!("{:>LABEL$}  {}\n", "pressure", style.dim(&format!("[{}] {legend}", names.stress)));
+    let head = format!("[{}] {legend}", names.stress);
+    let mut text = format!("{:>LABEL$}  {}\n", "pressure", style.dim(head.trim_end()));
     for (row, cells) in cells.iter().enumerate() {
         let label = match row {
             0 => short(scale.top),

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { PHONE, WIDE, suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, shown, solved, unfold } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -41,7 +41,7 @@ for (const [size, options] of /** @type {const} */ ([
         const found = [];
         await page.getByText('1500.0 MPa').waitFor();
         found.push(...(await violations(page, 'set-up')));
-        await page.getByText('Mesh, solver, output, tags').click();
+        await unfold(page);
         await page.getByLabel('Shape').first().selectOption('profile');
         await page.getByLabel('Hardening').first().selectOption('table');
         await page.locator('[data-place="/load/force"]').getByRole('button', { name: 'Slider' }).click();

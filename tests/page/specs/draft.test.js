@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { draft } from '../jobs.js';
+import { draft, unfold } from '../jobs.js';
 
 const service = suite();
 
@@ -122,6 +122,7 @@ service.test('two tags of one name are refused, and one without a name', async (
 });
 
 service.test('the onset of Hertz says that it does not know stress before the load', async (page) => {
+  await unfold(page);
   await page.locator('[data-place="/lower/material/stress_kind"] select').selectOption('given');
   await page.locator('#check').getByText('not known beside stress before the load').waitFor();
 });

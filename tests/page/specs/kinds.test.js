@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { suite } from '../browser.js';
-import { draft, follow, sent } from '../jobs.js';
+import { draft, follow, sent, unfold } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -12,7 +12,10 @@ const service = suite();
 const field = (page, place) => page.locator(`[data-place="${place}"] :is(input[type=text], select, textarea)`);
 
 /** @param {Page} page @param {string} place @param {string} value */
-const choose = (page, place, value) => field(page, place).selectOption(value);
+const choose = async (page, place, value) => {
+  await unfold(page);
+  await field(page, place).selectOption(value);
+};
 
 service.test('typical figures are in the units that the job has now', async (page) => {
   const millimetres = /** @type {Record<string, any>} */ ({});

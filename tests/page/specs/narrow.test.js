@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { PHONE, suite } from '../browser.js';
-import { drawn, follow, shown, solved } from '../jobs.js';
+import { drawn, follow, shown, solved, unfold } from '../jobs.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -43,9 +43,9 @@ service.test(
     }
     await shapes.selectOption('cylinder');
     await page.getByLabel('Hardening').first().selectOption('table');
+    await unfold(page);
     await page.getByLabel('Strength over depth').first().selectOption({ index: 1 });
     await page.getByLabel('Initial stress').first().selectOption('given');
-    await page.getByText('Mesh, solver, output, tags').click();
     assert.deepEqual(await beyond(page), []);
   },
   NARROW,
@@ -94,6 +94,22 @@ service.test(
     });
     await shown(page, {});
     assert.deepEqual(await page.evaluate('seen'), [{ behavior: 'auto' }]);
+  },
+  PHONE,
+);
+
+service.test(
+  'Solve stays in reach while the form is gone through',
+  async (page) => {
+    const solve = page.getByRole('button', { name: 'Solve', exact: true });
+    for (const place of ['/analysis', '/upper/shape/radius', '/lower/material/young_modulus', '/load/force']) {
+      const field = page.locator(`[data-place="${place}"] :is(input[type=text], select)`);
+      await field.scrollIntoViewIfNeeded();
+      await field.focus();
+      const [seen, button] = await Promise.all([field.boundingBox(), solve.boundingBox()]);
+      assert.ok(seen && button && button.y >= 0 && button.y + button.height <= 844, `${place}: ${button?.y}`);
+      assert.ok(seen.y + seen.height <= button.y, `${place} is not behind the bar with Solve`);
+    }
   },
   PHONE,
 );

@@ -10,6 +10,11 @@ fn units(report: &Report) -> Units {
     if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
 }
 
+/// Places along the surface: the distance from the axis in axisymmetry.
+fn abscissa(report: &Report) -> &'static str {
+    if report.analysis == "axisymmetric" { "r" } else { "x" }
+}
+
 /// One row of figures for each step, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
 pub fn summary_csv(report: &Report) -> String {
     let units = units(report);
@@ -92,7 +97,7 @@ pub fn pressure_csv(report: &Report) -> String {
     text
 }
 
-/// `step, body, depth, stresses, plastic strain` along the normal below the peak pressure.
+/// `step, body, depth, stresses, plastic strain` along the normal below the peak pressure, and at the end where that is.
 ///
 /// # Errors
 /// [`ExportError::NoSubsurface`] where the job did not ask for it.
@@ -120,12 +125,13 @@ pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
             let _ = write!(text, ",initial_sigma_{name} [{stress}]");
         }
     }
-    text.push('\n');
+    let _ = writeln!(text, ",{} [{length}]", abscissa(report));
     for (k, step) in report.steps.iter().enumerate() {
         let Some(bodies) = &step.subsurface else { continue };
         for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
             let Some(body) = body else { continue };
-            write_profile(&mut text, k + 1, name, body, (graded, stressed));
+            let place = step.contact.peak_position;
+            write_profile(&mut text, (k + 1, name, place), body, (graded, stressed));
         }
     }
     Ok(text)
@@ -181,8 +187,7 @@ pub fn surface_csv(report: &Report) -> Result<String, ExportError> {
 /// A body whose strength does not vary, or without initial stress, leaves the columns of those that have them empty.
 fn write_profile(
     text: &mut String,
-    step: usize,
-    name: &str,
+    (step, name, place): (usize, &str, f64),
     body: &SubsurfaceReport,
     (graded, stressed): (bool, bool),
 ) {
@@ -205,6 +210,6 @@ fn write_profile(
             let value = column.as_ref().and_then(|column| column.get(k));
             let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }
-        text.push('\n');
+        let _ = writeln!(text, ",{place}");
     }
 }

@@ -35,10 +35,9 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
     let highest = curves.iter().flat_map(|curve| &curve.points).map(|p| p.1).fold(0.0, f64::max);
     let left = nodes.x.first().copied().unwrap_or(-1.0);
     let right = nodes.x.last().copied().unwrap_or(1.0);
-    let abscissa = if job.analysis == Analysis::Axisymmetric { "radius r" } else { "x" };
     Chart {
         title: "Contact pressure".to_owned(),
-        x_label: format!("{abscissa} [{length}]"),
+        x_label: format!("{} [{length}]", abscissa(job)),
         y_label: format!("pressure [{stress}]"),
         x_range: (left, right),
         y_range: (0.0, if highest > 0.0 { 1.08 * highest } else { 1.0 }),
@@ -47,6 +46,11 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         band: None,
     }
     .svg()
+}
+
+/// Places along the surface.
+fn abscissa(job: &Job) -> &'static str {
+    if job.analysis == Analysis::Axisymmetric { "radius r" } else { "x" }
 }
 
 fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
@@ -229,7 +233,7 @@ pub fn surface_svg(job: &Job, report: &Report, step: usize) -> Result<String, Ex
     let is_dent = step.contact.force == 0.0;
     Chart {
         title: if is_dent { "Residual profile" } else { "Surfaces under load" }.to_owned(),
-        x_label: format!("x [{length}]"),
+        x_label: format!("{} [{length}]", abscissa(job)),
         y_label: format!("height over the undeformed surface [{length}]"),
         x_range,
         y_range,

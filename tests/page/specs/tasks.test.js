@@ -1,0 +1,229 @@
+/**
+ * Eight tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions, seconds and stumbles of each, which
+ * `docs/notes/page_tasks.md` has. An action is a press, a choice, a text that is typed or pasted. A stumble is an answer that is not
+ * among the first tiles, or not seen without scrolling, and a message that refuses something.
+ */
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { suite } from '../browser.js';
+import { draft } from '../jobs.js';
+
+/** @typedef {import('playwright-core').Page} Page */
+/** @typedef {import('playwright-core').Locator} Locator */
+
+const service = suite();
+
+/** Tiles among which the answer is looked for. */
+const FIRST = 4;
+
+/** One who sits before the page. */
+class User {
+  actions = 0;
+  /** @type {string[]} */
+  stumbles = [];
+  begun = performance.now();
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+  }
+
+  /** What is refused, or has to be told by a passing message, is a stumble. */
+  async #look() {
+    this.actions += 1;
+    for (const one of await this.page.locator('.error:visible, .said:visible').allInnerTexts())
+      if (one.trim()) this.stumbles.push(one);
+  }
+
+  /** @param {string} name @param {import('playwright-core').Locator | Page} [within] */
+  async press(name, within = this.page) {
+    await within.getByRole('button', { name, exact: true }).click();
+    await this.#look();
+  }
+
+  /** @param {Locator} box */
+  async tick(box) {
+    await box.check();
+    await this.#look();
+  }
+
+  /** @param {string} place pointer of the field @param {string} choice as it is read */
+  async choose(place, choice) {
+    await this.page.locator(`[data-place="${place}"] select`).selectOption({ label: choice });
+    await this.#look();
+  }
+
+  /** @param {string} choice of the upper body */
+  async material(choice) {
+    await this.page.locator('[data-preset=upper]').selectOption({ label: choice });
+    await this.#look();
+  }
+
+  /** @param {string} choice */
+  async example(choice) {
+    await this.page.locator('#example').selectOption({ label: choice });
+    await this.#look();
+  }
+
+  /** @param {string} place @param {string} text typed in place of what is there */
+  async type(place, text) {
+    await this.page.locator(`[data-place="${place}"] input[type=text]`).click({ clickCount: 3 });
+    await this.page.keyboard.type(text);
+    await this.#look();
+  }
+
+  /** @param {string} place @param {string} text pasted in place of what is there */
+  async paste(place, text) {
+    const area = this.page.locator(`[data-place="${place}"] textarea`);
+    await area.click();
+    await this.page.keyboard.press('Control+A');
+    await area.evaluate((area, text) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text', text);
+      area.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+    }, text);
+    await this.#look();
+  }
+
+  async solve() {
+    await this.press('Solve');
+    await this.page.locator('[data-status=succeeded]').waitFor();
+    await this.page.locator('#panel-figures tbody tr').first().waitFor();
+  }
+
+  /** Reads the tile of this name. @param {string} name @returns {Promise<string>} */
+  async reads(name) {
+    const tiles = this.page.locator('#headline dl > div');
+    const names = await tiles.locator('dt').allInnerTexts();
+    const at = names.findIndex((one) => one.startsWith(name));
+    assert.ok(at >= 0, `“${name}” is not among ${names.join(', ')}`);
+    if (at >= FIRST) this.stumbles.push(`“${name}” is tile ${at + 1}`);
+    const box = await tiles.nth(at).boundingBox();
+    const { height } = this.page.viewportSize() ?? { height: 0 };
+    if (!box || box.y < 0 || box.y + box.height > height) this.stumbles.push(`“${name}” is not seen without scrolling`);
+    return tiles.nth(at).innerText();
+  }
+}
+
+/** @type {[name: string, actions: number, work: (user: User, page: Page) => Promise<void>][]} */
+const TASKS = [
+  [
+    'reference problem',
+    1,
+    async (user) => {
+      await user.solve();
+      assert.match(await user.reads('Peak pressure'), /1182\.4/);
+    },
+  ],
+  [
+    'ball on flat, dent and residual stress',
+    6,
+    async (user, page) => {
+      await user.choose('/analysis', 'Axisymmetric');
+      await user.type('/upper/shape/radius', '5');
+      await user.choose('/lower/shape/type', 'Block');
+      await user.choose('/load/kind', 'History of loads');
+      await user.type('/load/history', '2000 0');
+      await user.solve();
+      assert.match(await user.reads('Depth of the dent, lower body'), /below the undeformed surface/);
+      assert.match(await user.reads('Pile-up, lower body'), /mm/);
+      assert.match(await page.locator('#headline').innerText(), /Residual tension/);
+      await page.locator('#panel-depth .legend').getByText('σθ', { exact: true }).waitFor();
+    },
+  ],
+  [
+    'case-hardened roller',
+    2,
+    async (user, page) => {
+      await user.example('Case-hardened roller on a hardened block');
+      await user.solve();
+      assert.match(await user.reads('Utilization, upper body'), /most at a depth of/);
+      await page.locator('#panel-depth .legend').getByText('utilization', { exact: true }).waitFor();
+    },
+  ],
+  [
+    'pasted profile',
+    4,
+    async (user, page) => {
+      await user.choose('/upper/shape/type', 'Profile');
+      // From right to left, off its middle, heights in micrometres.
+      const trace = Array.from({ length: 81 }, (_, k) => [9 - k / 5, -1e3 * ((8 - k / 5 - 0.5) ** 2 / 60)]);
+      const rows = trace.map(([x, z]) => `${x.toFixed(2)}\t${z.toFixed(3)}`.replaceAll('.', ','));
+      await user.paste('/upper/shape/points', `x [mm]\tz [µm]\n${rows.join('\n')}\n`);
+      await user.press('Top to 0', page.locator('[data-place="/upper/shape/points"]'));
+      await user.solve();
+      const { points } = (await draft(page)).upper.shape;
+      assert.equal(points.length, 81);
+      assert.ok(points.some((/** @type {number[]} */ [x, z]) => x === 0 && z === 0));
+      assert.match(await user.reads('Peak pressure'), /MPa/);
+    },
+  ],
+  [
+    'sweep of 20 and its table',
+    4,
+    async (user, page) => {
+      await user.choose('/load/kind', 'Sweep of forces');
+      await user.type('/load/forces', '50…1000/20');
+      await user.solve();
+      const download = page.waitForEvent('download');
+      await user.press('CSV: figures');
+      const text = await readFile(await (await download).path(), 'utf8');
+      assert.equal(text.trim().split('\n').length, 21);
+    },
+  ],
+  [
+    'force for a dent of 1e-4 D',
+    7,
+    async (user, page) => {
+      await user.choose('/analysis', 'Axisymmetric');
+      await user.type('/upper/shape/radius', '5');
+      await user.choose('/lower/shape/type', 'Block');
+      await user.choose('/load/kind', 'Force for a given figure');
+      await user.choose('/load/target_kind', 'Depth of the dent');
+      await user.type('/load/target/dent_depth', '0.001');
+      await user.solve();
+      assert.match(await user.reads('Force found'), /for a depth of the dent of 0\.001 mm, reached 0\.0010/);
+      assert.equal((await draft(page)).solver.theory, 'flow');
+    },
+  ],
+  [
+    'pin in hole',
+    4,
+    async (user) => {
+      await user.type('/upper/shape/radius', '9.98');
+      await user.choose('/lower/shape/type', 'Hole');
+      await user.type('/lower/shape/radius', '10');
+      await user.solve();
+      assert.match(await user.reads('Peak pressure'), /MPa/);
+    },
+  ],
+  [
+    'two materials compared and reported',
+    9,
+    async (user, page) => {
+      for (const material of ['Steel S355', 'Steel 42CrMo4 +QT']) {
+        await user.material(material);
+        await user.press('same as upper');
+        await user.solve();
+      }
+      await user.press('Jobs');
+      await user.tick(page.getByRole('checkbox', { name: /^Compare/, disabled: false }).first());
+      await page.locator('#panel-differences tbody tr').first().waitFor();
+      await user.press('Report');
+      const sheet = page.getByRole('main', { name: 'Report' });
+      await sheet.getByRole('region', { name: 'Differences' }).waitFor();
+      for (const material of ['Steel S355', 'Steel 42CrMo4 +QT']) await sheet.getByText(material).first().waitFor();
+    },
+  ],
+];
+
+for (const [name, actions, work] of TASKS)
+  service.test(name, async (page, { note }) => {
+    const user = new User(page);
+    await work(user, page);
+    const seconds = (performance.now() - user.begun) / 1000;
+    note(`| ${name} | ${user.actions} | ${seconds.toFixed(1)} s | ${user.stumbles.join('; ') || 'none'} |`);
+    assert.deepEqual(user.stumbles, []);
+    assert.equal(user.actions, actions);
+  });
