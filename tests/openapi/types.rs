@@ -44,7 +44,7 @@ fn reached(document: &Value, mut wanted: Vec<String>) -> BTreeSet<String> {
                 for (key, one) in members {
                     match one.as_str() {
                         Some(target) if key == "$ref" => {
-                            wanted.push(target.rsplit('/').next().unwrap().to_owned())
+                            wanted.push(target.rsplit('/').next().unwrap().to_owned());
                         }
                         _ => refer(one, wanted),
                     }

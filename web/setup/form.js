@@ -165,7 +165,8 @@ export class Form {
     for (const body of /** @type {const} */ (['upper', 'lower'])) {
       this.materials[body].show();
       this.#showPreview(body);
-      this.parts[body].copy.hidden = alike;
+      // With nothing to copy it is no stop of Tab; hidden, it would lose the focus that it has.
+      this.parts[body].copy.tabIndex = alike ? -1 : 0;
       // What is not as usual is seen, until somebody closes it.
       const unusual = isUnusual(job[body]);
       if (unusual && !this.#unusual[body]) this.parts[body].more.open = true;
