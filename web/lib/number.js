@@ -30,7 +30,8 @@ export function readNumber(text, commas = false) {
   if (!commas && AMBIGUOUS.test(plain))
     return refuse(`can be read as ${plain.replace(',', '.')} or as ${plain.replace(',', '')}: write one of these`);
   const point = COMMA.test(plain) ? plain.replace(',', '.') : plain;
-  if (!NUMBER.test(point)) return refuse('is not a number');
+  const thousands = /^[+-]?\d+[.,]\d+[.,]/.test(plain) ? ': write its thousands without a sign between them' : '';
+  if (!NUMBER.test(point)) return refuse(`is not a number${thousands}`);
   const value = Number(point);
   if (!Number.isFinite(value)) return refuse('is too large for a number');
   const vanishes = value === 0 && /[1-9]/.test(point.replace(/e.*/i, ''));

@@ -33,6 +33,9 @@ test('spaces and apostrophes group digits by threes, or are refused', () => {
     const reading = readNumber(text);
     assert.equal('value' in reading ? reading.value : undefined, read, text);
   }
+  assert.deepEqual(readNumber('1.234,5'), {
+    problem: '“1.234,5” is not a number: write its thousands without a sign between them',
+  });
 });
 
 test('a list is read as it is meant, or refused', () => {
