@@ -110,7 +110,7 @@ impl Page {
         let mesh = &report.mesh;
         let half = if mesh.symmetric { " of one half" } else { "" };
         self.line(&format!(
-            "mesh   {} elements, {} equations{half}, spacing {} {}, {} mesh solves",
+            "mesh   {} elements, {} equations{half}, spacing {} {}, {} solves",
             mesh.elements,
             mesh.equations,
             significant(mesh.spacing, 3),
