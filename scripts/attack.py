@@ -22,6 +22,7 @@ JOB = EXAMPLES["two_cylinders"]
 SMALL = {**JOB, "mesh": {"elements_per_half_width": 5}}
 LARGE = {**JOB, "mesh": {"elements_per_half_width": 80}, "output": {"fields": True}}
 LONG = {**JOB, "mesh": {"elements_per_half_width": 60}, "load": {"forces": [400 + step for step in range(500)]}}
+SWEEP = {**JOB, "mesh": {"elements_per_half_width": 10}, "load": {"forces": [300 + step for step in range(400)]}}
 failures = []
 
 
@@ -112,9 +113,9 @@ def deaf_followers(service):
         service.attack(head(f"/v1/jobs/{job}/events"), small=True)
 
 
-def deaf_readers(path):
+def deaf_readers(path, job=LARGE):
     def attack(service):
-        large = service.job(LARGE)
+        large = service.job(job)
         service.path = f"/v1/jobs/{large}{path}"
         many = [service.attack(head(service.path), small=True) for _ in range(200)]
         return lambda: [receive(one) for one in many]
@@ -193,7 +194,7 @@ def requests_without_answers(service):
 
 ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams, "deaf followers": deaf_followers,
            "deaf readers of results": deaf_readers("/result"), "deaf readers of arrays": deaf_readers("/fields/1"),
-           "deaf readers of VTK files": deaf_readers("/field.vtu"), "ranges": ranges, "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
+           "deaf readers of VTK files": deaf_readers("/field.vtu"), "deaf readers of tables": deaf_readers("/pressure.csv", SWEEP), "ranges": ranges, "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
            "requests without answers": requests_without_answers}
 
 

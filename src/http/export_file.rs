@@ -36,20 +36,23 @@ pub(super) async fn export_file(
     form: Export,
     step: Option<usize>,
 ) -> Result<Response, Problem> {
-    if form != Export::FieldVtu {
+    if is_figure(form) {
         return Ok(file(id, form, export(state, id, form, step).await?).into_response());
     }
-    // The one form with a line for each node and element.
+    // Lines for each node of a mesh, or of each step.
     let place = state.texts.take(caller.key()).await;
     let text = export(state, id, form, step).await?;
     Ok(file(id, form, place.send(text.into())).into_response())
 }
 
+/// Figures are looked at and small, the rest is for other programs.
+fn is_figure(form: Export) -> bool {
+    form.media_type().starts_with("image/")
+}
+
 /// A file as it is sent, with a name to keep it under.
 pub(super) fn file(id: JobId, form: Export, text: impl Into<Body>) -> impl IntoResponse {
-    // Figures are looked at, the rest is for other programs.
-    let is_figure = form.media_type().starts_with("image/");
-    let disposition = if is_figure { "inline" } else { "attachment" };
+    let disposition = if is_figure(form) { "inline" } else { "attachment" };
     let disposition = format!("{disposition}; filename=\"{id}-{}\"", form.file_name());
     let headers = [(CONTENT_TYPE, form.media_type().to_owned()), (CONTENT_DISPOSITION, disposition)];
     (headers, text.into())

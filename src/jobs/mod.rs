@@ -50,7 +50,7 @@ pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
-pub use solver::{CoreSolver, JobSolver};
+pub use solver::{CoreSolver, JobSolver, estimate};
 pub use state::JobState;
 pub use store::{
     Claim, ClaimRequest, Claims, Counts, Enqueued, HISTORY_PAGE, JobFilter, JobPage, JobStore, Lease,

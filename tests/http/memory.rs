@@ -25,6 +25,23 @@ fn a_job_above_the_budget_is_refused_with_its_estimate() {
     assert_eq!(server.target.post("/v1/solve", small.to_string()).json()["result"]["status"], "converged");
 }
 
+/// Flow theory holds steps and increments to the end of the job.
+#[test]
+fn a_history_is_refused_for_what_it_holds() {
+    let server = Server::start_with(&["--memory-limit", "400"]);
+    let verdict = |loads: usize, fields: bool, solver: Value| {
+        let mut history = example();
+        let load = |step: usize| json!({"force": 600.0 * step as f64 / loads as f64});
+        history["load"] = json!({"history": (1..=loads).map(load).collect::<Vec<_>>()});
+        (history["solver"], history["output"]) = (solver, json!({"fields": fields}));
+        server.target.post("/v1/validate", history.to_string())
+    };
+    let flow = json!({"theory": "flow"});
+    assert_eq!(verdict(10, true, flow.clone()).status, 200);
+    verdict(300, true, flow).problem(422, "job-too-large");
+    verdict(1, false, json!({"theory": "flow", "increments": 10_000})).problem(422, "job-too-large");
+}
+
 /// Six histories of ten thousand increments, which no estimate calls long.
 #[test]
 fn a_key_leaves_a_place_to_others_whatever_it_hands_in() {

@@ -47,19 +47,21 @@ async fn soon(mut holds: impl AsyncFnMut() -> bool) -> bool {
     true
 }
 
+/// Waits until what was begun for a client is over: all of it holds the service, or its store.
+async fn over<T: ?Sized>(held: &Arc<T>, holders: usize) {
+    assert!(soon(async || Arc::strong_count(held) == holders).await, "something goes on");
+}
+
 pub async fn a_client_that_goes_leaves_no_job_behind(subject: &Subject) {
     let jobs = service(subject);
     for polls in 0..POLLS {
         let submission = Submission { request: JOB.into(), interactive: true, ..Submission::default() };
         // What came to its end is dropped too.
         dropped_after(polls, jobs.submit_attended(submission)).await;
-        let all_ended = soon(async || {
-            // One that is just being taken in is in the store by then.
-            sleep(10 * POLL).await;
-            let page = jobs.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
-            page.jobs.iter().all(|job| job.state.is_finished())
-        });
-        assert!(all_ended.await, "a job goes on after {polls} polls");
+        over(&jobs, 1).await;
+        let page = jobs.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+        let all_ended = page.jobs.iter().all(|job| job.state.is_finished());
+        assert!(all_ended, "a job goes on after {polls} polls");
     }
 }
 
@@ -73,7 +75,7 @@ pub async fn a_client_that_means_to_come_again_finds_its_job(subject: &Subject) 
     };
     let (first, attended) = jobs.submit_attended(submission("press-7")).await.unwrap();
     drop(attended);
-    sleep(10 * POLL).await;
+    over(&jobs, 1).await;
     let (again, _attended) = jobs.submit_attended(submission("press-7")).await.unwrap();
     assert!(again.replayed && again.job.id == first.job.id && !again.job.state.is_finished());
 }
@@ -84,8 +86,9 @@ pub async fn what_is_changed_is_announced_although_its_client_has_gone(subject: 
         let id = subject.enqueue("x").await;
         let lease = subject.claim_one().await;
         let mut subscription = jobs.subscribe(id);
+        let holders = Arc::strong_count(&subject.store);
         dropped_after(polls, jobs.cancel(id, None)).await;
-        sleep(10 * POLL).await;
+        over(&subject.store, holders).await;
         if subject.get(id).await.cancel_requested {
             let told = timeout(DEADLINE, async { while !subscription.changed().await.cancel_requested {} });
             told.await.unwrap_or_else(|_| panic!("a job is not told to stop after {polls} polls"));
