@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pint
 import pytest
 from conftest import EXAMPLES, roller
 
@@ -427,3 +428,45 @@ def test_ctrl_c_cancels_the_job_and_leaves_the_server(progress: str) -> None:
         [sys.executable, "-c", CTRL_C, progress], capture_output=True, text=True, timeout=60
     )
     assert done.stdout.strip() == "cancelled", done.stderr
+
+
+def test_a_point_that_is_no_job_is_a_row(client: Client, job: Any) -> None:
+    grids: list[tuple[Any, dict[Any, Any]]] = [
+        (job, {"/load/force": [300, float("nan"), -1]}),
+        (
+            lambda force: brinell.job(roller(), roller(), analysis="plane_strain", force=force),
+            {"force": [300, float("nan"), -1]},
+        ),
+        (job, {("/upper/material", "/lower/material"): ["S355", "butter"]}),
+    ]
+    for made, grid in grids:
+        table = client.sweep(made, grid)
+        assert table["status"].tolist() == ["converged", *["invalid"] * (len(table) - 1)]
+        assert all(table["error"].iloc[1:])
+    assert "butter" in table["error"].iloc[1]
+
+
+def test_a_figure_that_json_does_not_know_is_named(client: Client, job: Any) -> None:
+    document = {**job.model_dump(mode="json", exclude_none=True), "load": {"force": float("inf")}}
+    with pytest.raises(brinell.InvalidJob) as refused:
+        client.solve(document)
+    assert [fault.pointer for fault in refused.value.errors] == ["#/load/force"]
+
+
+def test_a_map_of_nothing_at_a_time_is_refused(client: Client, job: Any) -> None:
+    with pytest.raises(ValueError, match="in_flight"):
+        list(client.map([job], in_flight=0))
+
+
+def test_a_closed_client_says_so(job: Any) -> None:
+    with brinell.Client() as client:
+        pass
+    with pytest.raises(brinell.BrinellError, match="closed"):
+        client.solve(job)
+
+
+def test_a_sweep_takes_quantities(client: Client, job: Any) -> None:
+    forces = np.array([0.3, 0.5]) * pint.UnitRegistry()("kN/mm")
+    table = client.sweep(job, {"/load/force": forces})
+    assert table["/load/force"].tolist() == pytest.approx([300, 500])
+    assert table["force"].tolist() == pytest.approx([300, 500])

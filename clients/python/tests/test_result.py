@@ -154,3 +154,32 @@ def test_every_example_is_shown(client: Client, path: Any) -> None:
     assert result.report.status == "converged"
     result.plot.pressure(step=0)
     plt.close("all")
+
+
+def test_what_is_left_is_not_said_of_a_load(dent: Result) -> None:
+    loaded, unloaded = dent.steps
+    assert np.isnan(loaded.dent_depth)
+    assert not loaded.unloaded
+    assert unloaded.unloaded
+    with pytest.raises(brinell.BrinellError, match="under load"):
+        dent.plot.residual_stress(step=0)
+
+
+def test_profiles_say_where_they_lie(dent: Result) -> None:
+    place = dent.last.peak_position
+    assert (dent.subsurface["x"] == place).all()
+    for ax in (dent.plot.residual_stress(), dent.plot.depth()):
+        assert ax.get_xlabel() == f"depth [mm] at x = {place:.3g} mm"
+        plt.close(ax.get_figure())
+
+
+def test_results_on_the_same_axes_differ(dent: Result) -> None:
+    ax = dent.plot.depth(step=0, body="upper", label="first")
+    dent.plot.depth(step=0, body="upper", label="second", ax=ax)
+    first, second = ax.get_lines()
+    assert first.get_color() != second.get_color()
+    assert [line.get_label() for line in (first, second)] == [
+        "first, upper body",
+        "second, upper body",
+    ]
+    plt.close(ax.get_figure())

@@ -10,8 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from . import models
 from ._errors import Fault, InvalidJob
-from ._materials import materials
-from ._plain import Number, Quantity, plain
+from ._plain import Number, Quantity, named, plain
 
 __all__ = ["Material", "Number", "Quantity", "Support", "job", "material", "rigid"]
 
@@ -80,7 +79,7 @@ def build_body(
     kind = str(model.model_fields["type"].annotation.__args__[0])  # type: ignore[union-attr]
     outline = checked(model, {"type": kind, **shape})
     if isinstance(material, str):
-        material = materials[material]
+        material = named(material, "#/material")
     elif isinstance(material, Mapping):
         material = checked(models.Deformable, material, at="#/material")
     body = {"shape": outline, "material": material, "support": support}

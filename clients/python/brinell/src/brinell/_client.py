@@ -40,7 +40,7 @@ from ._core import (
 from ._errors import InvalidJob
 from ._fields import Fields
 from ._local import LocalServer
-from ._plain import JobLike, document_of, need, plain, with_values
+from ._plain import JobLike, Quantity, document_of, need, plain, tokens_of, with_values
 from ._result import NO_FIGURES, Result
 
 if TYPE_CHECKING:
@@ -672,25 +672,31 @@ class AsyncJob(_Job[AsyncClient]):
 
 def grid_of(
     job: JobLike | Callable[..., JobLike], grid: Grid
-) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """The points of a grid, each with a name for every value, and the job at each of them."""
+) -> tuple[list[dict[str, Any]], list[JobLike | InvalidJob]]:
+    """The points of a grid, each with a name for every value, and the job at each of them, or why
+    there is none.
+    """
     axes = {key: _values(key, values) for key, values in grid.items()}
     names = {key: key if isinstance(key, str) else key[0] for key in axes}
-    points, documents = [], []
     base = None if callable(job) else document_of(job)
+    points: list[dict[str, Any]] = []
+    documents: list[JobLike | InvalidJob] = []
     for values in itertools.product(*axes.values()):
         point = dict(zip(axes, values, strict=True))
-        points.append({names[key]: _cell(value) for key, value in point.items()})
-        if base is None:
-            assert callable(job)
-            documents.append(document_of(job(**point)))
-        else:
-            placed = {
-                one: value
-                for key, value in point.items()
-                for one in ([key] if isinstance(key, str) else key)
-            }
-            documents.append(with_values(base, placed))
+        points.append({names[key]: _cell(names[key], v, base) for key, v in point.items()})
+        try:
+            if base is None:
+                assert callable(job)
+                documents.append(job(**point))
+            else:
+                placed = {
+                    one: value
+                    for key, value in point.items()
+                    for one in ([key] if isinstance(key, str) else key)
+                }
+                documents.append(with_values(base, placed))
+        except InvalidJob as error:
+            documents.append(error)
     return points, documents
 
 
@@ -700,10 +706,18 @@ def _values(key: Any, values: Any) -> list[Any]:
     return list(values)
 
 
-def _cell(value: Any) -> Any:
-    """A value as a table has it: numbers and words by themselves, the rest in words."""
-    value = getattr(value, "item", lambda: value)() if hasattr(value, "dtype") else value
-    return value if isinstance(value, (int, float, str, bool)) else str(plain(value))
+def _cell(name: str, value: Any, base: Mapping[str, Any] | None) -> Any:
+    """A value as a table has it: numbers and words by themselves, the rest in words.
+
+    A quantity is given in the unit of the job, where the name is a pointer into it.
+    """
+    if isinstance(value, Quantity):
+        value = value if base is None else plain(value, base, tokens_of(name)[-1])
+    elif hasattr(value, "dtype"):
+        value = getattr(value, "item", lambda: value)()
+    elif not isinstance(value, (int, float, str, bool)):
+        value = plain(value)
+    return value if isinstance(value, (int, float, str, bool)) else str(value)
 
 
 def table_of(points: Sequence[Mapping[str, Any]], results: Sequence[Result]) -> pd.DataFrame:

@@ -318,16 +318,24 @@ class Core:
             attempt += 1
 
     def map(
-        self, jobs: Iterable[JobLike], ordered: bool, in_flight: int, parts: str, priority: int = 0
+        self,
+        jobs: Iterable[JobLike | InvalidJob],
+        ordered: bool,
+        in_flight: int,
+        parts: str,
+        priority: int = 0,
     ) -> Flow[None]:
         """Emits the job as given and its `Outcome`, for each job.
 
-        At most `in_flight` are with the service.
+        At most `in_flight` are with the service. What is known not to be a job stands among them
+        as its error.
         """
         if isinstance(jobs, (str, os.PathLike, Mapping, BaseModel)):
             raise TypeError("map takes several jobs, as in [job], not one")
-        given: Iterator[tuple[int, JobLike]] = iter(enumerate(jobs))
-        waiting: dict[int, tuple[JobLike, dict[str, Any], str]] = {}
+        if in_flight < 1:
+            raise ValueError(f"in_flight is 1 at least, not {in_flight}")
+        given: Iterator[tuple[int, JobLike | InvalidJob]] = iter(enumerate(jobs))
+        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]] = {}
         flying: dict[str, int] = {}
         done: dict[int, Outcome] = {}
         emitted = attempt = 0
@@ -339,8 +347,15 @@ class Core:
                         place, job = next(given)
                     except StopIteration:
                         exhausted = True
-                    else:
-                        waiting[place] = (job, document_of(job), str(uuid.uuid4()))
+                        continue
+                    document: dict[str, Any] = {}
+                    try:
+                        if isinstance(job, InvalidJob):
+                            raise job
+                        document = document_of(job)
+                    except InvalidJob as error:
+                        done[place] = Outcome(document, "", None, error)
+                    waiting[place] = (job, document, str(uuid.uuid4()))
                 after = yield from self._hand_in(waiting, flying, done, priority)
                 if flying:
                     yield from self._collect(waiting, flying, done, parts)
@@ -370,7 +385,7 @@ class Core:
 
     def _hand_in(
         self,
-        waiting: dict[int, tuple[JobLike, dict[str, Any], str]],
+        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]],
         flying: dict[str, int],
         done: dict[int, Outcome],
         priority: int,
@@ -415,7 +430,7 @@ class Core:
 
     def _collect(
         self,
-        waiting: dict[int, tuple[JobLike, dict[str, Any], str]],
+        waiting: dict[int, tuple[JobLike | InvalidJob, dict[str, Any], str]],
         flying: dict[str, int],
         done: dict[int, Outcome],
         parts: str,

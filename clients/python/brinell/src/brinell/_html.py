@@ -59,7 +59,8 @@ def text_of(result: Result) -> str:
         f"{name:24}{value:>12} {unit:5} {bar:10}{f'Hertz {hertz}' if hertz else ''}".rstrip()
         for name, value, bar, hertz, unit in _lines(result)
     ]
-    return "\n".join([_head(result), *remarks, *rows])
+    bars = ["± is the error of the mesh alone"] if result.relative_error else []
+    return "\n".join([_head(result), *remarks, *rows, *bars])
 
 
 def html_of(result: Result) -> str:

@@ -12,7 +12,7 @@ import tempfile
 import weakref
 from pathlib import Path
 
-from ._errors import ServerDied, ServerNotFound
+from ._errors import BrinellError, ServerDied, ServerNotFound
 
 # Bounds of the store in memory [MiB]: what it may take, and what results may before the oldest
 # are removed.
@@ -87,7 +87,9 @@ class LocalServer:
         return self._process.pid
 
     def check(self) -> None:
-        """Raises `ServerDied` if the server has ended."""
+        """Raises `ServerDied` if the server has ended by itself."""
+        if not self._end.alive:
+            raise BrinellError("this client is closed, and its local server with it")
         # The kernel refuses connections a moment before a process that dies can be waited for.
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._process.wait(GRACE)

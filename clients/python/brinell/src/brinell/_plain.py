@@ -6,14 +6,17 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 from pydantic import BaseModel
 
+from ._errors import Fault, InvalidJob
 from ._materials import materials
+from .models import Deformable
 
 
 @runtime_checkable
@@ -144,7 +147,25 @@ def document_of(job: JobLike) -> dict[str, Any]:
         )
     document = plain(job)
     assert isinstance(document, dict)
+    # JSON has no word for these.
+    faults = [
+        Fault(f"#{pointer}", "not_finite", f"{figure} is not a finite number")
+        for pointer, figure in _figures(document, "")
+        if not math.isfinite(figure)
+    ]
+    if faults:
+        raise InvalidJob(faults)
     return document
+
+
+def _figures(value: Any, pointer: str) -> Iterator[tuple[str, float]]:
+    """The figures of a document, with their pointers."""
+    if isinstance(value, float):
+        yield pointer, value
+    elif isinstance(value, (dict, list)):
+        items = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, one in items:
+            yield from _figures(one, f"{pointer}/{key}")
 
 
 def need(package: str, extra: str) -> Any:
@@ -155,6 +176,15 @@ def need(package: str, extra: str) -> Any:
         return importlib.import_module(package)
     except ImportError as error:
         raise ImportError(f'this needs {package}: pip install "brinell[{extra}]"') from error
+
+
+def named(material: str, pointer: str) -> Deformable:
+    """A material of the library, by its name."""
+    try:
+        return materials[material]
+    except KeyError as error:
+        fault = Fault(pointer, "unknown_material", str(error.args[0]))
+        raise InvalidJob([fault]) from None
 
 
 def tokens_of(pointer: str) -> list[str]:
@@ -182,7 +212,7 @@ def with_values(document: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
                     place[step] = {}
                 place = place[step]
         if last == "material" and isinstance(value, str):
-            value = materials[value]
+            value = named(value, f"#{pointer.removeprefix('#')}")
         figure = plain(value, made, last if isinstance(place, dict) else way[-1])
         if isinstance(place, list):
             place[int(last)] = figure

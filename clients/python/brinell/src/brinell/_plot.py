@@ -10,11 +10,17 @@ from ._errors import BrinellError
 from ._fields import BodyFields, Fields
 from ._html import unit_of_force
 from ._plain import need
-from ._result import Result
+from ._result import Result, Step
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+# Of bodies of revolution, where x is the radius.
+OF_REVOLUTION = {
+    "sigma_x": "radial stress",
+    "sigma_y": "axial stress",
+    "sigma_z": "hoop stress",
+}
 TITLES = {
     "von_mises": "von Mises stress",
     "tau_max": "largest shear stress",
@@ -28,6 +34,8 @@ TITLES = {
 }
 WITHOUT_UNIT = ("equivalent_plastic_strain", "utilization")
 COLOURS = {"upper": "C0", "lower": "C1"}
+# How a load is taken away again.
+UNLOAD = 'theory="flow" and loads that end with 0, as in history=[{"force": 500}, {"force": 0}]'
 # Part of the field's picture that the contact takes, to each side.
 CONTACT_PART = 0.3
 
@@ -42,8 +50,11 @@ class Plot:
         self._result = result
         si = result.units == "SI"
         self._length, self._stress = ("m", "Pa") if si else ("mm", "MPa")
+        round_bodies = result.analysis == "axisymmetric"
+        self._along = "r" if round_bodies else "x"
+        self._titles = {**TITLES, **(OF_REVOLUTION if round_bodies else {})}
 
-    def pressure(self, step: int = -1, ax: Axes | None = None) -> Axes:
+    def pressure(self, step: int = -1, ax: Axes | None = None, label: str = "this contact") -> Axes:
         """Contact pressure, beside Hertz's where there is one."""
         ax = _axes(ax)
         one = self._result.steps[step]
@@ -51,7 +62,7 @@ class Plot:
         touching = np.abs(contact.x[contact.pressure > 0.0])
         ends = [*touching, one.half_width, one.hertz.get("half_width") or 0.0]
         reach = 1.3 * float(max(ends)) if max(ends) > 0.0 else float(np.max(np.abs(contact.x)))
-        ax.plot(contact.x, contact.pressure, label="this contact")
+        ax.plot(contact.x, contact.pressure, label=label)
         if one.hertz and one.hertz["half_width"] > 0.0:
             a, p = one.hertz["half_width"], one.hertz["peak_pressure"]
             x = a * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))
@@ -71,10 +82,12 @@ class Plot:
         step: int = -1,
         body: str | None = None,
         ax: Axes | None = None,
+        label: str = "",
     ) -> Axes:
         """A stress over the depth below the peak pressure.
 
-        Von Mises stress beside the yield stress where that varies.
+        Von Mises stress beside the yield stress where that varies. With a `label`, which tells
+        several results on the same axes apart, every line has a colour of its own.
         """
         ax = _axes(ax)
         one = self._result.steps[step]
@@ -83,45 +96,53 @@ class Plot:
         }
         if not bodies:
             raise BrinellError("this step has no stresses over depth")
-        known = [name for name in next(iter(bodies.values())) if name != "depth"]
-        if quantity not in known:
+        known = dict.fromkeys(name for values in bodies.values() for name in values)
+        bodies = {name: values for name, values in bodies.items() if quantity in values}
+        if not bodies:
             raise BrinellError(f"no {quantity!r} over depth; there are {', '.join(known)}")
         # Where both bodies are alike one line hides the other, so that the second is dashed.
+        before = f"{label}, " if label else ""
         for (name, values), line in zip(bodies.items(), ("-", "--"), strict=False):
-            ax.plot(
-                values["depth"], values[quantity], line, color=COLOURS[name], label=f"{name} body"
-            )
+            style: dict[str, Any] = {} if label else {"color": COLOURS[name]}
+            words = f"{before}{name} body"
+            (drawn,) = ax.plot(values["depth"], values[quantity], line, label=words, **style)
             if quantity == "von_mises" and "yield_stress" in values:
                 ax.plot(
                     values["depth"],
                     values["yield_stress"],
                     ":",
-                    color=COLOURS[name],
-                    label=f"{name}: yield stress",
+                    color=drawn.get_color(),
+                    label=f"{before}{name}: yield stress",
                 )
         if one.half_width > 0.0:
             ax.set_xlim(0.0, 5.0 * one.half_width)
         unit = "" if quantity in WITHOUT_UNIT else f" [{self._stress}]"
-        ax.set(xlabel=f"depth [{self._length}]", ylabel=TITLES.get(quantity, quantity) + unit)
+        ax.set(xlabel=self._depth_at(one), ylabel=self._titles.get(quantity, quantity) + unit)
         ax.legend(frameon=False)
         return ax
 
-    def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
-        """Tangential and out-of-plane stress over depth, as it is left when the load is zero.
+    def _depth_at(self, step: Step) -> str:
+        """The axis of depths, and where it lies."""
+        return f"depth [{self._length}] at {self._along} = {step.peak_position:.3g} {self._length}"
 
-        The line runs where the pressure was largest.
+    def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
+        """Stresses along the surface over depth, as they are left when the load is zero.
+
+        The line runs where the pressure was largest; the axis of depths says where that is.
         """
         ax = _axes(ax)
         one = self._result.steps[step]
         values = (one.data.get("subsurface") or {}).get(body)
         if not values:
             raise BrinellError(f"this step has no stresses over depth in the {body} body")
+        if not (one.unloaded and one.data.get("flow")):
+            raise BrinellError(f"this step is under load, or does not know unloading: {UNLOAD}")
         for name in ("sigma_x", "sigma_z"):
-            ax.plot(values["depth"], values[name], label=TITLES[name])
+            ax.plot(values["depth"], values[name], label=self._titles[name])
         widest = max(step.half_width for step in self._result.steps)
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         ax.set_xlim(0.0, 5.0 * widest if widest > 0.0 else None)
-        ax.set(xlabel=f"depth [{self._length}]", ylabel=f"stress left [{self._stress}]")
+        ax.set(xlabel=self._depth_at(one), ylabel=f"stress left [{self._stress}]")
         ax.legend(frameon=False)
         return ax
 
@@ -150,7 +171,7 @@ class Plot:
         ax.set(xlabel=f"x [{self._length}]", ylabel=f"y [{self._length}]")
         unit = "" if name in WITHOUT_UNIT else f" [{self._stress}]"
         if drawn is not None and ax.figure is not None:
-            ax.figure.colorbar(drawn, ax=ax, label=TITLES.get(name, name) + unit)
+            ax.figure.colorbar(drawn, ax=ax, label=self._titles.get(name, name) + unit)
         return ax
 
     def load_approach(self, ax: Axes | None = None) -> Axes:
@@ -173,9 +194,7 @@ class Plot:
         ax = _axes(ax)
         flow = self._result.steps[step].data.get("flow")
         if not flow:
-            raise BrinellError(
-                'only flow theory knows dents: theory="flow" and loads that end with 0'
-            )
+            raise BrinellError(f"only flow theory knows dents: {UNLOAD}")
         factor, unit = (1e6, "µm") if self._result.units == "SI" else (1e3, "µm")
         surfaces = {name: surface for name, surface in flow["surfaces"].items() if surface}
         for (name, surface), line in zip(surfaces.items(), ("-", "--"), strict=False):

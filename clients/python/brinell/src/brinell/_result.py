@@ -128,16 +128,26 @@ class Step:
 
     @property
     def dent_depth(self) -> float:
-        """Depth of the deeper of both surfaces below their undeformed shape (theory `flow`).
+        """Depth of the deeper of both dents (theory `flow`).
 
-        A dent where the load is zero.
+        NaN under a load: `surface` has the surfaces then.
         """
-        flow = self.data.get("flow")
-        return (
-            max((number(s["depth"]) for s in flow["surfaces"].values() if s), default=NAN)
-            if flow
-            else NAN
-        )
+        surfaces = (self.data.get("flow") or {}).get("surfaces", {}).values()
+        if not self.unloaded:
+            return NAN
+        return max((number(surface["depth"]) for surface in surfaces if surface), default=NAN)
+
+    @property
+    def unloaded(self) -> bool:
+        """Whether the load is gone, so that what is left stays."""
+        return self.force == 0.0
+
+    @property
+    def peak_position(self) -> float:
+        """Where the pressure is largest, or was before the load went; profiles over depth lie
+        there: x, in axisymmetry the radius.
+        """
+        return number(self.data["contact"]["peak_position"])
 
     @property
     def hertz(self) -> dict[str, Any]:
@@ -166,10 +176,16 @@ class Step:
 
     @property
     def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the peak pressure, of both bodies (column `body`)."""
+        """Stresses over the depth below the peak pressure, of both bodies (column `body`).
+
+        Column `x` says where that is: x, in axisymmetry the radius.
+        """
         pandas = need("pandas", "pandas")
         bodies = {name: body for name, body in (self.data.get("subsurface") or {}).items() if body}
-        frames = [pandas.DataFrame({"body": name, **body}) for name, body in bodies.items()]
+        frames = [
+            pandas.DataFrame({"body": name, **body, "x": self.peak_position})
+            for name, body in bodies.items()
+        ]
         frame: pd.DataFrame = (
             pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame({"body": []})
         )
@@ -344,7 +360,7 @@ class Result:
 
     @property
     def dent_depth(self) -> float:
-        """Depth of the deeper dent [mm] (theory `flow`)."""
+        """Depth of the deeper dent [mm] (theory `flow`); NaN unless the load is gone."""
         return self.last.dent_depth
 
     @property
