@@ -762,7 +762,7 @@ class _Progress:
             residual = event.data["equilibrium_residual"]
             self._bar.set_postfix_str(f"out of balance {residual:.1e}", refresh=False)
         else:
-            self._bar.set_description(str(event.data["status"]), refresh=False)
+            self._bar.set_description_str(str(event.data["status"]) + " ", refresh=False)
 
     def __exit__(self, *_: object) -> None:
         if self._bar is not None:

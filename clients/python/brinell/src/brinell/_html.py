@@ -35,7 +35,8 @@ def _lines(result: Result) -> list[tuple[str, str, str, str, str]]:
     lines = []
     for name, words, units in ROWS:
         value = getattr(result, name)
-        if math.isnan(value):
+        # What is left is asked for once the load is gone, not what it was.
+        if math.isnan(value) or (value == 0.0 and result.last.unloaded):
             continue
         error = result.relative_error.get(name)
         bar = f"± {100 * error:.2g} %" if error else ""
