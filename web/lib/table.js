@@ -89,7 +89,7 @@ const STRESS = '(residual)?(σ|s|sig|sigma|stress)';
 /** What columns are called, by their symbols; small letters without spaces, dots and dashes. @type {Record<string, RegExp>} */
 const CALLED = {
   x: /^(x|r|position|distance)$/,
-  height: /^(h|y|z|height|depth|profile)$/,
+  height: /^(h|y|z|height|profile)$/,
   z: /^(z|depth|tiefe)$/,
   HV: /^(hardness|härte|vickers)*((hv|vhn|dph|dpn)[\d,/]*)?$/,
   factor: /^factor$/,
@@ -97,14 +97,17 @@ const CALLED = {
   σ_z: new RegExp(`^${STRESS}(z|zz|33)$`),
   σ_r: new RegExp(`^${STRESS}(r|rr|11)$`),
   σ_θ: new RegExp(`^${STRESS}(θ|θθ|t|33)$`),
-  ε_p: /^(true|plastic|total|eng|engineering)*(ε|eps|epsilon|strain)p?$/,
-  q: /^(true|eng|engineering|flow|vonmises)*(σ|sig|sigma|stress|q)$/,
+  ε_p: /^(true|plastic)*(ε|eps|epsilon|strain)p?$/,
+  q: /^(true|flow|vonmises)*(σ|sig|sigma|stress|q)$/,
   C: /^(c|modulus)$/,
   γ: /^(γ|gamma|rate)$/,
 };
 
 /** Other scales of hardness than that of Vickers, whose figures look alike. */
 const OTHER_SCALE = /(?<![a-z])(HR\s?[A-Z]?|HBW?S?|BHN|HK|KHN|HLD?|rockwell|brinell|knoop|shore|leeb)(?![a-z])/i;
+
+/** Strain and stress as a tensile test gives them, which a button beside the table converts. */
+const OF_A_TEST = /^(eng|engineering|nominal|total)(?![a-z])|^(engineering|nominal|total)/i;
 
 /** Name and unit of a header: the unit in brackets, or behind the last words. @param {string} header @returns {[name: string, unit: string]} */
 function partsOf(header) {
@@ -137,6 +140,8 @@ function namedBy(headers, quantities, units, symbols) {
     });
     const scale = quantities.includes('hardness') && OTHER_SCALE.exec(cells.join(' '))?.[0];
     if (scale) return { problem: `line ${number}: “${scale}” is another scale, and the figures here are Vickers hardness HV: convert them first, for steels by ISO 18265` }; // prettier-ignore
+    const measured = symbols.includes('ε_p') && cells.find((cell) => OF_A_TEST.test(cell));
+    if (measured) return { problem: `line ${number}: ${quoted(measured)} is not plastic strain or true stress: leave this line out, and press “From engineering values” or “From total strain” below` }; // prettier-ignore
     if (cells.length !== quantities.length) {
       if (isTitle(cells.join(' '))) continue;
       return refuse(cells.join(' '), 'is not known here');

@@ -33,16 +33,18 @@ export function answersOf(job, report, step) {
   const used = utilizations(job, report, step);
   if (isUnloaded(step)) {
     const left = [...leftBehind(job, report, step), ...residualStress(job, report, step), ...used];
-    return [...asked, ...left, ...contactFigures(report, step).filter(({ value }) => value !== 0)];
+    const contact = contactFigures(report, step).filter(({ value }) => value !== 0);
+    return [...asked, ...zerosLast([...left, ...contact])];
   }
   const contact = [...contactFigures(report, step), ...shakedown(report, step)];
-  return [
-    ...asked,
-    ...used,
-    ...contact.filter(({ value }) => value !== 0),
-    ...contact.filter(({ value }) => value === 0),
-  ];
+  return [...asked, ...used, ...zerosLast(contact)];
 }
+
+/** @param {Answer[]} answers */
+const zerosLast = (answers) => [
+  ...answers.filter(({ value }) => value !== 0),
+  ...answers.filter(({ value }) => value === 0),
+];
 
 /** Whether the load is taken away. @param {Step} step */
 export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
@@ -213,7 +215,7 @@ function residualStress(job, report, step) {
       name: 'Residual tension',
       value: most.value,
       unit: unit('stress', report.units),
-      note: `${nameOf(most.component, report.analysis)}, ${bodyWords(job, most.body)}, at a depth of ${figure(most.depth, 3)} ${unit('length', report.units)} ${belowWords(step, report)}`,
+      note: `${nameOf(most.component, report.analysis)}, ${bodyWords(job, most.body)}, at a depth of ${figure(most.depth, 3)} ${unit('length', report.units)} on the line ${belowWords(step, report)}`,
     },
   ];
 }
