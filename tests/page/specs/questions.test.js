@@ -58,7 +58,7 @@ service.test('the stress that is left has the names of axisymmetry', async (page
     'Permanent approach',
   ]);
   await card(page, 'Residual tension')
-    .getByText(/^σ[rθ], both bodies, at a depth of .* mm at r = /)
+    .getByText(/^σ[rθ], both bodies, at a depth of .* mm on the line at r = /)
     .waitFor();
   for (const name of ['σr', 'σθ'])
     await page.locator('#panel-depth .legend').getByText(name, { exact: true }).waitFor();
