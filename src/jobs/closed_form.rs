@@ -15,7 +15,8 @@ pub struct ClosedForm {
     /// Effective radius of the two surfaces. Unit: mm (SI: m).
     #[schema(exclusive_minimum = 0, example = 10.0)]
     pub effective_radius: f64,
-    /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in axisymmetry.
+    /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in
+    /// axisymmetry and three dimensions.
     #[schema(required, minimum = 0, example = 218.99)]
     pub yield_onset_force: Option<f64>,
     /// One for each force of the load.
@@ -25,7 +26,7 @@ pub struct ClosedForm {
 /// Hertz's contact under one force.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ClosedFormStep {
-    /// The force. Unit: N/mm (SI: N/m); N in axisymmetry.
+    /// The force. Unit: N/mm (SI: N/m); N in axisymmetry and three dimensions.
     #[schema(minimum = 0, example = 612.6106)]
     pub force: f64,
     /// Half-width of the strip, or radius of the circle. Unit: mm (SI: m).

@@ -67,10 +67,13 @@ fn reached(document: &Value, mut wanted: Vec<String>) -> BTreeSet<String> {
 const SAID: [(&str, &str); 6] = [
     ("length", "Unit: mm (SI: m)."),
     ("stress", "Unit: MPa (SI: Pa)."),
-    ("load", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry."),
-    ("slope", "Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m)."),
+    ("load", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions."),
+    ("slope", "Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m)."),
     ("area", "Unit: mm² (SI: m²)."),
-    ("energy", "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry."),
+    (
+        "energy",
+        "Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.",
+    ),
 ];
 
 /// The keys of every quantity in a report, and of the figures for which a force can be looked for.

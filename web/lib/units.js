@@ -128,14 +128,17 @@ export function inJobUnits(value, name, quantity, units) {
 /** @param {{units?: unknown}} job @returns {Units} */
 export const unitsOf = (job) => (job.units === 'SI' ? 'SI' : 'mm_N_MPa');
 
+/** Whether a force is that of the whole contact and not of a length of it. @param {{analysis?: unknown}} job */
+const isWhole = ({ analysis }) => analysis === 'axisymmetric' || analysis === 'three_dimensional';
+
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its load */
-export const forceOf = (job) => (job.analysis === 'axisymmetric' ? 'force' : 'line_force');
+export const forceOf = (job) => (isWhole(job) ? 'force' : 'line_force');
 
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its dP/dα */
-export const stiffnessOf = (job) => (job.analysis === 'axisymmetric' ? 'stiffness' : 'line_stiffness');
+export const stiffnessOf = (job) => (isWhole(job) ? 'stiffness' : 'line_stiffness');
 
 /** @param {{analysis?: unknown}} job @returns {Quantity} of its work */
-export const energyOf = (job) => (job.analysis === 'axisymmetric' ? 'energy' : 'line_energy');
+export const energyOf = (job) => (isWhole(job) ? 'energy' : 'line_energy');
 
 /** @param {Quantity} quantity @param {Units | UnitSet} units @returns {string} name of its unit */
 export function unit(quantity, units) {

@@ -43,6 +43,9 @@ const PLANE_ONLY = named({ wedge: 'cone' });
 /** @type {Record<string, string | undefined>} */
 const TURNED_ONLY = named({ cone: 'wedge' });
 
+/** Shapes of half-spaces, which the form does not edit. */
+const OF_HALF_SPACES = new Set(['sphere', 'curved', 'flat']);
+
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
 export const shapeIn = (type, analysis) => (analysis === 'axisymmetric' ? PLANE_ONLY : TURNED_ONLY)[type] ?? type;
 
@@ -50,7 +53,7 @@ export const shapeIn = (type, analysis) => (analysis === 'axisymmetric' ? PLANE_
 export const shapesFor = (analysis, own) =>
   Object.fromEntries(
     Object.keys(SHAPES)
-      .filter((type) => type === own || shapeIn(type, analysis) === type)
+      .filter((type) => type === own || (!OF_HALF_SPACES.has(type) && shapeIn(type, analysis) === type))
       .map((type) => [type, shapeLabel(type, analysis)]),
   );
 

@@ -104,6 +104,30 @@ export const SHAPES = {
       {"description":"From the vertex to the base, more than the fall of the surface at its ends.","example":50.0,"key":"depth","label":"Depth","quantity":"length","symbol":"d"},
     ],
   },
+  sphere: {
+    label: "Sphere",
+    description: "A ball on a half-space; only in three dimensions.",
+    fields: [
+      {"description":"Radius.","example":20.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+      {"description":"Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
+    ],
+  },
+  curved: {
+    label: "Curved surface",
+    description: "A half-space whose surface has a curvature along its x and one along its y: roller, raceway, crowned part; only in three dimensions.",
+    fields: [
+      {"description":"Radius of curvature along its x; negative is concave, left out is straight.","example":10.0,"key":"radius_x","label":"Radius along x","optional":true,"quantity":"length","symbol":"R_x"},
+      {"description":"Radius of curvature along its y; negative is concave, left out is straight.","example":50.0,"key":"radius_y","label":"Radius along y","optional":true,"quantity":"length","symbol":"R_y"},
+      {"description":"Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
+    ],
+  },
+  flat: {
+    label: "Plane surface",
+    description: "A plane half-space; only in three dimensions.",
+    fields: [
+      {"description":"Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
+    ],
+  },
 };
 
 /* prettier-ignore */

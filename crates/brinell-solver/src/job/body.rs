@@ -1,11 +1,10 @@
 //! One of the two bodies.
 
 use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{Material, Named, Shape, Units};
+use super::{Analysis, Material, Named, Shape, Units};
 
 /// One body of the contact: its shape, what it is made of and how its far boundary is held.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,14 +36,24 @@ impl Body {
     }
 }
 
-impl Serialize for InUnits<'_, Body> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("shape", &InUnits(&self.0.shape, self.1))?;
-        map.serialize_entry("support", &self.0.support)?;
-        map.serialize_entry("material", &InUnits(&self.0.material, self.1))?;
-        map.end()
+impl InUnits<'_, Body> {
+    /// The body as it is written; a half-space has no support, unless somebody gave it one.
+    pub fn of(&self, analysis: Analysis) -> impl Serialize {
+        let has_support = analysis != Analysis::ThreeDimensional || self.0.support != Support::default();
+        WireBody {
+            shape: InUnits(&self.0.shape, self.1),
+            support: has_support.then_some(self.0.support),
+            material: InUnits(&self.0.material, self.1),
+        }
     }
+}
+
+#[derive(Serialize)]
+struct WireBody<'a> {
+    shape: InUnits<'a, Shape>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    support: Option<Support>,
+    material: InUnits<'a, Material>,
 }
 
 /// How the far boundary of a body is held (diametral plane of a cylinder, base of a block).

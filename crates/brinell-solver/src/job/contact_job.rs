@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde::de::Deserialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::fields::read_settings;
+use super::fields::{read_settings, read_settings_from};
 use super::reader::{self, Cursor, Faults, Node};
 use super::wire::InUnits;
 use super::{
@@ -48,26 +48,30 @@ pub enum Analysis {
     PlaneStress,
     /// Bodies of revolution about the line of approach.
     Axisymmetric,
+    /// Half-spaces whose surfaces are curved in two directions.
+    ThreeDimensional,
 }
 
 impl Named for Analysis {
-    const ALL: &'static [Self] = &[Self::PlaneStrain, Self::PlaneStress, Self::Axisymmetric];
+    const ALL: &'static [Self] =
+        &[Self::PlaneStrain, Self::PlaneStress, Self::Axisymmetric, Self::ThreeDimensional];
 
     fn name(self) -> &'static str {
         match self {
             Self::PlaneStrain => "plane_strain",
             Self::PlaneStress => "plane_stress",
             Self::Axisymmetric => "axisymmetric",
+            Self::ThreeDimensional => "three_dimensional",
         }
     }
 }
 
 impl Analysis {
-    /// What a force is: per thickness in plane analyses, whole in axisymmetry.
+    /// What a force is: per thickness in plane analyses, whole in axisymmetry and three dimensions.
     pub const fn force(self) -> Quantity {
         match self {
             Self::PlaneStrain | Self::PlaneStress => Quantity::LineForce,
-            Self::Axisymmetric => Quantity::Force,
+            Self::Axisymmetric | Self::ThreeDimensional => Quantity::Force,
         }
     }
 }
@@ -116,6 +120,7 @@ impl Job {
         faults.extend(job.faults_of_revolution());
         faults.extend(job.faults_of_theory());
         faults.extend(job.faults_of_shapes());
+        faults.extend(job.faults_of_three_dimensions(document));
         let refused = faults.into_sorted(document);
         if refused.is_empty() { Ok(job) } else { Err(JobError::Fields(refused)) }
     }
@@ -141,7 +146,8 @@ impl Job {
         let lower = object.required("lower", |c| Body::read(c, units));
         let force = analysis.map_or(Quantity::LineForce, Analysis::force);
         let load = object.required("load", |c| Load::read(c, force, units));
-        let mesh = object.or("mesh", MeshSettings::default(), read_settings);
+        let default_mesh = analysis.map_or_else(MeshSettings::default, MeshSettings::of);
+        let mesh = object.or("mesh", default_mesh, |c| read_settings_from(c, default_mesh));
         let solver = object.or("solver", SolverSettings::default(), read_settings);
         let output = object.or("output", OutputSettings::default(), read_settings);
         let tags = object.or("tags", BTreeMap::new(), tags::read);
@@ -176,8 +182,8 @@ impl Serialize for Job {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("analysis", &self.analysis)?;
         map.serialize_entry("units", &units)?;
-        map.serialize_entry("upper", &InUnits(&self.upper, units))?;
-        map.serialize_entry("lower", &InUnits(&self.lower, units))?;
+        map.serialize_entry("upper", &InUnits(&self.upper, units).of(self.analysis))?;
+        map.serialize_entry("lower", &InUnits(&self.lower, units).of(self.analysis))?;
         map.serialize_entry("load", &InUnits(&self.load, units).with_force(self.analysis.force()))?;
         map.serialize_entry("mesh", &InUnits(&self.mesh, units))?;
         map.serialize_entry("solver", &InUnits(&self.solver, units))?;

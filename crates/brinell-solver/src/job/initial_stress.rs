@@ -14,9 +14,10 @@ record! {
     pub struct InitialStress("", "Initial stress") {
         /// Depth below the surface.
         pub depth: NonNegativeF64 = Field::quantity(Quantity::Depth).label("Depth", "z").example(0.05),
-        /// Stress along the surface in the plane of the section, tension positive.
+        /// Stress along the surface in the plane of the section, in three dimensions along x; tension positive.
         pub sigma_x: f64 = Field::quantity(Quantity::SignedStress).label("Along the surface", "σ_x").example(-600.0),
-        /// Stress along the surface out of that plane, in axisymmetry equal to `sigma_x`, in plane stress zero.
+        /// Stress along the surface out of that plane, in three dimensions along y, in axisymmetry equal to `sigma_x`, in plane stress
+        /// zero.
         pub sigma_z: f64 = Field::quantity(Quantity::SignedStress).label("Out of plane", "σ_z").example(-600.0),
     }
 }
@@ -78,7 +79,7 @@ impl InitialStress {
     /// What is wrong with rows in an analysis.
     pub(super) fn faults_in(rows: &[Self], analysis: Analysis) -> Vec<FieldError> {
         let (is_wrong, detail): (fn(&Self) -> bool, _) = match analysis {
-            Analysis::PlaneStrain => return Vec::new(),
+            Analysis::PlaneStrain | Analysis::ThreeDimensional => return Vec::new(),
             Analysis::PlaneStress => (|row| row.sigma_z.abs() > 0.0, "must be 0 in plane stress"),
             Analysis::Axisymmetric => (
                 |row| (row.sigma_x - row.sigma_z).abs() > 1e-9 * row.sigma_x.abs(),

@@ -32,6 +32,7 @@ pub mod strategy;
 pub mod tags;
 pub mod target;
 mod theory;
+mod three_dimensions;
 pub mod units;
 mod wire;
 
@@ -52,8 +53,8 @@ pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
 pub use shape::{
-    Block, Cone, Cylinder, Ellipse, Groove, Hole, Interpolation, OuterEdge, Parabola, Power, Profile, Punch,
-    Shape, Wedge,
+    Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge, Parabola, Power,
+    Profile, Punch, Shape, Sphere, Wedge,
 };
 pub use target::{Target, TargetFigure};
 pub use units::Units;

@@ -5,6 +5,9 @@ use super::{Analysis, Coupling, FieldError, InitialStress, Job, Material, OuterE
 impl Job {
     /// Shapes that are of one kind of analysis, or of rigid bodies only.
     pub(super) fn faults_of_shapes(&self) -> Vec<FieldError> {
+        if self.analysis == Analysis::ThreeDimensional {
+            return self.faults_of_initial_stress();
+        }
         let is_revolved = self.analysis == Analysis::Axisymmetric;
         let mut faults = Vec::new();
         for (side, body) in [("upper", &self.upper), ("lower", &self.lower)] {

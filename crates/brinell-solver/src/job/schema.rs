@@ -36,8 +36,8 @@ impl Schemas<'_> {
             (
                 "Analysis",
                 enumeration::<Analysis>(
-                    "Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line \
-                     of approach.",
+                    "Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of \
+                     approach, or half-spaces in three dimensions.",
                 ),
             ),
             (
@@ -50,7 +50,7 @@ impl Schemas<'_> {
                 "Support",
                 enumeration::<Support>(
                     "How the far boundary (diametral plane, base) is held: both displacements, or the normal one \
-                     alone.",
+                     alone. Not in three dimensions.",
                 ),
             ),
             (
@@ -319,8 +319,7 @@ impl Schemas<'_> {
     }
 
     fn loads(&self) -> Vec<(&'static str, Value)> {
-        let force =
-            "Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all.";
+        let force = "Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry and three dimensions in all.";
         let force = figures_schema(&[Quantity::LineForce, Quantity::Force], force);
         let approach = figures_schema(&[Quantity::Approach], "Approach α of the two supports.");
         let example = |mut schema: Value, example: Value| {

@@ -3,13 +3,13 @@
 use serde::Serialize;
 
 use super::fields::{Field, record};
-use super::{Named, PositiveF64};
+use super::{Analysis, Named, PositiveF64};
 
 record! {
     /// The mesh.
     #[derive(Copy)]
     pub struct MeshSettings("", "Mesh") {
-        /// Elements over one contact half-width.
+        /// Elements over one contact half-width; in three dimensions cells over each semi-axis, 10 of them if it is left out.
         pub elements_per_half_width: u32 = Field::whole(
             MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH..=MeshSettings::MAX_ELEMENTS_PER_HALF_WIDTH,
         )
@@ -22,6 +22,16 @@ impl MeshSettings {
     pub const MIN_ELEMENTS_PER_HALF_WIDTH: u32 = 4;
     /// Most elements over a half-width that a job may ask for (about 2.5 million equations a body).
     pub const MAX_ELEMENTS_PER_HALF_WIDTH: u32 = 320;
+    /// Most cells over a semi-axis in three dimensions.
+    pub const MAX_CELLS_PER_SEMI_AXIS: u32 = 60;
+
+    /// What a job of an analysis has that says nothing of its mesh.
+    pub fn of(analysis: Analysis) -> Self {
+        match analysis {
+            Analysis::ThreeDimensional => Self { elements_per_half_width: 10 },
+            Analysis::PlaneStrain | Analysis::PlaneStress | Analysis::Axisymmetric => Self::default(),
+        }
+    }
 }
 
 impl Default for MeshSettings {

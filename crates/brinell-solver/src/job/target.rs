@@ -68,8 +68,12 @@ impl TargetFigure {
                  away."
             }
             Self::PeakPressure => "Largest contact pressure.",
-            Self::MeanPressure => "Force over the width of the contact or, in axisymmetry, over its area.",
-            Self::HalfWidth => "Half-width of the contact; its radius in axisymmetry.",
+            Self::MeanPressure => {
+                "Force over the width of the contact or, in axisymmetry and three dimensions, over its area."
+            }
+            Self::HalfWidth => {
+                "Half-width of the contact; its radius in axisymmetry, its shorter semi-axis in three dimensions."
+            }
             Self::MaxPlasticStrain => "Largest equivalent plastic strain of both bodies.",
         }
     }

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
-use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
+use crate::job::{Analysis, Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::observer::ask;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
@@ -227,8 +227,15 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     }
 }
 
+/// A half-space has no end that could be held.
+const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; bodies of finite size give way by something else \
+                                in their bulk and at their supports";
+
 fn approach_datum(job: &Job, write: UnitConverter) -> String {
     let in_hole = matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
+    if job.analysis == Analysis::ThreeDimensional {
+        return HALF_SPACE_DATUM.to_owned();
+    }
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
         (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
@@ -250,6 +257,7 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         (_, Shape::Parabola(parabola)) => block_base(side, parabola.depth().get(), write),
         (_, Shape::Ellipse(ellipse)) => block_base(side, ellipse.semi_axis_y.get(), write),
         (_, Shape::Power(power)) => block_base(side, power.depth().get(), write),
+        (_, Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_)) => format!("the far {side} body"),
     };
     format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
 }

@@ -21,7 +21,7 @@ use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 pub struct Report {
     /// `mm_N_MPa` or `SI`.
     pub units: String,
-    /// `plane_strain`, `plane_stress` or `axisymmetric`.
+    /// `plane_strain`, `plane_stress`, `axisymmetric` or `three_dimensional`.
     pub analysis: String,
     /// The least good status of all steps.
     pub status: SolveStatus,

@@ -10,7 +10,7 @@ use super::build::{ReportBuilder, in_units};
 use super::units::UnitConverter;
 use super::{Report, StepReport, target};
 use crate::fem::mesh::MeshError;
-use crate::job::{FieldError, Job, Load, Material, Named as _, Shape, Theory};
+use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
     self, Estimate, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver, StepSolution,
     Unreachable,
@@ -128,11 +128,22 @@ pub struct JobEstimate {
 /// # Errors
 /// The fields that describe a contact which is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
+    if job.analysis == Analysis::ThreeDimensional {
+        return Err(vec![no_engine()]);
+    }
     match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
         Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
     }
+}
+
+/// The refusal of jobs that are read and not solved.
+fn no_engine() -> FieldError {
+    FieldError::not_solvable(
+        "/analysis",
+        "this version reads jobs in three dimensions and does not solve them yet",
+    )
 }
 
 /// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps on their way into a result.
@@ -225,6 +236,9 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(StepReport),
 ) -> Result<Report, RunError> {
+    if job.analysis == Analysis::ThreeDimensional {
+        return Err(RunError::Input(vec![no_engine()]));
+    }
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
     let may_begin_anew = options.model.is_some() || job.solver.theory == Theory::Flow;
     let mut reports = Reports { builder: ReportBuilder::new(job), may_begin_anew, held: Vec::new(), on_step };

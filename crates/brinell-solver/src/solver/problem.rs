@@ -161,7 +161,8 @@ impl Problem {
         let stress_state = match job.analysis {
             Analysis::PlaneStrain => StressState::PlaneStrain,
             Analysis::PlaneStress => StressState::PlaneStress,
-            Analysis::Axisymmetric => StressState::Axisymmetric,
+            // The engine of half-spaces has no stress state of its own.
+            Analysis::Axisymmetric | Analysis::ThreeDimensional => StressState::Axisymmetric,
         };
         let [upper_outline, lower_outline] = Outline::of_pair([&job.upper.shape, &job.lower.shape]);
         let conforming = ConformingPair::of([&upper_outline, &lower_outline]);

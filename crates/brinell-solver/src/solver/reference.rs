@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::analytical::{DepthLimit, HertzLine, HertzPoint, YieldOnset};
 use crate::fem::element::StressState;
-use crate::job::Job;
+use crate::job::{Analysis, Job};
 use crate::solver::problem::{Problem, ProblemBody};
 
 /// Hertz's contact and the onset of yield.
@@ -27,8 +27,11 @@ pub struct ElasticReference {
 
 impl ElasticReference {
     /// The reference for a job under a force \[N/mm, or N in axisymmetry\]; `None` where Hertz's theory does not
-    /// apply: a pin in its hole, surfaces that are no arcs or do not open away from the origin.
+    /// apply: a pin in its hole, surfaces that are no arcs or do not open away from the origin, half-spaces.
     pub fn of(job: &Job, force: f64) -> Option<Self> {
+        if job.analysis == Analysis::ThreeDimensional {
+            return None;
+        }
         let problem = Problem::of(job);
         if problem.conforming.is_some() {
             return None;

@@ -163,6 +163,11 @@ impl Outline {
                 let surface = Surface::Power { exponent: power.exponent(), scale: power.scale().get() };
                 Self::of_width(surface, power.width().get(), power.depth().get())
             }
+            // The section along x of a half-space, which no analysis meshes.
+            Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_) => {
+                let [curvature, ..] = shape.curvatures().unwrap_or_default();
+                Self::arc(curvature, curvature.abs().recip(), f64::INFINITY)
+            }
         }
     }
 

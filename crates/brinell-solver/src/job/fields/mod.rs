@@ -21,7 +21,9 @@ use std::ops::RangeInclusive;
 use super::{FieldError, Named, Quantity, Units};
 
 pub(super) use member::{Member, read_member};
-pub(super) use record::{Record, faults_of, read_record, read_record_of, read_settings, write_record};
+pub(super) use record::{
+    Record, faults_of, read_record, read_record_of, read_settings, read_settings_from, write_record,
+};
 pub(super) use record::{record, tagged};
 
 /// Names, description and fields of one object of the job.

@@ -82,7 +82,12 @@ pub(in crate::job) fn faults_of<T: Record>(record: &T, beside: &[(&'static str, 
 
 /// Reads an object of which every field has a default.
 pub(in crate::job) fn read_settings<T: Record + Default>(cursor: Cursor<'_>) -> Option<T> {
-    read_record(&cursor.object()?, None, None, Some(T::default()), &[])
+    read_settings_from(cursor, T::default())
+}
+
+/// The same from other defaults.
+pub(in crate::job) fn read_settings_from<T: Record>(cursor: Cursor<'_>, default: T) -> Option<T> {
+    read_record(&cursor.object()?, None, None, Some(default), &[])
 }
 
 /// Writes the fields of an object.

@@ -11,6 +11,7 @@ mod hole;
 mod power;
 mod profile;
 mod punch;
+mod quadric;
 mod wedge;
 
 pub use block::Block;
@@ -20,6 +21,7 @@ pub use hole::{Hole, OuterEdge};
 pub use power::{Ellipse, Parabola, Power};
 pub use profile::{Interpolation, Profile};
 pub use punch::Punch;
+pub use quadric::{Curved, Flat, Sphere};
 pub use wedge::{Cone, Wedge};
 
 use super::fields::tagged;
@@ -27,6 +29,20 @@ use super::fields::tagged;
 tagged! {
     /// The undeformed outline of a body.
     pub enum Shape by "type" {
-        Cylinder, Block, Groove, Hole, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power
+        Cylinder, Block, Groove, Hole, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power, Sphere, Curved,
+        Flat
+    }
+}
+
+impl Shape {
+    /// Curvatures `[k_xx, k_yy, k_xy]` of the surface of a half-space in the contact plane, positive where it is convex
+    /// \[1/mm\]; `None` of a shape that is no half-space.
+    pub fn curvatures(&self) -> Option<[f64; 3]> {
+        match self {
+            Self::Sphere(Sphere { radius, .. }) => Some([radius.get().recip(), radius.get().recip(), 0.0]),
+            Self::Curved(curved) => Some(curved.curvatures()),
+            Self::Flat(_) => Some([0.0; 3]),
+            _ => None,
+        }
     }
 }

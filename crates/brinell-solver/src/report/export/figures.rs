@@ -268,7 +268,7 @@ fn elastic_curves(job: &Job, body: &Body, step: &StepReport, reach: f64) -> Vec<
     let poisson = match job.analysis {
         Analysis::PlaneStrain => material.elastic().poisson_ratio.get(),
         Analysis::PlaneStress => 0.0,
-        Analysis::Axisymmetric => return Vec::new(),
+        Analysis::Axisymmetric | Analysis::ThreeDimensional => return Vec::new(),
     };
     // The contact with this half-width and peak pressure: a = 2 R p0 / E* with R = a, E* = 2 p0.
     let field =

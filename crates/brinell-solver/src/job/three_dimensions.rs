@@ -1,0 +1,212 @@
+//! What half-spaces in three dimensions ask of a job.
+
+use super::reader::Node;
+use super::{Analysis, ContactMethod, Coupling, FieldError, Job, MeshSettings};
+
+/// Least curvature of the gap in one direction over that in the other: what is flatter is a line contact.
+const LEAST_CURVATURE_RATIO: f64 = 1e-4;
+
+impl Job {
+    /// Whatever of the job half-spaces cannot do, and half-spaces in a plane analysis.
+    pub(super) fn faults_of_three_dimensions(&self, document: &Node) -> Vec<FieldError> {
+        let is_three_dimensional = self.analysis == Analysis::ThreeDimensional;
+        let mut faults = self.faults_of_surfaces(is_three_dimensional);
+        if !is_three_dimensional {
+            return faults;
+        }
+        if faults.is_empty() {
+            faults.extend(self.faults_of_gap());
+        }
+        let most = MeshSettings::MAX_CELLS_PER_SEMI_AXIS;
+        if self.mesh.elements_per_half_width > most {
+            let least = MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH;
+            let detail =
+                format!("must be between {least} and {most} cells over a semi-axis in three dimensions");
+            faults.push(FieldError::new("/mesh/elements_per_half_width", detail));
+        }
+        let supports = ["/upper/support", "/lower/support"];
+        let given = supports.into_iter().filter(|at| document.at(at).is_some_and(|node| *node != Node::Null));
+        faults.extend(given.map(|pointer| {
+            let detail = "a half-space in three dimensions has no far boundary that could be held; leave `support` out";
+            FieldError::new(pointer, detail)
+        }));
+        if self.solver.coupling == Coupling::SecantStiffness {
+            let detail = "half-spaces have no stiffness that could take secant moduli; take `accelerated`, `strong` or `weak`";
+            faults.push(FieldError::new("/solver/coupling", detail));
+        }
+        if self.solver.contact == ContactMethod::Simplex {
+            let detail = "the simplex needs the flexibility as a matrix, which half-spaces do not have; take `active_set`";
+            faults.push(FieldError::new("/solver/contact", detail));
+        }
+        faults
+    }
+
+    /// Half-spaces are of three dimensions, and nothing else is.
+    fn faults_of_surfaces(&self, is_three_dimensional: bool) -> Vec<FieldError> {
+        let sides = [("upper", &self.upper), ("lower", &self.lower)];
+        let misplaced =
+            sides.into_iter().filter(|(_, body)| body.shape.curvatures().is_some() != is_three_dimensional);
+        misplaced
+            .map(|(side, body)| {
+                let word = body.shape.table().word;
+                let detail = if is_three_dimensional {
+                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\" or \"flat\"")
+                } else {
+                    format!("\"{word}\" needs the analysis \"three_dimensional\"")
+                };
+                FieldError::new(format!("/{side}/shape/type"), detail)
+            })
+            .collect()
+    }
+
+    /// The gap opens in every direction, so that the contact ends.
+    fn faults_of_gap(&self) -> Vec<FieldError> {
+        let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
+        if greatest > 0.0 && least >= LEAST_CURVATURE_RATIO * greatest {
+            return Vec::new();
+        }
+        let detail = if greatest <= 0.0 || least < -LEAST_CURVATURE_RATIO * greatest {
+            "the surfaces do not open away from where they touch: in each direction the concave body needs the larger radius"
+        } else {
+            "the contact would have no end, or nearly none, in the direction in which both surfaces are straight or fit each other: \
+             solve it as \"plane_strain\", or give a body a radius there"
+        };
+        ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
+    }
+
+    /// Principal curvatures of the gap between two half-spaces, the smaller one first \[1/mm\]; `None` of other shapes.
+    pub fn gap_curvatures(&self) -> Option<[f64; 2]> {
+        let [xx, yy, xy] = self.gap_curvature()?;
+        let (mean, spread) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        Some([mean - spread, mean + spread])
+    }
+
+    /// Direction in which the gap grows fastest, along which a contact of half-spaces is shortest: its angle from x towards y in
+    /// degrees, above -90 and at most 90; 0 where the gap is round, `None` of other shapes.
+    pub fn gap_orientation(&self) -> Option<f64> {
+        let [xx, yy, xy] = self.gap_curvature()?;
+        let is_round = (0.5 * (xx - yy)).hypot(xy) <= 1e-12 * (xx + yy).abs();
+        Some(if is_round { 0.0 } else { 0.5 * (2.0 * xy).atan2(xx - yy).to_degrees() })
+    }
+
+    /// Curvatures `[k_xx, k_yy, k_xy]` of the gap between two half-spaces.
+    fn gap_curvature(&self) -> Option<[f64; 3]> {
+        let (upper, lower) = (self.upper.shape.curvatures()?, self.lower.shape.curvatures()?);
+        Some([upper[0] + lower[0], upper[1] + lower[1], upper[2] + lower[2]])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{JobError, Units};
+    use serde_json::{Value, json};
+
+    fn job(upper: &Value, lower: &Value) -> Value {
+        let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+        json!({
+            "analysis": "three_dimensional",
+            "upper": {"shape": upper, "material": steel},
+            "lower": {"shape": lower, "material": steel},
+            "load": {"force": 100},
+        })
+    }
+
+    fn ball_on_flat() -> Value {
+        job(&json!({"type": "sphere", "radius": 10}), &json!({"type": "flat"}))
+    }
+
+    fn faults(value: &Value) -> Vec<String> {
+        let Err(JobError::Fields(faults)) = Job::from_value(value) else { return Vec::new() };
+        faults.iter().map(|fault| format!("{fault}")).collect()
+    }
+
+    fn pointers(value: &Value) -> Vec<String> {
+        faults(value).iter().map(|fault| fault.split(": ").next().unwrap_or_default().to_owned()).collect()
+    }
+
+    #[test]
+    fn a_ball_on_a_plane_is_a_job() {
+        let read = Job::from_value(&ball_on_flat()).unwrap();
+        assert_eq!((read.analysis, read.mesh.elements_per_half_width), (Analysis::ThreeDimensional, 10));
+        assert_eq!(read.analysis.force().symbol(Units::MmNMpa), "N");
+        assert!(read.validate().is_ok());
+        assert!(serde_json::to_value(&read).unwrap()["upper"].get("support").is_none());
+    }
+
+    #[test]
+    fn curved_bodies_meet_in_principal_directions() {
+        let roller = json!({"type": "curved", "radius_x": 10, "rotation": 30});
+        let crossed = json!({"type": "curved", "radius_x": 10, "rotation": -60});
+        let read = Job::from_value(&job(&roller, &crossed)).unwrap();
+        let [least, greatest] = read.gap_curvatures().unwrap();
+        assert!((least - 0.1).abs() < 1e-15 && (greatest - 0.1).abs() < 1e-15);
+        assert!(read.gap_orientation().unwrap().abs() < 1e-12);
+        let barrel = json!({"type": "curved", "radius_x": 20, "radius_y": 400, "rotation": 30});
+        let read = Job::from_value(&job(&roller, &barrel)).unwrap();
+        let [least, greatest] = read.gap_curvatures().unwrap();
+        assert!((least - 0.0025).abs() < 1e-15 && (greatest - 0.15).abs() < 1e-15);
+        assert!((read.gap_orientation().unwrap() - 30.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_ball_in_a_raceway_has_the_smaller_radius() {
+        let ball = json!({"type": "sphere", "radius": 10});
+        let raceway = |radius: f64| json!({"type": "curved", "radius_x": 30, "radius_y": -radius});
+        assert!(faults(&job(&ball, &raceway(10.4))).is_empty());
+        let faults = faults(&job(&ball, &raceway(9.9)));
+        assert_eq!(faults.len(), 2);
+        assert!(faults.iter().all(|fault| fault.contains("the surfaces do not open")), "{faults:?}");
+    }
+
+    #[test]
+    fn stress_before_the_load_may_differ_along_x_and_y() {
+        let mut ground = ball_on_flat();
+        ground["lower"]["material"]["plasticity"] =
+            json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
+        ground["lower"]["material"]["initial_stress"] =
+            json!([{"depth": 0, "sigma_x": -300, "sigma_z": -200}]);
+        assert!(faults(&ground).is_empty(), "{:?}", faults(&ground));
+    }
+
+    #[test]
+    fn a_line_contact_is_of_plane_strain() {
+        let roller = json!({"type": "curved", "radius_x": 10});
+        for (upper, lower) in
+            [(roller, json!({"type": "flat"})), (json!({"type": "flat"}), json!({"type": "curved"}))]
+        {
+            let faults = faults(&job(&upper, &lower));
+            assert_eq!(faults.len(), 2, "{faults:?}");
+        }
+    }
+
+    #[test]
+    fn every_field_at_fault_is_named() {
+        let mut wrong = ball_on_flat();
+        wrong["lower"]["shape"] = json!({"type": "block", "width": 20, "depth": 20});
+        wrong["lower"]["support"] = json!("clamped");
+        wrong["mesh"] = json!({"elements_per_half_width": 61});
+        wrong["solver"] = json!({"coupling": "secant_stiffness", "contact": "simplex"});
+        let expected = [
+            "/lower/shape/type",
+            "/lower/support",
+            "/mesh/elements_per_half_width",
+            "/solver/contact",
+            "/solver/coupling",
+        ];
+        assert_eq!(pointers(&wrong), expected);
+    }
+
+    #[test]
+    fn half_spaces_are_of_three_dimensions_only() {
+        let mut plane = ball_on_flat();
+        plane["analysis"] = json!("axisymmetric");
+        assert_eq!(pointers(&plane), ["/lower/shape/type", "/upper/shape/type"]);
+    }
+
+    #[test]
+    fn a_radius_is_not_zero() {
+        let wrong = job(&json!({"type": "curved", "radius_x": 0, "radius_y": 10}), &json!({"type": "flat"}));
+        assert_eq!(pointers(&wrong), ["/upper/shape/radius_x"]);
+    }
+}
