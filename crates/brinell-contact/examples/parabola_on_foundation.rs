@@ -4,9 +4,7 @@
 
 use std::error::Error;
 
-use brinell_contact::{
-    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, never,
-};
+use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, kkt, never};
 use sparse_cholesky::dense::SymmetricMatrix;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -14,11 +12,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     // [mm/N]: falls with the distance.
     let flexibility = SymmetricMatrix::from_fn(usize::from(n), |i, j| 0.01 / (1.0 + i.abs_diff(j) as f64));
     let gap: Vec<f64> = (0..n).map(|k| 2e-3 * (f64::from(k) - 10.0).powi(2)).collect();
-    let problem =
-        ContactProblem { flexibility: &flexibility, initial_gap: &gap, load: ContactLoad::Force(10.0) };
-    let mut solution = ContactSolution::default();
-    ConjugateGradientSolver::new(1e-9).solve(&problem, &mut solution, &mut never)?;
-    println!("{:?}, approach {:.5} mm, {:?}", solution.status, solution.approach, solution.kkt);
+    let closing = vec![1.0; gap.len()];
+    let problem = ContactProblem {
+        flexibility: &flexibility,
+        initial_gap: &gap,
+        closing: &closing,
+        load: ContactLoad::Force(10.0),
+    };
+    let solution = ConjugateGradientSolver::new(1e-9).solve(&problem, None, &mut never)?;
+    let check = kkt::check(&problem, &solution.force, solution.approach);
+    println!("{:?}, approach {:.5} mm, {check:?}", solution.status, solution.approach);
     for (k, (force, gap)) in solution.force.iter().zip(&solution.gap).enumerate() {
         println!("{k:3}  {force:8.4} N  {gap:9.6} mm");
     }

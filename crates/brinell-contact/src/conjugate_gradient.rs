@@ -10,16 +10,16 @@
 //! residual: the set matters more than the forces until it has settled. The next set keeps cells with R > 0 and takes in
 //! cells that penetrate, by more than the tolerance, since the inner iteration knows no better.
 //!
-//! The set is not proven to settle. Sets that go on changing hand over to [`PolonskyKeerSolver`].
+//! The set is not proven to settle. Sets that go on changing hand over to projected conjugate gradients.
 //!
 //! # Reference
 //! M. Hintermüller, K. Ito, K. Kunisch, *The primal-dual active set strategy as a semismooth Newton method*, SIAM J. Optim.
 //! 13 (2002) 865–888, for the outer iteration.
 
-use super::vectors::{add_scaled, dot, largest, sum, total};
+use super::vectors::{add_scaled, dot, largest, total};
 use super::{
-    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus,
-    PolonskyKeerSolver, StopHook, start,
+    ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, ContactStatus, StopHook,
+    operator, polonsky_keer,
 };
 
 /// Reduction of the residual by which an inner iteration ends. From the prototype in Python; not tuned here.
@@ -29,11 +29,38 @@ const SET_LIMIT: usize = 60;
 /// Applications within one set: a guard, not a measured bound.
 const INNER_LIMIT: usize = 400;
 
-/// Solves contact problems by applications of the flexibility alone. Holds its work space.
-#[derive(Debug, Clone)]
+/// Solves contact problems by applications of the flexibility alone.
+#[derive(Debug, Clone, Copy)]
 pub struct ConjugateGradientSolver {
     /// Largest violation of a contact condition, as [`KktReport`](super::KktReport) measures it.
     pub tolerance: f64,
+}
+
+impl ConjugateGradientSolver {
+    /// A solver that goes on until the independent check passes `tolerance`.
+    pub const fn new(tolerance: f64) -> Self {
+        Self { tolerance }
+    }
+}
+
+impl ContactSolver for ConjugateGradientSolver {
+    fn solve(
+        &self,
+        problem: &ContactProblem<'_>,
+        start: Option<&ContactSolution>,
+        stop: &mut StopHook<'_>,
+    ) -> Result<ContactSolution, ContactError> {
+        operator::solve(problem, start, self.tolerance, |problem, solution, tolerance| {
+            let active = solution.force.iter().map(|r| *r > 0.0).collect();
+            Iteration::new(problem, tolerance, active).run(solution, stop)
+        })
+    }
+}
+
+/// A running solve with normals along the approach.
+struct Iteration<'a> {
+    problem: &'a ContactProblem<'a>,
+    tolerance: f64,
     active: Vec<bool>,
     /// 1 on the active set, 0 elsewhere.
     indicator: Vec<f64>,
@@ -43,7 +70,6 @@ pub struct ConjugateGradientSolver {
     image: Vec<f64>,
     preconditioned: Vec<f64>,
     uniform: Vec<f64>,
-    fallback: PolonskyKeerSolver,
 }
 
 /// How the inner iteration on one set ended.
@@ -56,41 +82,26 @@ struct Inner {
     stopped: bool,
 }
 
-impl ConjugateGradientSolver {
-    /// A solver that goes on until the independent check passes `tolerance`.
-    pub fn new(tolerance: f64) -> Self {
+impl<'a> Iteration<'a> {
+    fn new(problem: &'a ContactProblem<'a>, tolerance: f64, active: Vec<bool>) -> Self {
+        let zeros = || vec![0.0; active.len()];
         Self {
+            problem,
             tolerance,
-            active: Vec::new(),
-            indicator: Vec::new(),
-            opening: Vec::new(),
-            residual: Vec::new(),
-            direction: Vec::new(),
-            image: Vec::new(),
-            preconditioned: Vec::new(),
-            uniform: Vec::new(),
-            fallback: PolonskyKeerSolver::new(tolerance),
-        }
-    }
-
-    fn resize(&mut self, n: usize) {
-        self.active.resize(n, false);
-        for vector in [
-            &mut self.indicator,
-            &mut self.opening,
-            &mut self.residual,
-            &mut self.direction,
-            &mut self.image,
-            &mut self.preconditioned,
-            &mut self.uniform,
-        ] {
-            vector.resize(n, 0.0);
+            indicator: zeros(),
+            opening: zeros(),
+            residual: zeros(),
+            direction: zeros(),
+            image: zeros(),
+            preconditioned: zeros(),
+            uniform: zeros(),
+            active,
         }
     }
 
     /// `z = M r` on the active set, zero elsewhere.
-    fn precondition(&mut self, problem: &ContactProblem<'_>) {
-        problem.flexibility.precondition(&self.residual, &mut self.preconditioned);
+    fn precondition(&mut self) {
+        self.problem.flexibility.precondition(&self.residual, &mut self.preconditioned);
         for (z, inside) in self.preconditioned.iter_mut().zip(&self.indicator) {
             *z *= inside;
         }
@@ -99,15 +110,15 @@ impl ConjugateGradientSolver {
     /// Conjugate gradients on the set, from the forces in `solution`; leaves `w = g + F R` in `opening`.
     fn equations_of_set(
         &mut self,
-        problem: &ContactProblem<'_>,
         solution: &mut ContactSolution,
         stop: &mut StopHook<'_>,
     ) -> Result<Inner, ContactError> {
+        let problem = self.problem;
         let constrained = matches!(problem.load, ContactLoad::Force(_));
         let mut uniform_sum = 1.0;
         if constrained {
             self.residual.copy_from_slice(&self.indicator);
-            self.precondition(problem);
+            self.precondition();
             self.uniform.copy_from_slice(&self.preconditioned);
             uniform_sum = total(&self.uniform);
         }
@@ -136,7 +147,7 @@ impl ConjugateGradientSolver {
             if ended || stopped || count == INNER_LIMIT {
                 return Ok(Inner { approach, residual, scale, stopped });
             }
-            self.precondition(problem);
+            self.precondition();
             if constrained {
                 let share = total(&self.preconditioned) / uniform_sum;
                 add_scaled(&mut self.preconditioned, -share, &self.uniform);
@@ -151,7 +162,7 @@ impl ConjugateGradientSolver {
             solution.applications += 1;
             let energy = dot(&self.direction, &self.image);
             if energy.is_nan() || energy <= 0.0 {
-                return Err(ContactError::NotPositiveDefinite { energy });
+                return Err(ContactError::NoEnergy { energy });
             }
             let step = product / energy;
             add_scaled(&mut solution.force, -step, &self.direction);
@@ -161,12 +172,12 @@ impl ConjugateGradientSolver {
     }
 
     /// Takes the forces' own set, without the tension, at the prescribed force.
-    fn adopt(&mut self, problem: &ContactProblem<'_>, force: &mut [f64]) {
+    fn adopt(&mut self, force: &mut [f64]) {
         for (k, inside) in self.active.iter().enumerate() {
             self.indicator[k] = f64::from(u8::from(*inside));
             force[k] = if *inside { force[k].max(0.0) } else { 0.0 };
         }
-        if let ContactLoad::Force(prescribed) = problem.load {
+        if let ContactLoad::Force(prescribed) = self.problem.load {
             let carried = total(force);
             if carried > 0.0 {
                 for r in force.iter_mut() {
@@ -195,62 +206,40 @@ impl ConjugateGradientSolver {
         }
         changed
     }
-}
 
-impl ContactSolver for ConjugateGradientSolver {
-    fn solve(
-        &mut self,
-        problem: &ContactProblem<'_>,
-        solution: &mut ContactSolution,
+    /// Set after set until the check passes; the fallback where they do not settle.
+    fn run(
+        mut self,
+        mut solution: ContactSolution,
         stop: &mut StopHook<'_>,
-    ) -> Result<(), ContactError> {
-        problem.validate()?;
-        (solution.applications, solution.active_sets) = (0, 0);
-        if let Some(approach) = problem.approach_without_force() {
-            solution.without_force(problem, approach);
-            return Ok(());
-        }
-        let n = problem.n_cells();
-        self.resize(n);
-        if solution.force.len() != n || !solution.force.iter().any(|r| *r > 0.0) {
-            solution.force.resize(n, 0.0);
-            start::guess(problem, &mut solution.force, &mut self.image);
-            solution.applications += 1;
-        }
-        for (inside, r) in self.active.iter_mut().zip(&solution.force) {
-            *inside = *r > 0.0;
-        }
-        let lowest = problem.initial_gap.iter().copied().fold(f64::INFINITY, f64::min);
-        while solution.active_sets < SET_LIMIT {
-            solution.active_sets += 1;
-            self.adopt(problem, &mut solution.force);
-            let inner = self.equations_of_set(problem, solution, stop)?;
+    ) -> Result<ContactSolution, ContactError> {
+        let problem = self.problem;
+        let lowest = problem.first_touch();
+        while solution.pivots < SET_LIMIT {
+            solution.pivots += 1;
+            self.adopt(&mut solution.force);
+            let inner = self.equations_of_set(&mut solution, stop)?;
             if inner.stopped {
-                self.adopt(problem, &mut solution.force);
-                solution.finish(problem, inner.approach);
+                self.adopt(&mut solution.force);
+                operator::finish(problem, &mut solution, inner.approach);
                 solution.status = ContactStatus::Stopped;
-                return Ok(());
+                return Ok(solution);
             }
             let changed = self.next_set(&solution.force, &inner);
             if !changed && inner.residual <= 0.5 * self.tolerance {
-                solution.finish(problem, inner.approach);
-                if solution.kkt.passes(self.tolerance) {
+                let report = operator::finish(problem, &mut solution, inner.approach);
+                if report.passes(self.tolerance) {
                     solution.status = ContactStatus::Converged;
-                    return Ok(());
+                    return Ok(solution);
                 }
             }
-            if sum(n, |k| f64::from(u8::from(self.active[k]))) == 0.0 {
+            if !self.active.contains(&true) {
                 for (inside, g) in self.active.iter_mut().zip(problem.initial_gap) {
                     *inside = *g <= lowest;
                 }
             }
         }
-        let spent = (solution.applications, solution.active_sets);
-        self.adopt(problem, &mut solution.force);
-        self.fallback.tolerance = self.tolerance;
-        self.fallback.solve(problem, solution, stop)?;
-        solution.applications += spent.0;
-        solution.active_sets += spent.1;
-        Ok(())
+        self.adopt(&mut solution.force);
+        polonsky_keer::run(problem, solution, self.tolerance, stop)
     }
 }

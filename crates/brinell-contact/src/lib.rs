@@ -1,46 +1,58 @@
 //! The frictionless unilateral contact of two elastic bodies that are known by their flexibility alone.
 //!
-//! With n candidate cells, the flexibility `F = flexibility [mm/N]`, the initial gap `g = initial_gap [mm]` (geometry
-//! plus plastic displacement), the contact forces `R = force [N]`, the gap after loading `δ = gap [mm]` and the
-//! approach `α = approach [mm]`, a solution satisfies
+//! With n candidate pairs of nodes or cells, the flexibility `F = flexibility [mm/N]`, the initial gap `g = initial_gap [mm]`
+//! along each pair's normal (geometry plus plastic displacement), the contact forces `R = force [N]`, the gap after loading
+//! `δ = gap [mm]` and the approach `α = approach [mm]`, a solution satisfies
 //! ```text
-//! g + F R - α = δ           continuity
-//! Σ R = P   or   α given    the load
+//! g + F R - α e = δ         continuity; e_k, the cosine of the pair's normal to the approach
+//! eᵀR = P   or   α given    the load
 //! R >= 0,  δ >= 0,  R_k δ_k = 0
 //! ```
 //! For F symmetric positive definite these are the optimality conditions of `min ½ RᵀF R + gᵀR` over
-//! `R >= 0, Σ R = P` (or of `min ½ RᵀF R + (g - α)ᵀR` over `R >= 0`): a solution exists and is unique.
+//! `R >= 0, eᵀR = P` (or of `min ½ RᵀF R + (g - α e)ᵀR` over `R >= 0`): a solution exists and is unique.
 //!
-//! F is a [`Flexibility`]: it is applied to forces and has no entries to look at.
+//! F is a [`Flexibility`]. Two solvers need its entries, two apply it:
+//! - [`ActiveSetSolver`], Newton's method on the conditions: a few steps, from the pairs of another answer one or two;
+//! - [`SimplexSolver`], the simplex with restricted basis entry: finite, needs no start, O(n²) a pivot;
+//! - [`ConjugateGradientSolver`], the active set outside, preconditioned conjugate gradients inside, with the next solver to
+//!   fall back on;
+//! - [`PolonskyKeerSolver`], projected conjugate gradients without a preconditioner.
 //!
-//! Two solvers, one independent check:
-//! - [`ConjugateGradientSolver`], a primal-dual active set outside, preconditioned conjugate gradients inside, with
-//!   the second solver to fall back on;
-//! - [`PolonskyKeerSolver`], projected conjugate gradients without a preconditioner;
-//! - [`kkt::check`] recomputes every condition from the data and shares no code with either. Both solvers report its
-//!   verdict on the answer that they return.
+//! [`kkt::check`] recomputes every condition from the data and shares no code with any of them.
 //!
-//! An answer that has not converged is an answer with that [`ContactStatus`], not an error.
+//! An answer that has not converged is an answer with that [`ContactStatus`], not an error. Forces are per unit thickness in plane
+//! problems. Nothing here knows a mesh.
 
+mod active_set;
+mod bordered;
 mod conjugate_gradient;
+mod entries;
 mod error;
 mod flexibility;
 pub mod kkt;
+mod operator;
+mod pairs;
 mod polonsky_keer;
 mod problem;
+mod simplex;
 mod start;
+mod tableau;
 mod vectors;
 
 use std::ops::ControlFlow;
 
+pub use active_set::ActiveSetSolver;
 pub use conjugate_gradient::ConjugateGradientSolver;
 pub use error::ContactError;
 pub use flexibility::Flexibility;
 pub use kkt::KktReport;
+pub use pairs::ActiveSet;
 pub use polonsky_keer::PolonskyKeerSolver;
 pub use problem::{ContactLoad, ContactProblem, ContactSolution, ContactStatus};
+pub use simplex::SimplexSolver;
 
-/// Asked once per iteration; `Break` ends the solve with [`ContactStatus::Stopped`].
+/// Asked once per iteration of conjugate gradients; `Break` ends the solve with [`ContactStatus::Stopped`]. Direct solvers are
+/// too short to ask.
 pub type StopHook<'a> = dyn FnMut() -> ControlFlow<()> + 'a;
 
 /// A hook that never stops.
@@ -52,16 +64,15 @@ pub fn never() -> ControlFlow<()> {
 pub trait ContactSolver {
     /// Finds forces, gaps and approach.
     ///
-    /// The forces that `solution` holds are where the solver starts, usually those of the iteration before. They
-    /// change the number of steps, never the answer. [`ContactSolution::default`] is a start from nothing. The
-    /// vectors of `solution` are reused.
+    /// `start` is where to start, usually the answer of the iteration before: active sets start from its pairs, conjugate
+    /// gradients from its forces. It may be any answer, even one of other pairs: it changes the number of steps, never the answer.
     ///
     /// # Errors
     /// [`ContactError`]: data that are no contact problem, or a flexibility that is not positive definite.
     fn solve(
-        &mut self,
+        &self,
         problem: &ContactProblem<'_>,
-        solution: &mut ContactSolution,
+        start: Option<&ContactSolution>,
         stop: &mut StopHook<'_>,
-    ) -> Result<(), ContactError>;
+    ) -> Result<ContactSolution, ContactError>;
 }

@@ -1,6 +1,7 @@
 //! What goes into a contact solve and what comes out.
 
-use super::{ContactError, Flexibility, KktReport};
+use super::entries::Entries;
+use super::{ActiveSet, ContactError, Flexibility};
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,13 +21,16 @@ impl ContactLoad {
     }
 }
 
-/// The contact of n candidate cells under one load.
+/// The contact of n candidate pairs under one load.
 #[derive(Clone, Copy)]
 pub struct ContactProblem<'a> {
-    /// F \[mm/N\].
+    /// F \[mm/N\], symmetric positive definite: both bodies' displacements along the normals under unit pair forces.
     pub flexibility: &'a dyn Flexibility,
-    /// Initial gap `g = δ0 + u_p` \[mm\]; plastic flow may make entries negative.
+    /// Equivalent initial gap `g = δ0 + u_p` along the pair's normal \[mm\]; plastic flow may make entries negative.
     pub initial_gap: &'a [f64],
+    /// e: by how much an approach of 1 closes each gap, the cosine of the angle between the pair's normal and the direction
+    /// of the approach, in `(0, 1]`.
+    pub closing: &'a [f64],
     /// What is prescribed.
     pub load: ContactLoad,
 }
@@ -34,7 +38,7 @@ pub struct ContactProblem<'a> {
 /// How a solve ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ContactStatus {
-    /// The independent check finds every condition within the tolerance.
+    /// Every condition holds within the tolerance of the solver.
     Converged,
     /// The iterations ran out. The forces are the last ones.
     #[default]
@@ -46,28 +50,54 @@ pub enum ContactStatus {
 /// The answer to a [`ContactProblem`].
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ContactSolution {
-    /// Contact force R of each cell \[N\], compressive, >= 0.
+    /// Contact force R of each pair \[N\], compressive, >= 0.
     pub force: Vec<f64>,
-    /// Gap `δ = g + F R - α` of each cell after loading \[mm\], as the forces above make it.
+    /// Gap δ of each pair after loading \[mm\]. Of direct solvers >= 0 and exactly 0 on the active set, of conjugate gradients as the
+    /// forces make it.
     pub gap: Vec<f64>,
-    /// Approach α \[mm\]; under no force the gap at which the bodies just touch.
+    /// Approach α of the supports \[mm\].
     pub approach: f64,
-    /// `P = Σ R` \[N\].
+    /// `P = eᵀR` \[N\].
     pub total_force: f64,
+    /// The pairs in contact, exactly those with R > 0.
+    pub active_set: ActiveSet,
     /// How the solve ended.
     pub status: ContactStatus,
-    /// The independent check of forces and approach.
-    pub kkt: KktReport,
-    /// Applications of the flexibility, those of the check included.
+    /// Changes of the active set: pivots of the simplex, or sets that were tried.
+    pub pivots: usize,
+    /// Applications of the flexibility, those of the check included; 0 of direct solvers.
     pub applications: usize,
-    /// Active sets that were tried.
-    pub active_sets: usize,
 }
 
 impl ContactProblem<'_> {
-    /// Number of candidate cells.
-    pub const fn n_cells(&self) -> usize {
+    /// Number of candidate pairs.
+    pub const fn n_pairs(&self) -> usize {
         self.initial_gap.len()
+    }
+
+    /// The approach at which the first pair touches.
+    pub(crate) fn first_touch(&self) -> f64 {
+        (0..self.n_pairs()).map(|k| self.touch(k)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The approach at which a pair touches while no force acts.
+    pub(crate) fn touch(&self, k: usize) -> f64 {
+        self.initial_gap[k] / self.closing[k]
+    }
+
+    /// `g_k - α e_k`: the gap of a pair at an approach while no force acts.
+    pub(crate) fn gap_at(&self, k: usize, approach: f64) -> f64 {
+        self.initial_gap[k] - approach * self.closing[k]
+    }
+
+    /// `eᵀR`.
+    pub(crate) fn total(&self, force: &[f64]) -> f64 {
+        self.closing.iter().zip(force).map(|(closing, force)| closing * force).sum()
+    }
+
+    /// The entries of the flexibility.
+    pub(crate) fn entries(&self) -> Result<Entries<'_>, ContactError> {
+        Entries::of(self.flexibility).ok_or(ContactError::NoEntries)
     }
 
     /// Refuses data that are no contact problem.
@@ -77,7 +107,13 @@ impl ContactProblem<'_> {
             return Err(ContactError::DimensionMismatch { expected, found });
         }
         if found == 0 {
-            return Err(ContactError::NoCells);
+            return Err(ContactError::NoPairs);
+        }
+        if self.closing.len() != found {
+            return Err(ContactError::DimensionMismatch { expected, found: self.closing.len() });
+        }
+        if !self.closing.iter().all(|closing| *closing > 0.0 && *closing <= 1.0) {
+            return Err(ContactError::NotClosing);
         }
         let (value, name) = match self.load {
             ContactLoad::Force(force) => (force, "force"),
@@ -89,38 +125,30 @@ impl ContactProblem<'_> {
         if !self.initial_gap.iter().all(|gap| gap.is_finite()) {
             return Err(ContactError::NotFinite("initial gap"));
         }
+        let entries = self.flexibility.dense().unwrap_or_default();
+        if !entries.iter().all(|entry| entry.is_finite()) {
+            return Err(ContactError::NotFinite("flexibility"));
+        }
         match self.load {
             ContactLoad::Force(force) if force < 0.0 => Err(ContactError::NegativeForce(force)),
             _ => Ok(()),
         }
     }
 
-    /// The approach under which no force acts, if the load asks for none: the prescribed one, or the one at which
-    /// the first cell touches.
-    pub(crate) fn approach_without_force(&self) -> Option<f64> {
-        let first = self.initial_gap.iter().copied().fold(f64::INFINITY, f64::min);
-        match self.load {
-            ContactLoad::Force(force) => (force <= 0.0).then_some(first),
-            ContactLoad::Approach(approach) => (approach <= first).then_some(approach),
-        }
-    }
-}
-
-impl ContactSolution {
-    /// Takes over forces and approach, and has them checked.
-    pub(crate) fn finish(&mut self, problem: &ContactProblem<'_>, approach: f64) {
-        self.approach = approach;
-        self.total_force = self.force.iter().sum();
-        self.gap.resize(problem.n_cells(), 0.0);
-        self.kkt = super::kkt::check(problem, &self.force, approach, &mut self.gap);
-        self.applications += 1;
-    }
-
-    /// The answer where no force acts.
-    pub(crate) fn without_force(&mut self, problem: &ContactProblem<'_>, approach: f64) {
-        self.force.clear();
-        self.force.resize(problem.n_cells(), 0.0);
-        self.finish(problem, approach);
-        self.status = ContactStatus::Converged;
+    /// The answer without contact forces, if the load asks for none: the bodies at the prescribed approach, or
+    /// just touching under `P = 0`.
+    pub(crate) fn without_force(&self) -> Option<ContactSolution> {
+        let first = self.first_touch();
+        let approach = match self.load {
+            ContactLoad::Force(force) => (force <= 0.0).then_some(first)?,
+            ContactLoad::Approach(approach) => (approach <= first).then_some(approach)?,
+        };
+        Some(ContactSolution {
+            force: vec![0.0; self.n_pairs()],
+            gap: (0..self.n_pairs()).map(|k| self.gap_at(k, approach)).collect(),
+            approach,
+            status: ContactStatus::Converged,
+            ..ContactSolution::default()
+        })
     }
 }

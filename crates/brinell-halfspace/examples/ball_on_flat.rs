@@ -4,9 +4,7 @@
 
 use std::error::Error;
 
-use brinell_contact::{
-    ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, never,
-};
+use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never};
 use brinell_halfspace::{Elasticity, EllipticContact, SurfaceFlexibility, SurfaceGrid};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -20,11 +18,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let n = usize::try_from(n)?;
         let grid = SurfaceGrid::new(n, n, side, side)?;
         let gap = grid.sample(|x, y| (x * x + y * y) / (2.0 * radius));
+        let closing = vec![1.0; gap.len()];
         let surface = SurfaceFlexibility::new(grid, modulus);
-        let problem =
-            ContactProblem { flexibility: &surface, initial_gap: &gap, load: ContactLoad::Force(force) };
-        let mut solution = ContactSolution::default();
-        ConjugateGradientSolver::new(1e-8).solve(&problem, &mut solution, &mut never)?;
+        let problem = ContactProblem {
+            flexibility: &surface,
+            initial_gap: &gap,
+            closing: &closing,
+            load: ContactLoad::Force(force),
+        };
+        let solution = ConjugateGradientSolver::new(1e-8).solve(&problem, None, &mut never)?;
         let peak = solution.force.iter().copied().fold(0.0, f64::max) / grid.cell_area();
         println!("{n:5}  {:12}  {peak:8.2}  {:.5e}", solution.applications, solution.approach);
     }

@@ -149,6 +149,8 @@ pub struct HalfSpaceSystem<H> {
     contact: ContactSolution,
     opening: Vec<f64>,
     gap: Vec<f64>,
+    /// All normals are along the approach.
+    closing: Vec<f64>,
     /// Of one body.
     part: Vec<f64>,
     pressure: Vec<f64>,
@@ -174,6 +176,7 @@ impl<H: Hardening> HalfSpaceSystem<H> {
             contact: ContactSolution::default(),
             opening: vec![0.0; n],
             gap: vec![0.0; n],
+            closing: vec![1.0; n],
             part: vec![0.0; n],
             pressure: vec![0.0; n],
             flowed: Vec::new(),
@@ -237,8 +240,9 @@ impl<H: Hardening> HalfSpaceSystem<H> {
         for ((gap, initial), opening) in self.gap.iter_mut().zip(&self.initial_gap).zip(&self.opening) {
             *gap = initial + opening;
         }
-        let problem = ContactProblem { flexibility: &self.surface, initial_gap: &self.gap, load };
-        self.solver.solve(&problem, &mut self.contact, stop)?;
+        let (flexibility, closing) = (&self.surface, self.closing.as_slice());
+        let problem = ContactProblem { flexibility, initial_gap: &self.gap, closing, load };
+        self.contact = self.solver.solve(&problem, Some(&self.contact), stop)?;
         Ok(&self.contact)
     }
 

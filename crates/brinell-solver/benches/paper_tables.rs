@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use brinell_solver::contact::{
-    ActiveSet, ContactError, ContactProblem, ContactSolution, ContactSolver, SimplexSolver,
+    ContactError, ContactProblem, ContactSolution, ContactSolver, SimplexSolver, StopHook,
 };
 use brinell_solver::job::{Coupling, Job, Named, PositiveF64};
 use brinell_solver::solver::{
@@ -207,11 +207,12 @@ struct CountedSimplex {
 impl ContactSolver for CountedSimplex {
     fn solve(
         &self,
-        problem: &ContactProblem,
-        warm: Option<&ActiveSet>,
+        problem: &ContactProblem<'_>,
+        start: Option<&ContactSolution>,
+        stop: &mut StopHook<'_>,
     ) -> Result<ContactSolution, ContactError> {
         self.solves.set(self.solves.get() + 1);
-        SimplexSolver.solve(problem, warm)
+        SimplexSolver.solve(problem, start, stop)
     }
 }
 

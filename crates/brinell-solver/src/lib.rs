@@ -42,7 +42,7 @@
 //! |---|---|
 //! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
 //! | [`solver`] | sizes the meshes, alternates contact and plasticity, checks the final state |
-//! | [`contact`] | two solvers of the contact conditions and the check that both have to pass |
+//! | [`contact`] | solvers of the contact conditions and the check that all have to pass |
 //! | [`fem`] | mesh, B-bar element, equations, stiffness, initial-stress loads, stresses |
 //! | [`material`] | hardening curves, deformation theory |
 //! | [`job`] | the job, in types that cannot hold a wrong value; units |
@@ -51,12 +51,14 @@
 //! Imports run downward only.
 
 pub mod analytical;
-pub mod contact;
 pub mod fem;
 pub mod job;
 pub mod material;
 pub mod report;
 pub mod solver;
+
+/// The contact conditions, their solvers and the check that all of them have to pass.
+pub use brinell_contact as contact;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

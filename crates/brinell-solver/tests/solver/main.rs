@@ -12,7 +12,6 @@ mod autofrettage;
 mod bodies;
 mod bodies_of_revolution;
 mod conforming;
-mod contact_solvers;
 mod contact_stiffness;
 #[path = "../support/contacts.rs"]
 mod contacts;

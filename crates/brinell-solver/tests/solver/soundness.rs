@@ -2,6 +2,7 @@
 
 use brinell_solver::contact::{
     ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
+    StopHook,
 };
 use brinell_solver::solver::{Options, SolveStatus};
 use serde_json::json;
@@ -15,9 +16,10 @@ impl<F: Fn(&mut ContactSolution)> ContactSolver for Tampered<F> {
     fn solve(
         &self,
         problem: &ContactProblem<'_>,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
+        stop: &mut StopHook<'_>,
     ) -> Result<ContactSolution, ContactError> {
-        let mut solution = ActiveSetSolver.solve(problem, warm)?;
+        let mut solution = ActiveSetSolver.solve(problem, start, stop)?;
         (self.0)(&mut solution);
         Ok(solution)
     }
@@ -30,10 +32,13 @@ impl ContactSolver for TooNarrow {
     fn solve(
         &self,
         problem: &ContactProblem<'_>,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
+        stop: &mut StopHook<'_>,
     ) -> Result<ContactSolution, ContactError> {
-        let ContactLoad::Force(total) = problem.load else { return ActiveSetSolver.solve(problem, warm) };
-        let mut solution = ActiveSetSolver.solve(problem, warm)?;
+        let ContactLoad::Force(total) = problem.load else {
+            return ActiveSetSolver.solve(problem, start, stop);
+        };
+        let mut solution = ActiveSetSolver.solve(problem, start, stop)?;
         let kept = solution.active_set.len() / 2;
         for force in &mut solution.force[kept..] {
             *force = 0.0;

@@ -1,6 +1,6 @@
 //! The bodies with secant moduli, which are assembled and factorized anew for every state.
 
-use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolver};
+use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::fem::assembly::StressField;
 use crate::solver::SolveError;
 use crate::solver::body_system::elastic_body::refactor;
@@ -35,7 +35,7 @@ impl SecantStiffness for SecantBodies<'_> {
         &self,
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<Response, SolveError> {
         let system = self.system;
@@ -50,7 +50,7 @@ impl SecantStiffness for SecantBodies<'_> {
         });
         let problem =
             ContactProblem { flexibility: &flexibility, ..system.contact_problem(&system.initial_gap, load) };
-        let contact = run.time(Phase::Contact, || solver.solve(&problem, warm))?;
+        let contact = run.solve_contact(solver, &problem, start)?;
         let mut displacement = Vec::with_capacity(system.bodies.len());
         for (k, body) in system.bodies.iter().enumerate() {
             run.checkpoint()?;

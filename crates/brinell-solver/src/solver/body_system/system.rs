@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::contact::{ActiveSet, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::material::ReferenceModuli;
@@ -408,13 +408,12 @@ impl ContactSystem for System {
         gap_opening: &[f64],
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<ContactSolution, SolveError> {
         let gap: Vec<f64> =
             self.initial_gap.iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
-        let problem = self.contact_problem(&gap, load);
-        Ok(run.time(Phase::Contact, || solver.solve(&problem, warm))?)
+        Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
     }
 
     /// `u = K⁻¹ (P_e + R)` on the active equations.
@@ -434,11 +433,11 @@ impl ContactSystem for System {
         loads: &BlockVector,
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<Response, SolveError> {
         let (forward, gap_opening) = run.time(Phase::Solves, || self.eliminate(loads));
-        let contact = self.contact(&gap_opening, solver, load, warm, run)?;
+        let contact = self.contact(&gap_opening, solver, load, start, run)?;
         let displacement = run.time(Phase::Solves, || self.substitute(forward, &contact.force));
         Ok(Response { displacement, contact })
     }

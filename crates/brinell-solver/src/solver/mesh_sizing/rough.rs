@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver};
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver, never};
 use crate::fem::element::StressState;
 use crate::solver::problem::Problem;
 use sparse_cholesky::dense::SymmetricMatrix;
@@ -135,7 +135,7 @@ impl Pairs {
             closing: &closing,
             load: ContactLoad::Force(force),
         };
-        let found = ActiveSetSolver.solve(&contact, None).ok()?;
+        let found = ActiveSetSolver.solve(&contact, None, &mut never).ok()?;
         let (first, last) = (found.active_set.first()?, found.active_set.last()?);
         if first <= 1 || last + 2 >= count {
             return Some(Pressed::Beyond);

@@ -2,7 +2,7 @@
 
 use super::phases::Phase;
 use super::run::Run;
-use crate::contact::{ActiveSet, ContactLoad, ContactSolution, ContactSolver};
+use crate::contact::{ContactLoad, ContactSolution, ContactSolver};
 use crate::material::ReferenceModuli;
 use crate::solver::SolveError;
 
@@ -53,7 +53,7 @@ pub(crate) trait ContactSystem {
         gap_opening: &[f64],
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<ContactSolution, SolveError>;
 
@@ -70,11 +70,11 @@ pub(crate) trait ContactSystem {
         initial_stress: &BlockVector,
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<Response, SolveError> {
         let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
-        let contact = self.contact(&gap_opening, solver, load, warm, run)?;
+        let contact = self.contact(&gap_opening, solver, load, start, run)?;
         let displacement = run.time(Phase::Solves, || self.displacement(initial_stress, &contact.force));
         Ok(Response { displacement, contact })
     }
@@ -141,7 +141,7 @@ pub(crate) trait SecantStiffness {
         &self,
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<Response, SolveError>;
 

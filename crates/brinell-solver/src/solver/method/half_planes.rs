@@ -12,12 +12,10 @@ use super::contact_system::{BlockVector, ContactFigures, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome, Scales, norm};
 use super::couplings::{self, Accelerated, Coupling, SecantStiffness, Strong, Weak};
 use super::observer::{Interrupt, IterationRecord, Observer, SolveStatus};
-use super::phases::Phase;
 use super::run::Run;
 use super::solve::{Engine, Leave, Round, Verdict, solve};
 use crate::contact::{
-    ActiveSet, ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, SimplexSolver,
-    kkt,
+    ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, ContactSolver, SimplexSolver, kkt, never,
 };
 use crate::solver::{Solution, SolveError, Unobserved};
 use sparse_cholesky::dense::SymmetricMatrix;
@@ -88,11 +86,11 @@ impl ContactSystem for HalfPlanes {
         gap_opening: &[f64],
         solver: &dyn ContactSolver,
         load: ContactLoad,
-        warm: Option<&ActiveSet>,
+        start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<ContactSolution, SolveError> {
         let gap = self.widened(gap_opening);
-        Ok(run.time(Phase::Contact, || solver.solve(&self.problem(&gap, load), warm))?)
+        Ok(run.solve_contact(solver, &self.problem(&gap, load), start)?)
     }
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
@@ -273,8 +271,8 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
 fn both_contact_solvers_find_one_contact() {
     let system = HalfPlanes::new(Design { pairs: 101, watched: 0 });
     let problem = system.problem(&system.initial_gap, ContactLoad::Force(100.0));
-    let [a, b] =
-        [ActiveSetSolver.solve(&problem, None), SimplexSolver.solve(&problem, None)].map(Result::unwrap);
+    let [a, b] = [&ActiveSetSolver as &dyn ContactSolver, &SimplexSolver]
+        .map(|solver| solver.solve(&problem, None, &mut never).unwrap());
     assert_eq!(a.active_set, b.active_set);
     assert!((a.approach - b.approach).abs() < 1e-12);
 }

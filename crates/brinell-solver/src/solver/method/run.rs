@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use crate::contact::{ContactError, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method::observer::{Interrupt, IterationRecord, Observer, ask};
 use crate::solver::method::phases::{Phase, PhaseTimes};
 use crate::solver::{Solution, SolveError};
@@ -36,6 +37,22 @@ impl<'a> Run<'a> {
     /// Does work and books its time.
     pub fn time<T>(&mut self, phase: Phase, work: impl FnOnce() -> T) -> T {
         self.time_observed(phase, |_| work())
+    }
+
+    /// Solves the contact conditions. The observer can stop it.
+    ///
+    /// # Errors
+    /// Those of the contact solver.
+    pub fn solve_contact(
+        &mut self,
+        solver: &dyn ContactSolver,
+        problem: &ContactProblem<'_>,
+        start: Option<&ContactSolution>,
+    ) -> Result<ContactSolution, ContactError> {
+        self.time_observed(Phase::Contact, |observer| {
+            let mut stop = || observer.on_checkpoint().map_break(|_| ());
+            solver.solve(problem, start, &mut stop)
+        })
     }
 
     /// Does work that asks the observer itself, and books its time.

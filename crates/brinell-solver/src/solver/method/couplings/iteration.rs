@@ -146,8 +146,8 @@ impl<'a> Iteration<'a> {
     /// Contact and equilibrium for given initial-stress loads, warm-started from the last contact.
     pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, SolveError> {
         let Controls { contact, load, .. } = self.controls;
-        let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let response = self.system.equilibrium(loads, contact, load, warm, &mut self.run)?;
+        let start = self.previous.as_ref();
+        let response = self.system.equilibrium(loads, contact, load, start, &mut self.run)?;
         self.counts.pivots += response.contact.pivots;
         Ok(response)
     }
@@ -155,8 +155,8 @@ impl<'a> Iteration<'a> {
     /// Contact alone, for a gap that plastic flow has widened by `gap_opening`.
     pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, SolveError> {
         let Controls { contact, load, .. } = self.controls;
-        let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let contact = self.system.contact(gap_opening, contact, load, warm, &mut self.run)?;
+        let start = self.previous.as_ref();
+        let contact = self.system.contact(gap_opening, contact, load, start, &mut self.run)?;
         self.counts.pivots += contact.pivots;
         Ok(contact)
     }
@@ -164,8 +164,8 @@ impl<'a> Iteration<'a> {
     /// Contact and equilibrium with secant moduli, warm-started from the last contact.
     pub fn secant_equilibrium(&mut self, stiffness: &dyn SecantStiffness) -> Result<Response, SolveError> {
         let Controls { contact, load, .. } = self.controls;
-        let warm = self.previous.as_ref().map(|contact| &contact.active_set);
-        let response = stiffness.equilibrium(contact, load, warm, &mut self.run)?;
+        let start = self.previous.as_ref();
+        let response = stiffness.equilibrium(contact, load, start, &mut self.run)?;
         self.counts.pivots += response.contact.pivots;
         Ok(response)
     }

@@ -2,7 +2,7 @@
 
 use super::bordered;
 use super::tableau::{Tableau, Variable};
-use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, StopHook};
 
 /// Penetration, relative to its own terms, above which the recomputed answer is refused.
 const ACCEPTABLE_VIOLATION: f64 = 1e-9;
@@ -32,7 +32,7 @@ const ACCEPTABLE_VIOLATION: f64 = 1e-9;
 /// Cholesky, which removes the rounding gathered over the pivots; a pair whose force comes out as zero or
 /// negative there was tied, and is left out.
 ///
-/// O(n²) a pivot. `warm` is not used: the path has one beginning.
+/// O(n²) a pivot. `start` is not used: the path has one beginning.
 ///
 /// # Reference
 /// T. F. Conry, A. Seireg, *A mathematical programming method for design of elastic bodies in contact*, J. Appl.
@@ -44,8 +44,9 @@ pub struct SimplexSolver;
 impl ContactSolver for SimplexSolver {
     fn solve(
         &self,
-        problem: &ContactProblem,
-        _warm: Option<&ActiveSet>,
+        problem: &ContactProblem<'_>,
+        _: Option<&ContactSolution>,
+        _: &mut StopHook<'_>,
     ) -> Result<ContactSolution, ContactError> {
         problem.validate()?;
         if let Some(solution) = problem.without_force() {
@@ -99,9 +100,8 @@ fn follow_path(problem: &ContactProblem) -> Result<ContactSolution, ContactError
         force: vec![0.0; n],
         gap: vec![0.0; n],
         approach: datum,
-        total_force: 0.0,
-        active_set: ActiveSet::default(),
         pivots,
+        ..ContactSolution::default()
     };
     let mut active = Vec::new();
     for (variable, value) in tableau.basic_values() {
@@ -148,7 +148,7 @@ fn polish(problem: &ContactProblem, end: &ContactSolution) -> Result<ContactSolu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::kkt;
+    use crate::{kkt, never};
     use sparse_cholesky::dense::SymmetricMatrix;
 
     /// Smooth, poorly conditioned, like the flexibility of a fine mesh.
@@ -202,10 +202,13 @@ mod tests {
             closing: &[1.0; 2],
             load: ContactLoad::Approach(1.0),
         };
-        assert_eq!(SimplexSolver.solve(&problem, None), Err(ContactError::Ray { pivots: 2 }));
+        assert_eq!(SimplexSolver.solve(&problem, None, &mut never), Err(ContactError::Ray { pivots: 2 }));
         let rigid = SymmetricMatrix::zeros(2);
         let problem = ContactProblem { flexibility: &rigid, ..problem };
-        assert_eq!(SimplexSolver.solve(&problem, None), Err(ContactError::NotPositiveDefinite { pair: 0 }));
+        assert_eq!(
+            SimplexSolver.solve(&problem, None, &mut never),
+            Err(ContactError::NotPositiveDefinite { pair: 0 })
+        );
     }
 
     #[test]
@@ -220,7 +223,7 @@ mod tests {
             closing: &[1.0; 24],
             load: ContactLoad::Force(0.5),
         };
-        let solution = SimplexSolver.solve(&problem, None).unwrap();
+        let solution = SimplexSolver.solve(&problem, None, &mut never).unwrap();
         assert!(kkt::check(&problem, &solution.force, solution.approach).passes(1e-12));
         assert!(solution.active_set.iter().all(|k| !solution.active_set.contains(k ^ 1)));
     }

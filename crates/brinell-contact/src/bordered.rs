@@ -8,7 +8,7 @@
 //! with α known instead where the approach is prescribed. g is counted from what it is when the first pair of A touches, so
 //! that an offset of the approach costs no digits.
 
-use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution};
+use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactStatus};
 use sparse_cholesky::dense::DenseCholesky;
 
 /// Penetration, relative to the terms whose sum the gap is, that is put down to rounding.
@@ -84,7 +84,8 @@ pub(super) fn into_solution(
         gap[k] = 0.0;
     }
     let Equilibrium { force, approach } = equilibrium;
-    ContactSolution { total_force: problem.total(&force), force, gap, approach, active_set, pivots }
+    let (total_force, status) = (problem.total(&force), ContactStatus::Converged);
+    ContactSolution { force, gap, approach, total_force, active_set, status, pivots, applications: 0 }
 }
 
 /// The approach that holds when nothing touches.

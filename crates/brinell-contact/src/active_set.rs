@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use super::bordered::{self, GAP_TOLERANCE};
 use super::{
     ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver, SimplexSolver,
+    StopHook,
 };
 
 /// Steps after which the simplex takes over. Contact problems need one to ten.
@@ -33,14 +34,15 @@ pub struct ActiveSetSolver;
 impl ContactSolver for ActiveSetSolver {
     fn solve(
         &self,
-        problem: &ContactProblem,
-        warm: Option<&ActiveSet>,
+        problem: &ContactProblem<'_>,
+        start: Option<&ContactSolution>,
+        stop: &mut StopHook<'_>,
     ) -> Result<ContactSolution, ContactError> {
         problem.validate()?;
         if let Some(solution) = problem.without_force() {
             return Ok(solution);
         }
-        let mut active = start(problem, warm);
+        let mut active = first_set(problem, start);
         let mut seen = HashSet::new();
         let mut steps = 0;
         while steps < STEP_LIMIT && !active.is_empty() && seen.insert(active.clone()) {
@@ -59,19 +61,20 @@ impl ContactSolver for ActiveSetSolver {
             }
             active = next;
         }
-        let mut solution = SimplexSolver.solve(problem, None)?;
+        let mut solution = SimplexSolver.solve(problem, None, stop)?;
         solution.pivots += steps;
         Ok(solution)
     }
 }
 
-/// The warm set if it names any pair, else the pairs that overlap at the prescribed approach, else those whose
+/// The pairs of another answer if there are any, else the pairs that overlap at the prescribed approach, else those whose
 /// gap closes first.
-fn start(problem: &ContactProblem, warm: Option<&ActiveSet>) -> ActiveSet {
+fn first_set(problem: &ContactProblem<'_>, start: Option<&ContactSolution>) -> ActiveSet {
     let n = problem.n_pairs();
-    let warm = warm.map(|set| set.iter().filter(|&k| k < n).collect::<ActiveSet>()).unwrap_or_default();
-    if !warm.is_empty() {
-        return warm;
+    let known = start.into_iter().flat_map(|start| start.active_set.iter()).filter(|&k| k < n);
+    let known: ActiveSet = known.collect();
+    if !known.is_empty() {
+        return known;
     }
     let level = match problem.load {
         ContactLoad::Force(_) => problem.first_touch(),
@@ -83,6 +86,7 @@ fn start(problem: &ContactProblem, warm: Option<&ActiveSet>) -> ActiveSet {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::never;
     use sparse_cholesky::dense::SymmetricMatrix;
 
     #[test]
@@ -91,11 +95,15 @@ mod tests {
         let gaps = [0.5, -0.25, -0.25];
         let problem =
             |load| ContactProblem { flexibility: &flexibility, initial_gap: &gaps, closing: &[1.0; 3], load };
+        let known = |pairs: &[usize]| ContactSolution {
+            active_set: pairs.iter().copied().collect(),
+            ..ContactSolution::default()
+        };
         let by_force = problem(ContactLoad::Force(1.0));
-        assert_eq!(start(&by_force, None).as_slice(), [1, 2]);
-        assert_eq!(start(&by_force, Some(&[2, 9].into_iter().collect())).as_slice(), [2]);
-        assert_eq!(start(&by_force, Some(&[9].into_iter().collect())).as_slice(), [1, 2]);
-        assert_eq!(start(&problem(ContactLoad::Approach(1.0)), None).len(), 3);
+        assert_eq!(first_set(&by_force, None).as_slice(), [1, 2]);
+        assert_eq!(first_set(&by_force, Some(&known(&[2, 9]))).as_slice(), [2]);
+        assert_eq!(first_set(&by_force, Some(&known(&[9]))).as_slice(), [1, 2]);
+        assert_eq!(first_set(&problem(ContactLoad::Approach(1.0)), None).len(), 3);
     }
 
     #[test]
@@ -107,7 +115,7 @@ mod tests {
             closing: &[1.0; 2],
             load: ContactLoad::Force(3.0),
         };
-        let solution = ActiveSetSolver.solve(&problem, None).unwrap();
+        let solution = ActiveSetSolver.solve(&problem, None, &mut never).unwrap();
         assert_eq!((solution.total_force, solution.approach, solution.active_set.len()), (3.0, 3.0, 1));
         assert_eq!(solution.pivots, 3, "one step, then two pivots");
     }

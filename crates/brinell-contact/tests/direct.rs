@@ -1,10 +1,10 @@
-//! Both contact solvers against the contact conditions, each other, and Hertz's pressure.
+//! Both direct solvers against the contact conditions, each other, and Hertz's pressure.
 
 use std::f64::consts::PI;
 
-use brinell_solver::contact::{
+use brinell_contact::{
     ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
-    SimplexSolver, kkt,
+    SimplexSolver, kkt, never,
 };
 use proptest::prelude::*;
 use sparse_cholesky::dense::SymmetricMatrix;
@@ -37,7 +37,8 @@ impl Case {
     }
 
     fn judged(&self, solver: &dyn ContactSolver, warm: Option<&ActiveSet>) -> ContactSolution {
-        let solution = match solver.solve(&self.problem(), warm) {
+        let start = warm.map(|set| ContactSolution { active_set: set.clone(), ..ContactSolution::default() });
+        let solution = match solver.solve(&self.problem(), start.as_ref(), &mut never) {
             Ok(solution) => solution,
             Err(error) => panic!("{error}: {self:?}"),
         };
@@ -372,7 +373,7 @@ fn both_solvers_refuse_what_is_no_contact_problem() {
     ];
     for (problem, expected) in problems {
         for solver in [&SimplexSolver as &dyn ContactSolver, &ActiveSetSolver] {
-            assert_eq!(solver.solve(&problem, None), Err(expected));
+            assert_eq!(solver.solve(&problem, None, &mut never), Err(expected));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The entries of a flexibility, which direct solvers need.
 
-use brinell_contact::Flexibility;
+use super::Flexibility;
 use sparse_cholesky::dense::SymmetricMatrix;
 
 /// The entries of a flexibility.
@@ -22,10 +22,6 @@ impl<'a> Entries<'a> {
 
     pub fn row(self, i: usize) -> &'a [f64] {
         &self.entries[i * self.n..(i + 1) * self.n]
-    }
-
-    pub fn all(self) -> &'a [f64] {
-        self.entries
     }
 
     /// The rows and columns of these pairs.
