@@ -54,7 +54,7 @@ fn begin(problem: &ContactProblem<'_>, known: Option<&ContactSolution>) -> Conta
         Some(known) if known.force.iter().any(|r| *r > 0.0) => solution.force.clone_from(&known.force),
         _ => {
             let mut column = vec![0.0; problem.n_pairs()];
-            solution.force = column.clone();
+            solution.force.clone_from(&column);
             start::guess(problem, &mut solution.force, &mut column);
             solution.applications = 1;
         }

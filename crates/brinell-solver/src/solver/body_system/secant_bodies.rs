@@ -5,7 +5,7 @@ use crate::fem::assembly::StressField;
 use crate::solver::SolveError;
 use crate::solver::body_system::elastic_body::refactor;
 use crate::solver::body_system::system::{System, total_flexibility};
-use crate::solver::method::contact_system::{PlasticAnswer, Response, SecantStiffness};
+use crate::solver::method::contact_system::{ContactSystem as _, PlasticAnswer, Response, SecantStiffness};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use sparse_cholesky::Cholesky;

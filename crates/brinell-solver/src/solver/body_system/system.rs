@@ -177,16 +177,6 @@ impl System {
         Ok(after)
     }
 
-    /// Accepts an increment that ends at displacements on the active equations.
-    pub fn commit(&mut self, displacement: BlockVector) {
-        for (body, u) in self.bodies.iter_mut().zip(&displacement) {
-            if let Some(points) = &mut body.plastic_region.points {
-                points.commit(u);
-            }
-        }
-        self.accepted.displacement = displacement;
-    }
-
     /// Remembers the displacements that a load has left on all equations.
     pub fn remember(&mut self, load: f64, displacement: BlockVector) {
         self.states.push((load, displacement));
@@ -238,15 +228,6 @@ impl System {
     fn sum_flexibility(&mut self) {
         let parts: Vec<&SymmetricMatrix> = self.bodies.iter().map(|body| &body.flexibility).collect();
         self.flexibility = total_flexibility(self.zone.columns() + 1, &parts, &self.bodies_represented);
-    }
-
-    /// The contact conditions of the meshed pairs for equivalent initial gaps, under a load of the whole contact.
-    pub fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
-        let load = match load {
-            ContactLoad::Force(force) => ContactLoad::Force(force / self.sides() as f64),
-            approach @ ContactLoad::Approach(_) => approach,
-        };
-        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
     }
 
     /// What the force of a pair is spread over: `∫ N_k dx` \[mm\], or `∫ N_k 2πx dx` \[mm²\] in axisymmetry, with
@@ -387,8 +368,17 @@ impl ContactSystem for System {
         self.bodies.iter().map(|body| body.elastic.zeros()).collect()
     }
 
-    fn pairs(&self) -> usize {
-        self.initial_gap.len()
+    fn initial_gap(&self) -> &[f64] {
+        &self.initial_gap
+    }
+
+    /// Of the meshed pairs.
+    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        let load = match load {
+            ContactLoad::Force(force) => ContactLoad::Force(force / self.sides() as f64),
+            approach @ ContactLoad::Approach(_) => approach,
+        };
+        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
     }
 
     fn gap_opening(&self, loads: &BlockVector) -> Vec<f64> {
@@ -401,19 +391,6 @@ impl ContactSystem for System {
             }
         }
         gap_opening
-    }
-
-    fn contact(
-        &self,
-        gap_opening: &[f64],
-        solver: &dyn ContactSolver,
-        load: ContactLoad,
-        start: Option<&ContactSolution>,
-        run: &mut Run<'_>,
-    ) -> Result<ContactSolution, SolveError> {
-        let gap: Vec<f64> =
-            self.initial_gap.iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
-        Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
     }
 
     /// `u = K⁻¹ (P_e + R)` on the active equations.
@@ -488,6 +465,20 @@ impl ContactSystem for System {
             peak_pressure: self.peak_pressure(&contact.force),
             pairs: contact.active_set.len() * self.sides() - usize::from(on_axis),
         }
+    }
+
+    fn accepted(&self) -> &BlockVector {
+        &self.accepted.displacement
+    }
+
+    /// On the active equations.
+    fn commit(&mut self, displacement: BlockVector) {
+        for (body, u) in self.bodies.iter_mut().zip(&displacement) {
+            if let Some(points) = &mut body.plastic_region.points {
+                points.commit(u);
+            }
+        }
+        self.accepted.displacement = displacement;
     }
 
     fn linearizable(&mut self) -> Option<&mut dyn Linearize> {

@@ -19,6 +19,7 @@ use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
 use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::method::contact_system::ContactSystem as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;

@@ -34,7 +34,7 @@ use crate::solver::finite_elements::{FiniteElements, MeshDesign};
 use crate::solver::loads::largest_loads;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest};
-use crate::solver::method::contact_system::Linearize as _;
+use crate::solver::method::contact_system::{ContactSystem as _, Linearize as _};
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Leave, OnSystem, solve};
@@ -431,7 +431,7 @@ impl MeshHistory<'_> {
             controls.tolerance = within_load(controls.tolerance);
         }
         let coupling = coupling(self.mesh.solver.coupling);
-        let mut start = system.accepted.displacement.clone();
+        let mut start = system.accepted().clone();
         if coupling.uses_tangent_moduli() {
             if leg.falls() {
                 system.linearize(None, run)?;

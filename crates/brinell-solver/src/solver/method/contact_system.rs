@@ -2,7 +2,7 @@
 
 use super::phases::Phase;
 use super::run::Run;
-use crate::contact::{ContactLoad, ContactSolution, ContactSolver};
+use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::material::ReferenceModuli;
 use crate::solver::SolveError;
 
@@ -38,8 +38,11 @@ pub(crate) trait ContactSystem {
     /// An initial stress, or displacements, of nothing.
     fn zeros(&self) -> BlockVector;
 
-    /// Candidate pairs.
-    fn pairs(&self) -> usize;
+    /// Initial gap δ0 of each candidate pair along its normal \[mm\].
+    fn initial_gap(&self) -> &[f64];
+
+    /// The contact conditions of the candidate pairs under other gaps and a load of the whole contact.
+    fn contact_problem<'a>(&'a self, gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a>;
 
     /// `u_p`: by how much an initial stress alone widens the gap at each pair \[mm\].
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64>;
@@ -55,7 +58,11 @@ pub(crate) trait ContactSystem {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<ContactSolution, SolveError>;
+    ) -> Result<ContactSolution, SolveError> {
+        let gap: Vec<f64> =
+            self.initial_gap().iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
+        Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
+    }
 
     /// The displacements under an initial stress and contact forces.
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector;
@@ -89,7 +96,8 @@ pub(crate) trait ContactSystem {
     /// The same norm of a difference.
     fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64;
 
-    /// The entries that change from one iteration to the next, in one vector.
+    /// The entries that change from one iteration to the next, in one vector. It may become longer from iteration to iteration:
+    /// the entries to come have been zero.
     fn pack(&self, vectors: &BlockVector) -> Vec<f64>;
 
     /// Writes these entries back to where [`Self::pack`] took them from.
@@ -97,6 +105,12 @@ pub(crate) trait ContactSystem {
 
     /// Figures of the whole contact.
     fn figures(&self, contact: &ContactSolution) -> ContactFigures;
+
+    /// Displacements of the last accepted state, zero at rest.
+    fn accepted(&self) -> &BlockVector;
+
+    /// Accepts the state with these displacements: increments of a history go on from it.
+    fn commit(&mut self, displacement: BlockVector);
 
     /// The same bodies, if their stiffness can take other moduli than the elastic ones.
     fn linearizable(&mut self) -> Option<&mut dyn Linearize> {

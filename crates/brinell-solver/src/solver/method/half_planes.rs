@@ -2,7 +2,7 @@
 //! of springs between them that yield.
 //!
 //! Each pair k has a spring of stiffness s in series with the half-planes. It carries `R = s (w - p)` under a compression w, of
-//! which p is plastic: `R = R_y + H p` beyond yield. The initial stress is `s p`.
+//! which p is plastic: it grows so that `R = R_y + H p` beyond yield, and is never taken back. The initial stress is `s p`.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -38,6 +38,9 @@ struct HalfPlanes {
     flexibility: SymmetricMatrix,
     /// Whether each spring is looked at for plastic flow.
     watched: Vec<bool>,
+    /// Compressions of the accepted state, and what is plastic of them.
+    accepted: BlockVector,
+    plastic: Vec<f64>,
 }
 
 impl HalfPlanes {
@@ -55,12 +58,16 @@ impl HalfPlanes {
             closing: vec![1.0; pairs],
             flexibility,
             watched: (0..pairs).map(|k| (beside..pairs - beside).contains(&k)).collect(),
+            accepted: vec![vec![0.0; pairs]],
+            plastic: vec![0.0; pairs],
         }
     }
 
-    /// The contact conditions under gaps that plastic flow has widened.
-    fn problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
-        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+    /// What is plastic of a compression.
+    fn plastic_compression(&self, pair: usize, w: f64) -> f64 {
+        let before = self.plastic[pair];
+        let beyond_yield = (STIFFNESS * w - YIELD) / (STIFFNESS + HARDENING);
+        if self.watched[pair] { beyond_yield.max(before) } else { before }
     }
 
     fn widened(&self, gap_opening: &[f64]) -> Vec<f64> {
@@ -70,27 +77,19 @@ impl HalfPlanes {
 
 impl ContactSystem for HalfPlanes {
     fn zeros(&self) -> BlockVector {
-        vec![vec![0.0; self.pairs()]]
+        vec![vec![0.0; self.initial_gap.len()]]
     }
 
-    fn pairs(&self) -> usize {
-        self.initial_gap.len()
+    fn initial_gap(&self) -> &[f64] {
+        &self.initial_gap
+    }
+
+    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
     }
 
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
         initial_stress[0].iter().map(|stress| stress / (STIFFNESS * SPACING)).collect()
-    }
-
-    fn contact(
-        &self,
-        gap_opening: &[f64],
-        solver: &dyn ContactSolver,
-        load: ContactLoad,
-        start: Option<&ContactSolution>,
-        run: &mut Run<'_>,
-    ) -> Result<ContactSolution, SolveError> {
-        let gap = self.widened(gap_opening);
-        Ok(run.solve_contact(solver, &self.problem(&gap, load), start)?)
     }
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
@@ -99,11 +98,13 @@ impl ContactSystem for HalfPlanes {
     }
 
     fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize {
-        let plastic = |w: f64| ((STIFFNESS * w - YIELD) / (STIFFNESS + HARDENING)).max(0.0);
-        for ((stress, &w), &is_watched) in into[0].iter_mut().zip(&displacement[0]).zip(&self.watched) {
-            *stress = if is_watched { STIFFNESS * SPACING * plastic(w) } else { 0.0 };
+        let mut flowing = 0;
+        for (k, stress) in into[0].iter_mut().enumerate() {
+            let plastic = self.plastic_compression(k, displacement[0][k]);
+            *stress = STIFFNESS * SPACING * plastic;
+            flowing += usize::from(plastic > 0.0);
         }
-        into[0].iter().filter(|stress| **stress > 0.0).count()
+        flowing
     }
 
     fn norm(&self, v: &BlockVector) -> f64 {
@@ -120,6 +121,16 @@ impl ContactSystem for HalfPlanes {
 
     fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
         vectors[0].copy_from_slice(packed);
+    }
+
+    fn accepted(&self) -> &BlockVector {
+        &self.accepted
+    }
+
+    fn commit(&mut self, displacement: BlockVector) {
+        self.plastic =
+            displacement[0].iter().enumerate().map(|(k, &w)| self.plastic_compression(k, w)).collect();
+        self.accepted = displacement;
     }
 
     fn figures(&self, contact: &ContactSolution) -> ContactFigures {
@@ -218,7 +229,8 @@ fn solved(coupling: &dyn Coupling, forces: &[f64], observer: &mut dyn Observer) 
         for &force in forces {
             let answer = mesh.solve(system, start, coupling, controls(ContactLoad::Force(force)), run)?;
             start = Some(answer.outcome.state.response.displacement.clone());
-            system = HalfPlanes::new(Design { pairs: answer.system.pairs(), watched: design.watched });
+            system =
+                HalfPlanes::new(Design { pairs: answer.system.initial_gap.len(), watched: design.watched });
             answers.push(answer);
         }
         Ok::<_, Leave<Design>>(answers)
@@ -253,8 +265,11 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
         let contact = &outcome.state.response.contact;
         let plastic = system.gap_opening(&outcome.state.loads);
         let gap = system.widened(&plastic);
-        let check =
-            kkt::check(&system.problem(&gap, ContactLoad::Force(400.0)), &contact.force, contact.approach);
+        let check = kkt::check(
+            &system.contact_problem(&gap, ContactLoad::Force(400.0)),
+            &contact.force,
+            contact.approach,
+        );
         assert!(check.is_sound(), "{check:?}");
         for (force, p) in contact.force.iter().zip(plastic).filter(|(_, p)| *p > 0.0) {
             let law = (YIELD + HARDENING * p) * SPACING;
@@ -270,7 +285,7 @@ fn couplings_agree_and_the_answer_satisfies_the_laws() {
 #[test]
 fn both_contact_solvers_find_one_contact() {
     let system = HalfPlanes::new(Design { pairs: 101, watched: 0 });
-    let problem = system.problem(&system.initial_gap, ContactLoad::Force(100.0));
+    let problem = system.contact_problem(&system.initial_gap, ContactLoad::Force(100.0));
     let [a, b] = [&ActiveSetSolver as &dyn ContactSolver, &SimplexSolver]
         .map(|solver| solver.solve(&problem, None, &mut never).unwrap());
     assert_eq!(a.active_set, b.active_set);
@@ -284,7 +299,9 @@ fn a_history_begins_anew_where_its_contact_outgrows_the_system() {
     assert_eq!(answers.len(), 3);
     assert!(systems > 1);
     // All of them on the last one.
-    assert!(answers.iter().all(|answer| answer.system.pairs() == answers[1].system.pairs()));
+    assert!(
+        answers.iter().all(|answer| answer.system.initial_gap.len() == answers[1].system.initial_gap.len())
+    );
     let (single, _) = solved(&Accelerated, &[100.0], &mut Unobserved);
     assert!((peak(&answers[2]) / peak(&single[0]) - 1.0).abs() < 1e-6);
 }

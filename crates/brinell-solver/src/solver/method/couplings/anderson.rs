@@ -1,7 +1,7 @@
 //! Anderson acceleration of a fixed-point iteration `x = g(x)`.
 //!
 //! The next point is the combination `Σ θ_j g(x_j)`, `Σ θ_j = 1`, of the last steps whose combined residual
-//! `Σ θ_j (g(x_j) - x_j)` is smallest.
+//! `Σ θ_j (g(x_j) - x_j)` is smallest. Vectors may become longer from step to step; entries to come have been zero.
 //!
 //! # Reference
 //! D. G. Anderson, *Iterative procedures for nonlinear integral equations*, J. ACM 12 (1965) 547–560;
@@ -40,7 +40,8 @@ impl Anderson {
     /// Takes `x` and `g(x)` and returns the next point.
     pub fn next(&mut self, x: &[f64], image: Vec<f64>) -> Vec<f64> {
         let residual: Vec<f64> = image.iter().zip(x).map(|(g, x)| g - x).collect();
-        if let Some(last) = self.last.take() {
+        if let Some(mut last) = self.last.take() {
+            last.extend(residual.len());
             let (now, before) =
                 simd_dispatch(|| (dot(&residual, &residual), dot(&last.residual, &last.residual)));
             if now > RESTART_GROWTH.powi(2) * before {
@@ -94,6 +95,12 @@ impl Anderson {
 }
 
 impl Step {
+    /// Adds the entries that have been zero so far.
+    fn extend(&mut self, n: usize) {
+        self.image.resize(n, 0.0);
+        self.residual.resize(n, 0.0);
+    }
+
     /// The step from here to another pair.
     fn until(mut self, image: &[f64], residual: &[f64]) -> Self {
         for (mine, later) in [(&mut self.image, image), (&mut self.residual, residual)] {
@@ -108,6 +115,22 @@ impl Step {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The same with the third number known only from the third step on, before which it is zero.
+    #[test]
+    fn entries_may_come_later() {
+        let map = |x: [f64; 3]| [0.5 * x[0] + 1.0, 0.3 * x[1] + 2.0, -0.8 * x[2] + (x[0] - 1.2).max(0.0)];
+        let mut anderson = Anderson::default();
+        let mut x = vec![0.0; 2];
+        for step in 0..12 {
+            let whole = |k: usize| x.get(k).copied().unwrap_or(0.0);
+            let image = map([whole(0), whole(1), whole(2)]);
+            x.resize(if step < 2 { 2 } else { 3 }, 0.0);
+            x = anderson.next(&x, image[..x.len()].to_vec());
+        }
+        let fixed = [2.0, 2.0 / 0.7, 0.8 / 1.8];
+        assert!(x.iter().zip(fixed).all(|(x, fixed)| (x - fixed).abs() < 1e-9), "{x:?}");
+    }
 
     /// `x = A x + b` with spectral radius 0.95; Anderson is GMRES there and ends after n steps.
     #[test]

@@ -43,7 +43,7 @@ impl Coupling for Weak {
 
 fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
     let system = iteration.system;
-    let mut relaxation = Aitken::new(system.pairs());
+    let mut relaxation = Aitken::new(system.initial_gap().len());
     let (mut start, mut loads) = iteration.initial_state();
     let mut unsettled = 0;
     loop {
