@@ -243,6 +243,7 @@
  * @property {PlasticZoneOfBodies} plasticity
  * @property {SolveStatus} status
  * @property {SubsurfaceOfBodies} [subsurface]
+ * @property {SubsurfaceOfBodies} [subsurface_below_peak]
  * @property {(ValidityNote)[]} validity
  * @property {YieldOnset} [yield_onset]
  *
@@ -252,6 +253,7 @@
  * @property {(number)[]} [initial_sigma_x]
  * @property {(number)[]} [initial_sigma_y]
  * @property {(number)[]} [initial_sigma_z]
+ * @property {number} [position]
  * @property {(number)[]} sigma_x
  * @property {(number)[]} sigma_y
  * @property {(number)[]} sigma_z

@@ -250,14 +250,15 @@ impl Page {
         }
         let error = step.estimated_error.as_ref().map(|error| error.approach);
         self.value("permanent approach", length, step.approach, error, "");
-        let Some(subsurface) = &step.subsurface else { return };
-        for (body, profile) in [("upper", &subsurface.upper), ("lower", &subsurface.lower)] {
-            let Some((name, stress, depth)) =
-                profile.as_ref().and_then(|p| largest_tension(p, self.names.tangential()))
-            else {
+        for body in ["upper", "lower"] {
+            let tensions = step.profiles().filter(|(of, _)| *of == body).filter_map(|(_, profile)| {
+                let largest = largest_tension(profile, self.names.tangential())?;
+                Some((largest, step.place_of(profile)))
+            });
+            let Some(((name, stress, depth), at)) = tensions.max_by(|a, b| a.0.1.total_cmp(&b.0.1)) else {
                 continue;
             };
-            let (abscissa, at) = (self.names.abscissa(), significant(step.contact.peak_position, 3));
+            let (abscissa, at) = (self.names.abscissa(), significant(at, 3));
             let place = format!("{name} at {abscissa} {at}, depth {} {length}", significant(depth, 3));
             self.value(&format!("tension, {body} body"), self.names.stress, stress, None, &place);
         }
@@ -305,18 +306,19 @@ impl Page {
 
     /// How much of its strength a body uses that is not equally strong everywhere, where that is most.
     fn utilization(&mut self, step: &StepReport) {
-        let Some(bodies) = &step.subsurface else { return };
-        for (name, profile) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
-            let Some(SubsurfaceReport { depth, utilization: Some(used), .. }) = profile else { continue };
-            let Some((used, depth)) = used.iter().zip(depth).max_by(|a, b| a.0.total_cmp(b.0)) else {
-                continue;
-            };
+        for name in ["upper", "lower"] {
+            let profiles = step.profiles().filter(|(of, _)| *of == name);
+            let used = profiles.flat_map(|(_, profile)| {
+                let used = profile.utilization.iter().flatten().zip(&profile.depth);
+                used.map(|(used, depth)| (*used, *depth, step.place_of(profile)))
+            });
+            let Some((used, depth, at)) = used.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
             self.line(&format!(
                 "{name}  uses at most {} % of its yield stress, at {} {}, depth {} {}",
                 significant(100.0 * used, 3),
                 self.names.abscissa(),
-                significant(step.contact.peak_position, 3),
-                significant(*depth, 3),
+                significant(at, 3),
+                significant(depth, 3),
                 self.names.length
             ));
         }

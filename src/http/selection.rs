@@ -35,14 +35,18 @@ pub(super) fn edit(step: &[u8], selection: &Selection) -> Result<Bytes, serde_js
     Ok(serde_json::to_vec(&step)?.into())
 }
 
+/// Members of a step with stresses over depth.
+const PROFILES: [&str; 2] = ["subsurface", "subsurface_below_peak"];
+
 /// What the schema requires stays, empty.
 fn edit_step(step: &mut Value, selection: &Selection) {
     if let Some(parts) = &selection.parts {
         keep(step, parts);
     }
-    let bodies = step.get_mut("subsurface").and_then(Value::as_object_mut);
-    for body in bodies.into_iter().flat_map(|bodies| bodies.values_mut()) {
-        if let Some(depths) = selection.depths {
+    let Some(depths) = selection.depths else { return };
+    for profiles in PROFILES {
+        let bodies = step.get_mut(profiles).and_then(Value::as_object_mut);
+        for body in bodies.into_iter().flat_map(|bodies| bodies.values_mut()) {
             thin(body, depths);
         }
     }
@@ -74,7 +78,9 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
         step["history"] = json!([]);
     }
     if drops(StepPart::Subsurface) {
-        remove(step, "subsurface");
+        for profiles in PROFILES {
+            remove(step, profiles);
+        }
     }
     if drops(StepPart::Fields) {
         remove(step, "fields");

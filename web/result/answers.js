@@ -156,11 +156,13 @@ function shakedown(report, { hertz }) {
 }
 
 /** Bodies that have a profile over depth, two alike as one. @param {Job} job @param {Step} step */
-const profilesOf = (job, { subsurface }) =>
+const profilesOf = (job, { subsurface, subsurface_below_peak: beside }) =>
   (same(job.upper, job.lower) ? /** @type {const} */ (['lower']) : /** @type {const} */ (['upper', 'lower'])).flatMap(
     (body) => {
-      const profile = subsurface?.[body];
-      return profile ? [{ body, profile }] : [];
+      const profiles = [subsurface?.[body], beside?.[body]].filter(
+        (profile) => profile !== undefined && profile !== null,
+      );
+      return profiles.length > 0 ? [{ body, profiles }] : [];
     },
   );
 
@@ -173,20 +175,25 @@ const bodyWords = (job, body) => (same(job.upper, job.lower) ? 'both bodies' : `
  */
 function utilizations(job, report, step) {
   const length = unit('length', report.units);
-  return profilesOf(job, step).flatMap(({ body, profile }) => {
-    const { depth, utilization } = profile;
-    if (!utilization) return [];
+  return profilesOf(job, step).flatMap(({ body, profiles }) => {
+    const places = profiles.flatMap((profile) =>
+      (profile.utilization ?? []).map((used, k) => ({ used, depth: profile.depth[k], profile })),
+    );
+    if (places.length === 0) return [];
     const most = (/** @type {number} */ from) =>
-      depth.reduce((best, z, k) => (z >= from && !(utilization[k] <= utilization[best]) ? k : best), -1);
+      places.reduce((best, { used, depth }, k) => (depth >= from && !(used <= places[best]?.used) ? k : best), -1);
     const [case_, whole] = [caseDepth(job, body, report.units) ?? Infinity, most(0)];
     const core = most(case_);
     const alike = same(job.upper, job.lower);
-    const answer = (/** @type {string} */ name, /** @type {number} */ k) => ({
-      name: alike ? name : `${name}, ${body} body`,
-      value: 100 * utilization[k],
-      unit: '%',
-      note: `von Mises stress over yield stress, most at a depth of ${figure(depth[k], 3)} ${length}${depth[k] >= case_ ? ', below the case' : ''}`,
-    });
+    const answer = (/** @type {string} */ name, /** @type {number} */ k) => {
+      const { used, depth, profile } = places[k];
+      return {
+        name: alike ? name : `${name}, ${body} body`,
+        value: 100 * used,
+        unit: '%',
+        note: `von Mises stress over yield stress, most at a depth of ${figure(depth, 3)} ${length}${depth >= case_ ? ', below the case' : ''}, on the line ${belowWords(step, report, profile)}`,
+      };
+    };
     return [
       answer('Utilization', whole),
       ...(core >= 0 && core !== whole ? [answer('Utilization of the core', core)] : []),
@@ -202,11 +209,13 @@ export function caseDepth(job, body, units) {
 
 /** The largest tension along the surface or across the section that is left. @param {Job} job @param {Report} report @param {Step} step @returns {Answer[]} */
 function residualStress(job, report, step) {
-  const found = profilesOf(job, step).flatMap(({ body, profile }) =>
-    /** @type {const} */ (['sigma_x', 'sigma_z']).map((component) => {
-      const value = Math.max(...profile[component]);
-      return { body, component, value, depth: profile.depth[profile[component].indexOf(value)] };
-    }),
+  const found = profilesOf(job, step).flatMap(({ body, profiles }) =>
+    profiles.flatMap((profile) =>
+      /** @type {const} */ (['sigma_x', 'sigma_z']).map((component) => {
+        const value = Math.max(...profile[component]);
+        return { body, component, profile, value, depth: profile.depth[profile[component].indexOf(value)] };
+      }),
+    ),
   );
   if (!found.some(({ value }) => value > 0)) return [];
   const most = found.reduce((a, b) => (b.value > a.value ? b : a));
@@ -215,14 +224,14 @@ function residualStress(job, report, step) {
       name: 'Residual tension',
       value: most.value,
       unit: unit('stress', report.units),
-      note: `${nameOf(most.component, report.analysis)}, ${bodyWords(job, most.body)}, at a depth of ${figure(most.depth, 3)} ${unit('length', report.units)} on the line ${belowWords(step, report)}`,
+      note: `${nameOf(most.component, report.analysis)}, ${bodyWords(job, most.body)}, at a depth of ${figure(most.depth, 3)} ${unit('length', report.units)} on the line ${belowWords(step, report, most.profile)}`,
     },
   ];
 }
 
-/** Where the profile over depth lies. @param {Step} step @param {Report} report */
-export function belowWords(step, report) {
-  const { peak_position: at } = step.contact;
+/** Where a profile over depth lies. @param {Step} step @param {Report} report @param {import('../types.js').Profile | null | undefined} profile */
+export function belowWords(step, report, profile) {
+  const at = profile?.position ?? step.contact.peak_position;
   const name = abscissaOf(step, report.analysis === 'axisymmetric');
   const where = figure(at, 3);
   return name === 'along the arc'

@@ -1,4 +1,4 @@
-/** Stresses over depth under the peak pressure, of the components one chooses, with the yield stress marked. */
+/** Stresses over depth below the middle of the contact or below the peak pressure, of the components one chooses, with the yield stress marked. */
 
 import { h } from '../lib/dom.js';
 import { nameOf as nameOfQuantity } from '../field/quantities.js';
@@ -50,6 +50,8 @@ const labelOf = (component, analysis) => symbol(nameOf(component, analysis).repl
 export class DepthPanel {
   /** @type {'upper' | 'lower'} */
   #body = 'lower';
+  /** Which line is shown where the peak pressure is beside the middle. @type {'subsurface' | 'subsurface_below_peak'} */
+  #line = 'subsurface';
   #chosen = new Set(USUAL.loaded);
   /** Whether somebody has chosen the components. */
   #touched = false;
@@ -62,9 +64,13 @@ export class DepthPanel {
       this.#body = /** @type {'upper' | 'lower'} */ (body);
       this.#again();
     });
+    this.lines = segments('Line', { subsurface: 'Middle', subsurface_below_peak: 'Peak' }, (line) => {
+      this.#line = /** @type {'subsurface' | 'subsurface_below_peak'} */ (line);
+      this.#again();
+    });
     this.chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Components' });
     this.panel = new Panel('depth', 'Stress over depth', [this.chips, this.chart.element], {
-      controls: [bodies],
+      controls: [this.lines, bodies],
       picture: (title) => this.chart.picture(title),
       drawing: (title) => this.chart.drawing(title),
     });
@@ -104,6 +110,16 @@ export class DepthPanel {
     this.#again();
   }
 
+  /** Whether the line beside the middle is shown. @param {import('../types.js').Step} step */
+  #isBeside(step) {
+    return this.#line === 'subsurface_below_peak' && step.subsurface_below_peak !== undefined;
+  }
+
+  /** The line that is shown. @param {import('../types.js').Step} step */
+  #profile(step) {
+    return (this.#isBeside(step) ? step.subsurface_below_peak : step.subsurface)?.[this.#body];
+  }
+
   #again() {
     if (this.#shown) this.show(...this.#shown);
   }
@@ -114,7 +130,8 @@ export class DepthPanel {
     const [first] = shown;
     const step = first.report.steps[at];
     const { units } = first.report;
-    const profile = step.subsurface?.[this.#body];
+    const profile = this.#profile(step);
+    this.lines.hidden = step.subsurface_below_peak === undefined;
     const graded = shown.some(({ report }) =>
       report.steps.some(({ subsurface }) => subsurface?.upper?.utilization || subsurface?.lower?.utilization),
     );
@@ -124,11 +141,13 @@ export class DepthPanel {
     this.panel.show(step.subsurface !== undefined);
     if (!step.subsurface) return;
     const sides = beside(shown, at);
-    const below = belowWords(step, first.report);
-    const alike = sides.every(({ one, at }) => belowWords(one.report.steps[at], one.report) === below);
+    const belowOf = (/** @type {Shown} */ { report }, /** @type {number} */ at) =>
+      belowWords(report.steps[at], report, this.#profile(report.steps[at]));
+    const below = belowOf(first, at);
+    const alike = sides.every(({ one, at }) => belowOf(one, at) === below);
     const curves = sides.flatMap((side) => this.#curves(side, shown.length > 1));
     for (const { one, at, label } of sides) {
-      const graded = one.report.steps[at].subsurface?.[this.#body];
+      const graded = this.#profile(one.report.steps[at]);
       if (!graded?.yield_stress) continue;
       curves.push({
         label: shown.length > 1 ? `${label}: yield stress` : 'yield stress',
@@ -149,10 +168,10 @@ export class DepthPanel {
         y: profile.initial_sigma_x,
       });
     const [stress, length] = [unit('stress', units), unit('length', units)];
-    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0)
+    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0 && !this.#isBeside(step))
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
-      x: `depth ${alike ? below : 'below the peaks'}  [${length}]`,
+      x: `depth ${alike ? below : 'at places of their own'}  [${length}]`,
       y: `stress  [${stress}]`,
       right: curves.some(({ right }) => right)
         ? this.#chosen.has('utilization')
@@ -164,7 +183,7 @@ export class DepthPanel {
       range: [0, 4 * (step.contact.half_width || widest(first)) || 1],
       marks: [...this.#strengths(shown), ...(shown.length === 1 ? this.#case(first, profile) : [])],
       words: profile
-        ? `Under the peak of the ${this.#body} body, ${below}: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
+        ? `In the ${this.#body} body, ${below}: highest von Mises stress ${figure(Math.max(...profile.von_mises))} ${stress}, at a depth of ${figure(
             profile.depth[profile.von_mises.indexOf(Math.max(...profile.von_mises))],
             3,
           )} ${length}.`
@@ -234,7 +253,7 @@ export class DepthPanel {
 
   /** @param {import('./loads.js').Beside} side @param {boolean} named @returns {import('./chart.js').Curve[]} */
   #curves({ one, at, label }, named) {
-    const profile = one.report.steps[at].subsurface?.[this.#body];
+    const profile = this.#profile(one.report.steps[at]);
     if (!profile) return [];
     // Without plastic strain there is nothing to scale an axis by.
     const there = [...this.#chosen].filter(

@@ -166,11 +166,16 @@ def test_what_is_left_is_not_said_of_a_load(dent: Result) -> None:
 
 
 def test_profiles_say_where_they_lie(dent: Result) -> None:
-    place = dent.last.peak_position
-    assert (dent.subsurface["x"] == place).all()
+    assert (dent.subsurface["x"] == 0.0).all()
     for ax in (dent.plot.residual_stress(), dent.plot.depth()):
-        assert ax.get_xlabel() == f"depth [mm] at x = {place:.3g} mm"
+        assert ax.get_xlabel() == "depth [mm] at x = 0 mm"
         plt.close(ax.get_figure())
+    peak = dent.last.peak_position
+    beside = dent.subsurface_below_peak
+    assert beside.empty or (beside["x"] == peak).all()
+    # A result of 0.2 does not have the place: it lies below the peak pressure.
+    old = {k: v for k, v in dent.last.data["subsurface"]["lower"].items() if k != "position"}
+    assert dent.last.place_of(old) == peak
 
 
 def test_results_on_the_same_axes_differ(dent: Result) -> None:

@@ -123,7 +123,7 @@ fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
 
 /// What a report has of the stresses in the bodies.
 struct FieldReports {
-    subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
+    subsurface: [Option<PerBody<Option<SubsurfaceReport>>>; 2],
     plasticity: PerBody<Option<PlasticityReport>>,
     fields: Option<PerBody<Option<FieldsReport>>>,
 }
@@ -131,7 +131,7 @@ struct FieldReports {
 impl FieldReports {
     /// Who stops a job wants its core back, not its stresses.
     const NONE: Self =
-        Self { subsurface: None, plasticity: PerBody { upper: None, lower: None }, fields: None };
+        Self { subsurface: [None, None], plasticity: PerBody { upper: None, lower: None }, fields: None };
 
     fn of(
         job: &Job,
@@ -144,11 +144,14 @@ impl FieldReports {
         }
         let mut reports = Self::NONE;
         if job.output.subsurface {
-            let profile = |body: &BodySolution| {
-                ask(observer)?;
-                Ok(subsurface::profile(body, step.symmetric, step.peak_position, write))
+            let mut at = |x: f64| {
+                PerBody::try_of(step, |body| {
+                    ask(observer)?;
+                    Ok(subsurface::profile(body, step.symmetric, x, write))
+                })
             };
-            reports.subsurface = Some(PerBody::try_of(step, profile)?);
+            let below_peak = subsurface::is_beside_middle(step).then(|| at(step.peak_position));
+            reports.subsurface = [Some(at(step.middle)?), below_peak.transpose()?];
         }
         reports.plasticity = PerBody::try_of(step, |body| {
             ask(observer)?;
@@ -162,7 +165,7 @@ impl FieldReports {
 }
 
 fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: UnitConverter) -> StepReport {
-    let FieldReports { subsurface, plasticity, fields } = fields;
+    let FieldReports { subsurface: [subsurface, subsurface_below_peak], plasticity, fields } = fields;
     let reference = ElasticReference::of(job, step.force());
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
@@ -184,6 +187,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
         contact_stiffness: write.stiffness(step.contact_stiffness),
         flow: flow::flow(step, write),
         subsurface,
+        subsurface_below_peak,
         plasticity,
         hertz: reference.map(|reference| HertzReport {
             half_width: write.length(reference.half_width),

@@ -64,9 +64,13 @@ pub struct StepReport {
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowReport>,
-    /// Stresses over depth; absent when not asked for, and where the step was stopped.
+    /// Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for,
+    /// and where the step was stopped.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<PerBody<Option<SubsurfaceReport>>>,
+    /// The same below the largest pressure; absent where that is in the middle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub subsurface_below_peak: Option<PerBody<Option<SubsurfaceReport>>>,
     /// Plastic zone of each body; `null` for a rigid one.
     pub plasticity: PerBody<Option<PlasticityReport>>,
     /// The closed-form elastic contact of the same bodies, where there is one.
@@ -85,6 +89,22 @@ pub struct StepReport {
     pub fields: Option<PerBody<Option<FieldsReport>>>,
     /// Every outer iteration.
     pub history: Vec<IterationRecord>,
+}
+
+impl StepReport {
+    /// The profiles over depth, where they were asked for: upper and lower body, below the middle and below the peak.
+    pub fn profiles(&self) -> impl Iterator<Item = (&'static str, &SubsurfaceReport)> {
+        let lines = [&self.subsurface, &self.subsurface_below_peak].into_iter().flatten();
+        lines.flat_map(|bodies| {
+            let bodies = [("upper", &bodies.upper), ("lower", &bodies.lower)];
+            bodies.into_iter().filter_map(|(name, body)| Some((name, body.as_ref()?)))
+        })
+    }
+
+    /// x of a profile \[length\].
+    pub fn place_of(&self, profile: &SubsurfaceReport) -> f64 {
+        profile.position.unwrap_or(self.contact.peak_position)
+    }
 }
 
 /// What a step prescribed.
@@ -133,17 +153,21 @@ impl<T: Clone> PerBody<Option<T>> {
     }
 }
 
-/// Stresses along the normal under the peak pressure.
+/// Stresses along a normal of the surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Subsurface))]
 pub struct SubsurfaceReport {
+    /// x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their normal is at
+    /// `contact.peak_position` \[length\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<f64>,
     /// Depth below the surface, from 0 \[length\].
     pub depth: Vec<f64>,
-    /// Tangential stress \[stress\].
+    /// Tangential stress; radial in axisymmetry \[stress\].
     pub sigma_x: Vec<f64>,
-    /// Normal stress \[stress\].
+    /// Normal stress; axial in axisymmetry \[stress\].
     pub sigma_y: Vec<f64>,
-    /// Out-of-plane stress \[stress\].
+    /// Out-of-plane stress; hoop stress in axisymmetry \[stress\].
     pub sigma_z: Vec<f64>,
     /// Largest shear stress, half the difference of the extreme principal stresses \[stress\].
     pub tau_max: Vec<f64>,

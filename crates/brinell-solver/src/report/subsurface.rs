@@ -1,12 +1,20 @@
-//! Stresses over depth below the peak pressure.
+//! Stresses over depth below the middle of the contact, and below the peak pressure where that is elsewhere.
 
 use super::SubsurfaceReport;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::fem::mesh::SurfaceFrame;
 use crate::job::{HardeningLaw, Quantity};
-use crate::solver::BodySolution;
 use crate::solver::recovery::Recovery;
+use crate::solver::{BodySolution, StepSolution};
+
+/// Spacings from the middle of the contact within which the peak pressure is on the same normal.
+const SAME_NORMAL: f64 = 0.5;
+
+/// Whether the peak pressure has a normal of its own.
+pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
+    (step.peak_position - step.middle).abs() > SAME_NORMAL * step.spacing
+}
 
 /// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
 /// below the nearest candidate node, from the surface to the support.
@@ -22,6 +30,7 @@ pub(super) fn profile(
     let place = |node: u32| mesh.frame.place(mesh.nodes[node as usize]);
     let surface = line.first().map_or(0.0, |&node| place(node)[1]);
     let mut report = SubsurfaceReport {
+        position: Some(write.length(x)),
         depth: Vec::new(),
         sigma_x: Vec::new(),
         sigma_y: Vec::new(),

@@ -69,6 +69,9 @@ pub struct StepSolution {
     pub peak_pressure: f64,
     /// x of it; where nothing touches, of the largest that the history had \[mm\].
     pub peak_position: f64,
+    /// x of the middle of the contact, 0 of half models; where nothing touches, of the contact with the largest pressure that the
+    /// history had \[mm\].
+    pub middle: f64,
     /// Upper and lower body; `None` for a rigid one.
     pub bodies: [Option<Arc<BodySolution>>; 2],
     /// Every iteration.

@@ -66,3 +66,33 @@ fn stresses_converge_at_second_order() {
     let order = (coarse / fine).log2();
     assert!(order > 1.5, "order {order:.2} from {coarse:.2e} to {fine:.2e}");
 }
+
+/// A crown that is steeper on one side: the middle of the contact and its largest pressure are at places of their own.
+#[test]
+fn profiles_lie_below_the_middle_and_below_the_peak() {
+    let steel = serde_json::json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 2000}});
+    let points = [[-5.0, -0.5], [-1.0, -0.02], [0.0, 0.0], [0.3, -0.004], [1.0, -0.08], [5.0, -0.9]];
+    let profile =
+        serde_json::json!({"type": "profile", "points": points, "depth": 10, "interpolation": "smooth"});
+    let job = serde_json::json!({"analysis": "plane_strain",
+        "upper": {"shape": profile, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 40, "depth": 20}, "material": steel},
+        "load": {"history": [{"force": 500}, {"force": 0}]},
+        "mesh": {"elements_per_half_width": 6}, "solver": {"theory": "flow"}});
+    let steps = report(&job).steps;
+    let parts = &steps[0].contact.patches;
+    let middle = 0.5 * (parts[0].left + parts.last().unwrap().right);
+    let peak = steps[0].contact.peak_position;
+    assert!((peak - middle).abs() > 0.02, "{peak} {middle}");
+    for step in &steps {
+        let places: Vec<f64> = step.profiles().map(|(_, profile)| profile.position.unwrap()).collect();
+        assert_eq!(places.len(), 2);
+        assert!((places[0] - middle).abs() < 1e-12 && (places[1] - peak).abs() < 1e-12, "{places:?}");
+    }
+
+    // The largest pressure of cylinders is in the middle.
+    let step = &report(&two_cylinders("clamped", Value::Null, FORCE)).steps[0];
+    assert!(step.subsurface_below_peak.is_none());
+    assert!(step.profiles().all(|(_, profile)| profile.position == Some(0.0)));
+}

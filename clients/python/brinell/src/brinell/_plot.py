@@ -84,7 +84,7 @@ class Plot:
         ax: Axes | None = None,
         label: str = "",
     ) -> Axes:
-        """A stress over the depth below the peak pressure.
+        """A stress over the depth below the middle of the contact.
 
         Von Mises stress beside the yield stress where that varies. With a `label`, which tells
         several results on the same axes apart, every line has a colour of its own.
@@ -96,7 +96,9 @@ class Plot:
         }
         if not bodies:
             raise BrinellError("this step has no stresses over depth")
-        known = dict.fromkeys(name for values in bodies.values() for name in values)
+        known = dict.fromkeys(
+            name for values in bodies.values() for name in values if name != "position"
+        )
         bodies = {name: values for name, values in bodies.items() if quantity in values}
         if not bodies:
             raise BrinellError(f"no {quantity!r} over depth; there are {', '.join(known)}")
@@ -117,18 +119,19 @@ class Plot:
         if one.half_width > 0.0:
             ax.set_xlim(0.0, 5.0 * one.half_width)
         unit = "" if quantity in WITHOUT_UNIT else f" [{self._stress}]"
-        ax.set(xlabel=self._depth_at(one), ylabel=self._titles.get(quantity, quantity) + unit)
+        ax.set(xlabel=self._depth_at(one, values), ylabel=self._titles.get(quantity, quantity) + unit)
         ax.legend(frameon=False)
         return ax
 
-    def _depth_at(self, step: Step) -> str:
+    def _depth_at(self, step: Step, profile: dict[str, Any]) -> str:
         """The axis of depths, and where it lies."""
-        return f"depth [{self._length}] at {self._along} = {step.peak_position:.3g} {self._length}"
+        place = step.place_of(profile)
+        return f"depth [{self._length}] at {self._along} = {place:.3g} {self._length}"
 
     def residual_stress(self, step: int = -1, body: str = "lower", ax: Axes | None = None) -> Axes:
         """Stresses along the surface over depth, as they are left when the load is zero.
 
-        The line runs where the pressure was largest; the axis of depths says where that is.
+        The line runs below the middle of the contact; the axis of depths says where that is.
         """
         ax = _axes(ax)
         one = self._result.steps[step]
@@ -142,7 +145,7 @@ class Plot:
         widest = max(step.half_width for step in self._result.steps)
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         ax.set_xlim(0.0, 5.0 * widest if widest > 0.0 else None)
-        ax.set(xlabel=self._depth_at(one), ylabel=f"stress left [{self._stress}]")
+        ax.set(xlabel=self._depth_at(one, values), ylabel=f"stress left [{self._stress}]")
         ax.legend(frameon=False)
         return ax
 

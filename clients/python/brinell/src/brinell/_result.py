@@ -176,20 +176,33 @@ class Step:
 
     @property
     def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the peak pressure, of both bodies (column `body`).
+        """Stresses over the depth below the middle of the contact, of both bodies (`body`).
 
         Column `x` says where that is: x, in axisymmetry the radius.
         """
+        return self._over_depth("subsurface")
+
+    @property
+    def subsurface_below_peak(self) -> pd.DataFrame:
+        """The same below the peak pressure; empty where that is in the middle."""
+        return self._over_depth("subsurface_below_peak")
+
+    def _over_depth(self, member: str) -> pd.DataFrame:
         pandas = need("pandas", "pandas")
-        bodies = {name: body for name, body in (self.data.get("subsurface") or {}).items() if body}
-        frames = [
-            pandas.DataFrame({"body": name, **body, "x": self.peak_position})
-            for name, body in bodies.items()
-        ]
+        frames = []
+        for name, profile in (self.data.get(member) or {}).items():
+            if profile:
+                columns = {key: values for key, values in profile.items() if key != "position"}
+                frame = pandas.DataFrame({"body": name, **columns, "x": self.place_of(profile)})
+                frames.append(frame)
         frame: pd.DataFrame = (
             pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame({"body": []})
         )
         return frame
+
+    def place_of(self, profile: dict[str, Any]) -> float:
+        """The x of a profile over depth; profiles of 0.2 lie below the peak pressure."""
+        return number(profile.get("position", self.peak_position))
 
     @property
     def surface(self) -> pd.DataFrame:
@@ -398,8 +411,13 @@ class Result:
 
     @property
     def subsurface(self) -> pd.DataFrame:
-        """Stresses over the depth below the peak pressure, of both bodies."""
+        """Stresses over the depth below the middle of the contact, of both bodies."""
         return self.last.subsurface
+
+    @property
+    def subsurface_below_peak(self) -> pd.DataFrame:
+        """The same below the peak pressure; empty where that is in the middle."""
+        return self.last.subsurface_below_peak
 
     @property
     def surface(self) -> pd.DataFrame:

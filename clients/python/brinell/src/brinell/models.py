@@ -1909,7 +1909,7 @@ class StrengthFactors(RootModel[list[StrengthFactor]]):
 
 class Subsurface(BaseModel):
     """
-    Stresses along the normal under the peak pressure.
+    Stresses along a normal of the surface.
     """
 
     depth: Annotated[
@@ -1933,14 +1933,27 @@ class Subsurface(BaseModel):
         list[float] | None,
         Field(description='Out-of-plane stress before the load. Unit: MPa (SI: Pa).'),
     ] = None
+    position: Annotated[
+        float | None,
+        Field(
+            description='x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their normal is at `contact.peak_position`. Unit: mm (SI: m).'
+        ),
+    ] = None
     sigma_x: Annotated[
-        list[float], Field(description='Tangential stress. Unit: MPa (SI: Pa).')
+        list[float],
+        Field(
+            description='Tangential stress; radial in axisymmetry. Unit: MPa (SI: Pa).'
+        ),
     ]
     sigma_y: Annotated[
-        list[float], Field(description='Normal stress. Unit: MPa (SI: Pa).')
+        list[float],
+        Field(description='Normal stress; axial in axisymmetry. Unit: MPa (SI: Pa).'),
     ]
     sigma_z: Annotated[
-        list[float], Field(description='Out-of-plane stress. Unit: MPa (SI: Pa).')
+        list[float],
+        Field(
+            description='Out-of-plane stress; hoop stress in axisymmetry. Unit: MPa (SI: Pa).'
+        ),
     ]
     tau_max: Annotated[
         list[float],
@@ -2626,7 +2639,13 @@ class Step(BaseModel):
     subsurface: Annotated[
         SubsurfaceOfBodies | None,
         Field(
-            description='Stresses over depth; absent when not asked for, and where the step was stopped.'
+            description='Stresses over depth on the axis, or below the middle of the contact where there is none; absent when not asked for, and where the step was stopped.'
+        ),
+    ] = None
+    subsurface_below_peak: Annotated[
+        SubsurfaceOfBodies | None,
+        Field(
+            description='The same below the largest pressure; absent where that is in the middle.'
         ),
     ] = None
     validity: Annotated[

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::ExportError;
 use crate::job::{Named, Quantity, Units};
-use crate::report::{FlowReport, Report, SubsurfaceReport};
+use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport};
 
 fn units(report: &Report) -> Units {
     if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
@@ -97,7 +97,13 @@ pub fn pressure_csv(report: &Report) -> String {
     text
 }
 
-/// `step, body, depth, stresses, plastic strain` along the normal below the peak pressure, and at the end where that is.
+/// Names of the stresses along the surface, along the normal and across the section.
+fn directions(report: &Report) -> [&'static str; 3] {
+    if report.analysis == "axisymmetric" { ["r", "z", "theta"] } else { ["x", "y", "z"] }
+}
+
+/// `step, body, depth, stresses, plastic strain` along the normals below the middle of the contact and below the peak pressure, and
+/// at the end where they are.
 ///
 /// # Errors
 /// [`ExportError::NoSubsurface`] where the job did not ask for it.
@@ -107,31 +113,26 @@ pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
     }
     let units = units(report);
     let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
-    let is_graded = |body: &SubsurfaceReport| body.yield_stress.is_some();
-    let mut bodies = report.steps.iter().filter_map(|step| step.subsurface.as_ref());
-    let graded = bodies.any(|bodies| [&bodies.upper, &bodies.lower].into_iter().flatten().any(is_graded));
-    let mut text = format!(
-        "step,body,depth [{length}],sigma_x [{stress}],sigma_y [{stress}],sigma_z [{stress}],tau_max [{stress}],\
-         von_mises [{stress}],equivalent_plastic_strain"
-    );
+    let profiles = || report.steps.iter().flat_map(StepReport::profiles);
+    let graded = profiles().any(|(_, body)| body.yield_stress.is_some());
+    let mut text = format!("step,body,depth [{length}]");
+    for direction in directions(report) {
+        let _ = write!(text, ",sigma_{direction} [{stress}]");
+    }
+    let _ = write!(text, ",tau_max [{stress}],von_mises [{stress}],equivalent_plastic_strain");
     if graded {
         let _ = write!(text, ",yield_stress [{stress}],utilization");
     }
-    let is_stressed = |body: &SubsurfaceReport| body.initial_sigma_x.is_some();
-    let mut bodies = report.steps.iter().filter_map(|step| step.subsurface.as_ref());
-    let stressed = bodies.any(|bodies| [&bodies.upper, &bodies.lower].into_iter().flatten().any(is_stressed));
+    let stressed = profiles().any(|(_, body)| body.initial_sigma_x.is_some());
     if stressed {
-        for name in ["x", "y", "z"] {
-            let _ = write!(text, ",initial_sigma_{name} [{stress}]");
+        for direction in directions(report) {
+            let _ = write!(text, ",initial_sigma_{direction} [{stress}]");
         }
     }
     let _ = writeln!(text, ",{} [{length}]", abscissa(report));
     for (k, step) in report.steps.iter().enumerate() {
-        let Some(bodies) = &step.subsurface else { continue };
-        for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
-            let Some(body) = body else { continue };
-            let place = step.contact.peak_position;
-            write_profile(&mut text, (k + 1, name, place), body, (graded, stressed));
+        for (name, body) in step.profiles() {
+            write_profile(&mut text, (k + 1, name, step.place_of(body)), body, (graded, stressed));
         }
     }
     Ok(text)

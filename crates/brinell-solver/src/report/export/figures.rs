@@ -68,7 +68,7 @@ fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
     }
 }
 
-/// Stresses over depth below the peak pressure, in the lower body if it deforms, with McEwen's elastic ones beside
+/// Stresses over depth below the middle of the contact, in the lower body if it deforms, with McEwen's elastic ones beside
 /// them for line contacts; the plastic zone is shaded. Steps are counted from 0.
 ///
 /// # Errors
@@ -118,10 +118,7 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
     Chart {
         title: if step.contact.force > 0.0 { "Stresses below the contact" } else { "Residual stresses" }
             .to_owned(),
-        x_label: format!(
-            "depth [{length}] below {abscissa} = {} {length}",
-            short(step.contact.peak_position)
-        ),
+        x_label: format!("depth [{length}] below {abscissa} = {} {length}", short(step.place_of(profile))),
         y_label: format!("stress, tension positive [{stress}]"),
         x_range: (0.0, reach),
         y_range: (lowest - margin, highest + margin),

@@ -312,6 +312,10 @@ fn judge(
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force),
         peak_position: peak_position(&pairs),
+        middle: match pass.patch {
+            Some(patch) if !system.zone.is_symmetric() => 0.5 * (patch.left + patch.right),
+            _ => 0.0,
+        },
         pairs,
         patch: pass.patch,
         parts: pass.parts(),

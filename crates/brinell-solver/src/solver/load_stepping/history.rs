@@ -469,10 +469,10 @@ impl MeshHistory<'_> {
         );
         if step.patch.is_some() {
             if step.peak_pressure > progress.peak[0] {
-                progress.peak = [step.peak_pressure, step.peak_position];
+                progress.peak = [step.peak_pressure, step.peak_position, step.middle];
             }
         } else {
-            step.peak_position = progress.peak[1];
+            [_, step.peak_position, step.middle] = progress.peak;
         }
         // Plastic strain stays as it is where the load begins to fall, so that the stiffness is that of the elastic bodies.
         let elastic = solve.system.linearize(None, run);

@@ -25,8 +25,8 @@ pub(super) struct Progress {
     pub contact_scales: ContactScales,
     /// Whether the load falls.
     pub is_falling: bool,
-    /// Largest peak pressure so far, and its x.
-    pub peak: [f64; 2],
+    /// Largest peak pressure so far, its x, and that of the middle of its contact.
+    pub peak: [f64; 3],
     /// What the points of each model have been through.
     pub points: Vec<Vec<PointHistory>>,
 }
@@ -55,7 +55,7 @@ impl Progress {
             scales: Scales::default(),
             contact_scales: ContactScales::default(),
             is_falling: false,
-            peak: [0.0; 2],
+            peak: [0.0; 3],
             points: Vec::new(),
         }
     }
