@@ -10,6 +10,7 @@
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
 
+mod body;
 mod eigenstrain_stress;
 mod elasticity;
 mod grid;
@@ -24,6 +25,7 @@ mod system;
 mod tensors;
 mod transform;
 
+pub use body::{PlasticLaw, YieldingBody};
 pub use elasticity::{Elasticity, ElasticityError};
 pub use grid::{GridError, Layers, SurfaceGrid};
 pub use half_space::{HalfSpace, HalfSpaceWork};
@@ -31,4 +33,4 @@ pub use hertz::EllipticContact;
 pub use plasticity::{Hardening, LinearHardening};
 pub use surface::SurfaceFlexibility;
 pub use system::{HalfSpaceSystem, Increment, PlasticBody};
-pub use tensors::{COMPONENTS, DEVIATOR_COMPONENTS, TensorField};
+pub use tensors::{COMPONENTS, DEVIATOR_COMPONENTS, TensorField, from_isometric, isometric};

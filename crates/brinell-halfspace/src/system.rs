@@ -22,7 +22,7 @@ use brinell_contact::{
 
 use crate::half_space::{HalfSpace, HalfSpaceWork};
 use crate::plasticity::{Deviator, Hardening, flow};
-use crate::tensors::{DEVIATOR_COMPONENTS, TensorField};
+use crate::tensors::{DEVIATOR_COMPONENTS, TensorField, from_isometric, isometric};
 use crate::{SurfaceFlexibility, SurfaceGrid};
 
 /// A body that may yield.
@@ -357,37 +357,6 @@ impl<H: Hardening> HalfSpaceSystem<H> {
         }
         for (body, index) in self.flowed.drain(..) {
             self.bodies[body].has_flowed[index] = false;
-        }
-    }
-}
-
-/// Coordinates of a deviator in which `a:b` is the sum of products.
-#[inline(always)]
-fn isometric([xx, yy, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS]) -> [f64; DEVIATOR_COMPONENTS] {
-    let two = std::f64::consts::SQRT_2;
-    [(xx - yy) / two, 1.5_f64.sqrt() * (xx + yy), two * xy, two * xz, two * yz]
-}
-
-#[inline(always)]
-fn from_isometric([d, s, xy, xz, yz]: [f64; DEVIATOR_COMPONENTS]) -> [f64; DEVIATOR_COMPONENTS] {
-    let two = std::f64::consts::SQRT_2;
-    let (difference, sum) = (two * d, s / 1.5_f64.sqrt());
-    [0.5 * (sum + difference), 0.5 * (sum - difference), xy / two, xz / two, yz / two]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn isometric_coordinates_keep_the_double_contraction() {
-        let e = [0.3, -0.5, 0.2, 0.7, -0.1];
-        let zz = -e[0] - e[1];
-        let square = e[0] * e[0] + e[1] * e[1] + zz * zz + 2.0 * (e[2] * e[2] + e[3] * e[3] + e[4] * e[4]);
-        let scaled = isometric(e);
-        assert!((scaled.iter().map(|x| x * x).sum::<f64>() - square).abs() < 1e-15);
-        for (back, value) in from_isometric(scaled).into_iter().zip(e) {
-            assert!((back - value).abs() < 1e-15);
         }
     }
 }

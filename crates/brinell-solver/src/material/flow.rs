@@ -127,14 +127,17 @@ impl<const N: usize> Default for FlowState<N> {
     }
 }
 
-/// The part of a state that plastic flow changes, while it does.
-#[derive(Clone, Copy)]
-struct Flowing<const N: usize> {
+/// The part of a state that plastic flow changes, while it does. Tensors have D components, three normal ones first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Flowing<const N: usize, const D: usize> {
     /// Stress deviator s \[MPa\].
-    stress: [f64; 4],
-    accumulated: f64,
-    backstress: [[f64; 4]; N],
-    plastic_work: f64,
+    pub stress: [f64; D],
+    /// Accumulated equivalent plastic strain p.
+    pub accumulated: f64,
+    /// `X_i` \[MPa\].
+    pub backstress: [[f64; D]; N],
+    /// `∫σ:dε_p` \[MPa\].
+    pub plastic_work: f64,
 }
 
 impl<const N: usize> FlowPlasticity<N> {
@@ -154,38 +157,67 @@ impl<const N: usize> FlowPlasticity<N> {
         Self { substeps: substeps.max(1), ..self }
     }
 
+    /// The curve beside the elastic moduli.
+    pub(crate) fn mapping(&self) -> &ReturnMapping {
+        &self.mapping
+    }
+
+    /// Parts of a strain path.
+    pub(crate) fn substeps(&self) -> u32 {
+        self.substeps
+    }
+
     /// The state at the end of a straight path whose every component is known.
     #[inline]
     fn along(&self, strain: [f64; 4], state: &FlowState<N>, parts: u32) -> FlowState<N> {
         let double_shear = 2.0 * self.elastic.shear;
         let elastic_strain: [f64; 4] = std::array::from_fn(|k| state.strain[k] - state.plastic_strain[k]);
-        let mut now = Flowing {
+        let now = Flowing {
             stress: stress_of(deviator(elastic_strain), double_shear),
             accumulated: state.accumulated,
             backstress: state.backstress,
             plastic_work: state.plastic_work,
         };
         let change = deviator(std::array::from_fn(|k| strain[k] - state.strain[k]));
-        let step = stress_of(change, double_shear);
+        let Some(now) = self.flow_along(now, stress_of(change, double_shear), parts) else {
+            return FlowState { strain, ..*state };
+        };
+        let end = deviator(strain);
+        let [x, y, z, t] = now.stress.map(|s| s / double_shear);
+        FlowState {
+            strain,
+            plastic_strain: [end[0] - x, end[1] - y, end[2] - z, end[3] - 2.0 * t],
+            accumulated: now.accumulated,
+            backstress: now.backstress,
+            plastic_work: now.plastic_work,
+        }
+    }
+
+    /// The end of a straight path of the stress deviator, elastic but for what flows on it, in so many parts; `None` where
+    /// nothing does.
+    #[inline]
+    pub(crate) fn flow_along<const D: usize>(
+        &self,
+        mut now: Flowing<N, D>,
+        step: [f64; D],
+        mut parts: u32,
+    ) -> Option<Flowing<N, D>> {
         let shift = sum(&now.backstress);
-        let from: [f64; 4] = std::array::from_fn(|k| now.stress[k] - shift[k]);
-        let radius = if state.accumulated > 0.0 {
-            self.mapping.law().stress(state.accumulated)
+        let from: [f64; D] = std::array::from_fn(|k| now.stress[k] - shift[k]);
+        let radius = if now.accumulated > 0.0 {
+            self.mapping.law().stress(now.accumulated)
         } else {
             self.mapping.yield_stress()
         };
-        let Some(elastic_part) = elastic_part(from, step, radius) else {
-            return FlowState { strain, ..*state };
-        };
+        let elastic_part = elastic_part(from, step, radius)?;
         for (s, d) in now.stress.iter_mut().zip(step) {
             *s += elastic_part * d;
         }
         let (mut flow, mut yield_stress) = (0.0, radius);
-        let mut parts = parts;
         if parts > 1 && self.mapping.yield_stress() == 0.0 {
             // A curve without an elastic domain flows everywhere, mostly by so little that it does not turn the stress.
-            let rest: [f64; 4] = std::array::from_fn(|k| from[k] + step[k]);
-            let most = self.isotropic_flow(equivalent_stress(rest), state.accumulated);
+            let rest: [f64; D] = std::array::from_fn(|k| from[k] + step[k]);
+            let most = self.isotropic_flow(equivalent_stress(rest), now.accumulated);
             if most <= SMALL_FLOW * equivalent_stress(rest) / (3.0 * self.elastic.shear) {
                 parts = 1;
             }
@@ -206,15 +238,7 @@ impl<const N: usize> FlowPlasticity<N> {
                 flow = now.accumulated - before;
             }
         }
-        let end = deviator(strain);
-        let [x, y, z, t] = now.stress.map(|s| s / double_shear);
-        FlowState {
-            strain,
-            plastic_strain: [end[0] - x, end[1] - y, end[2] - z, end[3] - 2.0 * t],
-            accumulated: now.accumulated,
-            backstress: now.backstress,
-            plastic_work: now.plastic_work,
-        }
+        Some(now)
     }
 
     /// One step along the mean of the normals before, with this weight, and after, for an elastic change of the stress deviator, on
@@ -224,17 +248,17 @@ impl<const N: usize> FlowPlasticity<N> {
     /// `c - 3G Δp = √(q² - d²)` two terms in d/q count, with q before the step: what that leaves is below the error of the step,
     /// and the next step begins from it.
     #[inline]
-    fn flow_along_mean_normal(
+    fn flow_along_mean_normal<const D: usize>(
         &self,
-        change: [f64; 4],
-        now: &mut Flowing<N>,
+        change: [f64; D],
+        now: &mut Flowing<N, D>,
         yield_stress: &mut f64,
         weight: f64,
         is_last: bool,
     ) {
         let triple_shear = 3.0 * self.elastic.shear;
-        let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
-        let mean: [f64; 4] = std::array::from_fn(|k| trial[k] + weight * now.stress[k]);
+        let trial: [f64; D] = std::array::from_fn(|k| now.stress[k] + change[k]);
+        let mean: [f64; D] = std::array::from_fn(|k| trial[k] + weight * now.stress[k]);
         let size = equivalent_stress(mean);
         let along = equivalent_along(trial, mean, size);
         let across = (1.5 * product(trial, trial) - along * along).max(0.0) / (2.0 * *yield_stress);
@@ -260,9 +284,15 @@ impl<const N: usize> FlowPlasticity<N> {
     /// One backward Euler step for an elastic change of the stress deviator, from the yield stress before to that after it; about
     /// as much flow is expected.
     #[inline]
-    fn flow(&self, change: [f64; 4], now: &mut Flowing<N>, yield_stress: &mut f64, expected: f64) {
+    fn flow<const D: usize>(
+        &self,
+        change: [f64; D],
+        now: &mut Flowing<N, D>,
+        yield_stress: &mut f64,
+        expected: f64,
+    ) {
         let triple_shear = 3.0 * self.elastic.shear;
-        let trial: [f64; 4] = std::array::from_fn(|k| now.stress[k] + change[k]);
+        let trial: [f64; D] = std::array::from_fn(|k| now.stress[k] + change[k]);
         if N == 0 {
             let q_trial = equivalent_stress(trial);
             let strain = q_trial / triple_shear + now.accumulated;
@@ -294,7 +324,7 @@ impl<const N: usize> FlowPlasticity<N> {
         let size = equivalent_stress(relative);
         let n = relative.map(|r| 1.5 * r / size);
         let before = now.stress;
-        for k in 0..4 {
+        for k in 0..D {
             now.stress[k] = trial[k] - 2.0 / 3.0 * triple_shear * dp * n[k];
         }
         for ((x, term), recovery) in now.backstress.iter_mut().zip(&self.backstress).zip(recovery) {
@@ -303,7 +333,7 @@ impl<const N: usize> FlowPlasticity<N> {
                 *x = *x * decay + growth * n;
             }
         }
-        let mean: [f64; 4] = std::array::from_fn(|k| 0.5 * (before[k] + now.stress[k]));
+        let mean: [f64; D] = std::array::from_fn(|k| 0.5 * (before[k] + now.stress[k]));
         now.plastic_work += product(mean, n) * dp;
         now.accumulated += dp;
     }
@@ -312,7 +342,13 @@ impl<const N: usize> FlowPlasticity<N> {
     ///
     /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. `|ξ|_eq²` is a quadratic form of the `e_i`,
     /// whose coefficients are known beforehand.
-    fn multiplier(&self, trial: [f64; 4], now: &Flowing<N>, yield_stress: &mut f64, expected: f64) -> f64 {
+    fn multiplier<const D: usize>(
+        &self,
+        trial: [f64; D],
+        now: &Flowing<N, D>,
+        yield_stress: &mut f64,
+        expected: f64,
+    ) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
         let square = 1.5 * product(trial, trial);
         let along: [f64; N] = std::array::from_fn(|i| 1.5 * product(trial, now.backstress[i]));
@@ -580,24 +616,25 @@ fn stress_of(strain_deviator: [f64; 4], double_shear: f64) -> [f64; 4] {
 
 /// `a:b` of two stresses.
 #[inline(always)]
-fn product(a: [f64; 4], b: [f64; 4]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * a[3] * b[3]
+fn product<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
+    let normal = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    (3..D).fold(normal, |sum, k| sum + 2.0 * a[k] * b[k])
 }
 
 /// `√(3/2 s:s)` of a deviator.
 #[inline(always)]
-fn equivalent_stress(deviator: [f64; 4]) -> f64 {
+fn equivalent_stress<const D: usize>(deviator: [f64; D]) -> f64 {
     (1.5 * product(deviator, deviator)).sqrt()
 }
 
 /// The part of a stress deviator along another, as an equivalent stress.
 #[inline(always)]
-fn equivalent_along(stress: [f64; 4], direction: [f64; 4], size: f64) -> f64 {
+fn equivalent_along<const D: usize>(stress: [f64; D], direction: [f64; D], size: f64) -> f64 {
     1.5 * product(stress, direction) / size
 }
 
-fn sum<const N: usize>(terms: &[[f64; 4]; N]) -> [f64; 4] {
-    let mut total = [0.0; 4];
+fn sum<const N: usize, const D: usize>(terms: &[[f64; D]; N]) -> [f64; D] {
+    let mut total = [0.0; D];
     for term in terms {
         for (total, x) in total.iter_mut().zip(term) {
             *total += x;
@@ -608,7 +645,7 @@ fn sum<const N: usize>(terms: &[[f64; 4]; N]) -> [f64; 4] {
 
 /// The part of a step from a point in or on the sphere `|a|_eq <= radius` that stays in it; `None` if all of it does.
 #[inline(always)]
-fn elastic_part(from: [f64; 4], step: [f64; 4], radius: f64) -> Option<f64> {
+fn elastic_part<const D: usize>(from: [f64; D], step: [f64; D], radius: f64) -> Option<f64> {
     let a = 1.5 * product(step, step);
     let b = 1.5 * product(from, step);
     let c = 1.5 * product(from, from) - radius * radius;

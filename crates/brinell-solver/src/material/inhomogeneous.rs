@@ -77,10 +77,7 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
             0 => least,
             k => least * (greatest / least).powf(f64::from(k) / f64::from(last)),
         };
-        let scaled = |factor: f64| -> Option<Arc<dyn HardeningLaw>> {
-            let law = Arc::clone(law.as_ref()?);
-            Some(if factor.to_bits() == 1f64.to_bits() { law } else { Arc::new(Scaled { law, factor }) })
-        };
+        let scaled = |factor: f64| law.as_ref().map(|law| scaled(law, factor));
         let layers = (0..=last).map(|k| model(scaled(factor(k)))).collect();
         Self { law, strength, layers }
     }
@@ -197,6 +194,12 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
         }
         Some(yielded)
     }
+}
+
+/// A hardening law with its stresses multiplied by a factor.
+pub(crate) fn scaled(law: &Arc<dyn HardeningLaw>, factor: f64) -> Arc<dyn HardeningLaw> {
+    let law = Arc::clone(law);
+    if factor.to_bits() == 1f64.to_bits() { law } else { Arc::new(Scaled { law, factor }) }
 }
 
 /// A hardening law whose stresses are multiplied by a factor.

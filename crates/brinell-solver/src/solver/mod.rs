@@ -14,6 +14,7 @@ mod conforming;
 mod error;
 mod final_check;
 mod finite_elements;
+pub mod half_spaces;
 mod load_stepping;
 mod loads;
 mod mesh_sizing;

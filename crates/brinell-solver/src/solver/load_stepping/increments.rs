@@ -11,7 +11,7 @@ const UNKNOWN_ONSET: f64 = 0.05;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Division {
+pub(in crate::solver) enum Division {
     /// So many equal increments for each load.
     Fixed(u32),
     /// By the growth of the contact, which is halved from one level to the next.
@@ -30,7 +30,7 @@ impl Division {
 
 /// One load of a history, in its own measure: force or approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Leg {
+pub(in crate::solver) struct Leg {
     /// Whether the measure is the force.
     pub is_force: bool,
     /// The measure where the leg begins.
@@ -108,7 +108,7 @@ const MAX_HALVINGS: u32 = 5;
 
 /// The ends of the increments of a leg, which become more where one is divided.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct IncrementEnds {
+pub(in crate::solver) struct IncrementEnds {
     /// Measures, and how often their increments have been halved.
     ends: Vec<(f64, u32)>,
 }
@@ -140,7 +140,7 @@ impl IncrementEnds {
 }
 
 /// Power of the half-width with which a load grows, between the elastic and the fully plastic one.
-pub(super) fn exponent(stress_state: StressState, load: ContactLoad) -> f64 {
+pub(in crate::solver) fn exponent(stress_state: StressState, load: ContactLoad) -> f64 {
     match (stress_state, load) {
         (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
         (_, ContactLoad::Force(_)) => 1.6,

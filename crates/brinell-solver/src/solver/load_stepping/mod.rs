@@ -3,7 +3,7 @@
 pub(super) mod force_search;
 mod history;
 mod history_steps;
-mod increments;
+pub(super) mod increments;
 mod load_sequence;
 mod load_stepper;
 mod path;

@@ -1,0 +1,235 @@
+//! Half-spaces as an engine of the method: which grid, and what becomes of an outcome on it.
+
+use std::sync::Arc;
+
+use brinell_halfspace::{
+    DEVIATOR_COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid, YieldingBody,
+};
+
+use super::law::law_of_cells;
+use super::problem::HalfSpaceProblem;
+use super::system::{ElasticBody, HalfSpaces, Yielding};
+use crate::job::{Deformable, InitialStressProfile, Theory};
+use crate::solver::SolveError;
+use crate::solver::method::contact_system::BlockVector;
+use crate::solver::method::couplings::iteration::Outcome;
+use crate::solver::method::run::Run;
+use crate::solver::method::solve::{Engine, Round, Verdict};
+
+/// Half a side of the grid over the expected semi-axis. From the prototype in Python.
+const REACH: f64 = 1.6;
+/// Thickness of the first layer over the shorter side of a cell, and growth of the layers times cells along a side. From the
+/// prototype in Python.
+const FIRST_LAYER: f64 = 0.75;
+const GROWTH: f64 = 1.92;
+/// Depth of the layers over the shorter semi-axis. From the prototype in Python.
+const DEPTH: f64 = 2.6;
+/// Factor by which a grid grows that contact or plastic strain has reached the end of, and how often it does.
+const ENLARGEMENT: f64 = 1.3;
+const MAX_ENLARGEMENTS: usize = 8;
+
+/// How a grid is laid out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct GridDesign {
+    /// Expected semi-axes along x and y \[mm\].
+    pub semi_axes: [f64; 2],
+    /// Cells over each of them.
+    pub cells: f64,
+    /// Half sides over the semi-axes.
+    reach: [f64; 2],
+    /// Depth of the layers over the shorter semi-axis.
+    depth: f64,
+    pub enlargements: usize,
+}
+
+impl GridDesign {
+    pub const fn new(semi_axes: [f64; 2], cells: f64) -> Self {
+        Self { semi_axes, cells, reach: [REACH; 2], depth: DEPTH, enlargements: 0 }
+    }
+
+    /// The same extent for other semi-axes and cells.
+    pub fn with(self, semi_axes: [f64; 2], cells: f64) -> Self {
+        Self { semi_axes, cells, ..self }
+    }
+
+    fn shorter(&self) -> f64 {
+        self.semi_axes[0].min(self.semi_axes[1])
+    }
+
+    /// Cells of the surface and layers below them.
+    pub fn grid(&self) -> Result<(SurfaceGrid, Layers), SolveError> {
+        let sides = self.semi_axes.map(|axis| axis / self.cells);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small positive number"
+        )]
+        let counts = self.reach.map(|reach| 2 * (reach * self.cells).ceil() as usize);
+        let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
+        let growth = 1.0 + GROWTH / (2.0 * REACH * self.cells);
+        let layers =
+            Layers::graded(FIRST_LAYER * sides[0].min(sides[1]), growth, self.depth * self.shorter())?;
+        Ok((grid, layers))
+    }
+}
+
+/// Two half-spaces with the laws of one theory.
+pub(super) struct HalfSpaceEngine<'a> {
+    pub problem: &'a HalfSpaceProblem,
+    pub theory: Theory,
+}
+
+/// An outcome on its grid.
+pub(super) struct Answer {
+    pub system: HalfSpaces,
+    pub outcome: Outcome,
+    pub design: GridDesign,
+}
+
+impl HalfSpaceEngine<'_> {
+    fn system(&self, design: &GridDesign) -> Result<HalfSpaces, SolveError> {
+        let (grid, layers) = design.grid()?;
+        let problem = self.problem;
+        let [kx, ky] = problem.principal_curvatures();
+        let initial_gap = grid.sample(|x, y| 0.5 * (kx * x * x + ky * y * y));
+        let are_equal = problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
+        let mut bodies = Vec::new();
+        let mut body = |material: &Option<Deformable>, count: u8| {
+            let material = material.as_ref();
+            material.map(|material| self.body(material, &grid, &layers, count, &mut bodies)).transpose()
+        };
+        let [upper, lower] = &problem.materials;
+        let elastic = if are_equal {
+            let both = body(upper, 2)?;
+            [both.clone(), both]
+        } else {
+            [body(upper, 1)?, body(lower, 1)?]
+        };
+        let of_body = |body: &YieldingBody| {
+            let weight = |layer: usize| {
+                grid.cell_area() * (body.space().layers().thickness(layer) / design.shorter()).sqrt()
+            };
+            (0..layers.len()).map(weight).collect()
+        };
+        Ok(HalfSpaces {
+            surface: SurfaceFlexibility::new(grid, problem.effective_modulus()),
+            closing: vec![1.0; initial_gap.len()],
+            accepted: bodies.iter().map(|body: &YieldingBody| vec![0.0; body.len()]).collect(),
+            initial_gap,
+            elastic,
+            weights: bodies.iter().map(of_body).collect(),
+            is_smoothed: self.theory == Theory::Flow && !bodies.is_empty(),
+            yielding: Yielding::new(bodies).into(),
+        })
+    }
+
+    /// A body that deforms, put among `bodies` if it can yield.
+    fn body(
+        &self,
+        material: &Deformable,
+        grid: &SurfaceGrid,
+        layers: &Layers,
+        count: u8,
+        bodies: &mut Vec<YieldingBody>,
+    ) -> Result<ElasticBody, SolveError> {
+        let constants = material.elastic();
+        let constants = Elasticity::new(constants.young_modulus.get(), constants.poisson_ratio.get())?;
+        let initial = initial_stress(material, self.problem.orientation(), layers);
+        let law = law_of_cells(material, self.theory, layers, grid.n_cells());
+        let Some(law) = law else {
+            let space = Arc::new(HalfSpace::periodic(*grid, layers.clone(), constants));
+            return Ok(ElasticBody { space, initial, yielding: None });
+        };
+        let space = Arc::new(HalfSpace::new(*grid, layers.clone(), constants));
+        let deviators = initial.iter().map(|stress| deviator(*stress)).collect();
+        let begins_there = self.theory == Theory::Flow;
+        bodies.push(YieldingBody::new(Arc::clone(&space), law, count, deviators, begins_there));
+        Ok(ElasticBody { space, initial, yielding: Some(bodies.len() - 1) })
+    }
+}
+
+/// `xx yy xy` of each layer before any load, in axes turned by an angle.
+fn initial_stress(material: &Deformable, angle: f64, layers: &Layers) -> Vec<[f64; 3]> {
+    let profile = InitialStressProfile::new(material.initial_stress());
+    let (sin, cos) = angle.sin_cos();
+    let of_layer = |layer: usize| {
+        let [x, y] = profile.at(layers.middle(layer));
+        [cos * cos * x + sin * sin * y, sin * sin * x + cos * cos * y, sin * cos * (y - x)]
+    };
+    (0..layers.len()).map(of_layer).collect()
+}
+
+/// Deviator of a plane stress `xx yy xy`.
+fn deviator([xx, yy, xy]: [f64; 3]) -> [f64; DEVIATOR_COMPONENTS] {
+    let mean = (xx + yy) / 3.0;
+    [xx - mean, yy - mean, xy, 0.0, 0.0]
+}
+
+/// Where contact or plastic strain comes to the end of a grid: along x, along y, in depth.
+fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
+    let grid = system.grid();
+    let (nx, ny, n_cells) = (grid.nx(), grid.ny(), grid.n_cells());
+    let is_at_x = |cell: &usize| cell / ny == 0 || cell / ny + 1 == nx;
+    let is_at_y = |cell: &usize| cell.is_multiple_of(ny) || cell % ny + 1 == ny;
+    let reaches = |is_there: &dyn Fn(usize) -> bool| {
+        let rim = |is_at: &dyn Fn(&usize) -> bool| (0..n_cells).filter(is_at).any(is_there);
+        [rim(&is_at_x), rim(&is_at_y)]
+    };
+    let [mut at_x, mut at_y] = reaches(&|cell| force[cell] > 0.0);
+    let mut at_depth = false;
+    for body in &system.yielding.borrow().bodies {
+        let last = body.space().layers().len() - 1;
+        for layer in 0..=last {
+            let has_yielded = |cell: usize| body.law().has_yielded(layer, layer * n_cells + cell);
+            let [x, y] = reaches(&has_yielded);
+            (at_x, at_y) = (at_x || x, at_y || y);
+            at_depth |= layer == last && (0..n_cells).any(has_yielded);
+        }
+    }
+    [at_x, at_y, at_depth]
+}
+
+impl Engine for HalfSpaceEngine<'_> {
+    type System = HalfSpaces;
+    type Design = GridDesign;
+    type Answer = Answer;
+
+    fn build(
+        &self,
+        design: &mut GridDesign,
+        _: &mut Run<'_>,
+    ) -> Result<(HalfSpaces, Option<BlockVector>), SolveError> {
+        Ok((self.system(design)?, None))
+    }
+
+    fn resume(
+        &self,
+        _: &GridDesign,
+        system: HalfSpaces,
+        _: &mut Run<'_>,
+    ) -> Result<(HalfSpaces, Option<BlockVector>), SolveError> {
+        Ok((system, None))
+    }
+
+    fn verdict(
+        &self,
+        design: &GridDesign,
+        system: HalfSpaces,
+        outcome: Outcome,
+        _: Round,
+        _: &mut Run<'_>,
+    ) -> Result<Verdict<Self>, SolveError> {
+        let reached = ends_reached(&system, &outcome.state.response.contact.force);
+        let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
+        if !may_enlarge || reached == [false; 3] {
+            return Ok(Verdict::Accept(Answer { system, outcome, design: *design }));
+        }
+        let factor = reached.map(|reached| if reached { ENLARGEMENT } else { 1.0 });
+        Ok(Verdict::Again(GridDesign {
+            reach: [design.reach[0] * factor[0], design.reach[1] * factor[1]],
+            depth: design.depth * factor[2],
+            enlargements: design.enlargements + 1,
+            ..*design
+        }))
+    }
+}

@@ -1,0 +1,133 @@
+//! The laws of `material` in the cells of a half-space.
+
+use std::sync::Arc;
+
+use brinell_halfspace::{Layers, PlasticLaw};
+
+use crate::job::{Deformable, HardeningLaw, Theory};
+use crate::material::{
+    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, OutOfPlane, ReturnMapping, scaled,
+};
+
+/// The law of a material in cells, if it can yield. Its strength is that of the middle of each layer.
+///
+/// Deformation theory is one path from the stress-free state in one part, without backstress.
+pub(super) fn law_of_cells(
+    material: &Deformable,
+    theory: Theory,
+    layers: &Layers,
+    n_cells: usize,
+) -> Option<Box<dyn PlasticLaw>> {
+    let curve = material.hardening_law()?;
+    let of = Making { material, curve, theory, layers, n_cells };
+    let terms = if theory == Theory::Flow { material.backstress() } else { &[] };
+    // As many terms as there are, because every cell keeps one tensor for each.
+    Some(match *terms {
+        [] => of.cells([]),
+        [a] => of.cells([a].each_ref().map(BackstressTerm::from)),
+        [a, b] => of.cells([a, b].each_ref().map(BackstressTerm::from)),
+        [a, b, c] => of.cells([a, b, c].each_ref().map(BackstressTerm::from)),
+        [a, b, c, d, ..] => of.cells([a, b, c, d].each_ref().map(BackstressTerm::from)),
+    })
+}
+
+struct Making<'a> {
+    material: &'a Deformable,
+    curve: Arc<dyn HardeningLaw>,
+    theory: Theory,
+    layers: &'a Layers,
+    n_cells: usize,
+}
+
+impl Making<'_> {
+    fn cells<const N: usize>(self, backstress: [BackstressTerm; N]) -> Box<dyn PlasticLaw> {
+        let elastic = ElasticModuli::from(self.material.elastic());
+        let model = |factor: f64| {
+            let mapping = ReturnMapping::new(scaled(&self.curve, factor), elastic.shear);
+            Arc::new(FlowPlasticity::new(elastic, mapping, backstress, OutOfPlane::Strained))
+        };
+        let strength = self.material.strength();
+        let same = model(1.0);
+        let of_layer = |layer: usize| match &strength {
+            Some(strength) => model(strength.factor(self.layers.middle(layer))),
+            None => Arc::clone(&same),
+        };
+        let models: Vec<_> = (0..self.layers.len()).map(of_layer).collect();
+        let parts = if self.theory == Theory::Flow { same.substeps() } else { 1 };
+        let cells = vec![CellState::default(); self.layers.len() * self.n_cells];
+        Box::new(Cells { models, parts, accepted: cells.clone(), current: cells })
+    }
+}
+
+/// Cells that yield by flow theory, with N terms of backstress.
+struct Cells<const N: usize> {
+    /// One for each layer.
+    models: Vec<Arc<FlowPlasticity<N>>>,
+    /// Parts of a path.
+    parts: u32,
+    accepted: Vec<CellState<N>>,
+    current: Vec<CellState<N>>,
+}
+
+/// What a cell remembers beside its plastic strain.
+#[derive(Clone, Copy)]
+struct CellState<const N: usize> {
+    accumulated: f64,
+    backstress: [[f64; 6]; N],
+    plastic_work: f64,
+}
+
+impl<const N: usize> Default for CellState<N> {
+    fn default() -> Self {
+        Self { accumulated: 0.0, backstress: [[0.0; 6]; N], plastic_work: 0.0 }
+    }
+}
+
+impl<const N: usize> PlasticLaw for Cells<N> {
+    fn elastic_limit(&self, layer: usize) -> f64 {
+        // Backstress moves the elastic domain away from where it was; hardening alone widens it.
+        if N == 0 { self.models[layer].mapping().yield_stress() } else { 0.0 }
+    }
+
+    fn flow(&mut self, layer: usize, cell: usize, old: &[f64; 6], trial: &[f64; 6]) -> Option<[f64; 6]> {
+        let CellState { accumulated, backstress, plastic_work } = self.accepted[cell];
+        let from = Flowing { stress: *old, accumulated, backstress, plastic_work };
+        let step = std::array::from_fn(|k| trial[k] - old[k]);
+        let end = self.models[layer].flow_along(from, step, self.parts)?;
+        if end.accumulated <= accumulated {
+            return None;
+        }
+        self.current[cell] = CellState {
+            accumulated: end.accumulated,
+            backstress: end.backstress,
+            plastic_work: end.plastic_work,
+        };
+        Some(std::array::from_fn(|k| trial[k] - end.stress[k]))
+    }
+
+    fn rest(&mut self) {
+        self.current.copy_from_slice(&self.accepted);
+    }
+
+    fn accept(&mut self) {
+        self.accepted.copy_from_slice(&self.current);
+    }
+
+    fn equivalent_plastic_strain(&self, cell: usize) -> f64 {
+        self.current[cell].accumulated
+    }
+
+    fn yield_stress(&self, layer: usize, cell: usize) -> f64 {
+        let law = self.models[layer].mapping().law();
+        law.stress(self.current[cell].accumulated).max(law.nominal_yield_stress())
+    }
+
+    fn has_yielded(&self, layer: usize, cell: usize) -> bool {
+        let (mapping, strain) = (self.models[layer].mapping(), self.current[cell].accumulated);
+        strain > 0.0 && mapping.has_yielded(mapping.law().stress(strain), strain)
+    }
+
+    fn plastic_work(&self, cell: usize) -> f64 {
+        self.current[cell].plastic_work
+    }
+}

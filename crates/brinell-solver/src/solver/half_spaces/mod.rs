@@ -1,0 +1,24 @@
+//! Contact in three dimensions: two half-spaces as an engine of the method.
+//!
+//! A [`HalfSpaceProblem`] is what a job says. [`run_each`] hands over one [`HalfSpaceStep`] for each load.
+//!
+//! Frame of all maps and fields: x along the shorter semi-axis of the contact, y along the longer one, z into the
+//! body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to this x, towards the job's y.
+
+mod check;
+mod engine;
+mod errors;
+mod history;
+mod law;
+mod measure;
+mod problem;
+mod raw_step;
+mod run;
+mod step;
+mod system;
+
+pub use problem::HalfSpaceProblem;
+pub use run::{HalfSpaceRun, run_each};
+pub use step::{
+    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceReceiver, HalfSpaceStep, LargestStrain, SurfaceMap,
+};

@@ -1,0 +1,268 @@
+//! Two half-spaces as the method sees them.
+//!
+//! An initial stress is `2μ Δε` of the cells that can yield \[MPa\], and "displacements" are the trial deviators that the plastic
+//! law is asked about, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε` \[MPa\]. Their norm is
+//! ```text
+//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over cells
+//! ```
+//! a force like that of the cells in contact, to which the method compares it.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use brinell_halfspace::{
+    DEVIATOR_COMPONENTS, HalfSpace, SurfaceFlexibility, SurfaceGrid, YieldingBody, from_isometric, isometric,
+};
+
+use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use crate::solver::SolveError;
+use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
+
+/// A body that deforms: its operators, its stress before any load, and its place among the bodies that yield.
+#[derive(Clone)]
+pub(super) struct ElasticBody {
+    pub space: Arc<HalfSpace>,
+    /// `xx yy xy` of each layer \[MPa\].
+    pub initial: Vec<[f64; 3]>,
+    pub yielding: Option<usize>,
+}
+
+/// Cells of the surface, and the bodies on both sides of it.
+pub(crate) struct HalfSpaces {
+    pub surface: SurfaceFlexibility,
+    /// δ0 \[mm\].
+    pub initial_gap: Vec<f64>,
+    /// All normals are along the approach.
+    pub closing: Vec<f64>,
+    /// Upper and lower; `None` for a rigid one. Two equal bodies share one that yields.
+    pub elastic: [Option<ElasticBody>; 2],
+    pub yielding: RefCell<Yielding>,
+    /// `hx hy √(h_l/ℓ)` of the layers of each body that yields.
+    pub weights: Vec<Vec<f64>>,
+    /// Deviators of the last accepted state.
+    pub accepted: BlockVector,
+    /// Whether the largest pressure is that of a 3 × 3 binomial mean.
+    pub is_smoothed: bool,
+}
+
+/// What an evaluation changes.
+pub(crate) struct Yielding {
+    pub bodies: Vec<YieldingBody>,
+    /// Body and cell of what has flowed in this increment, in the order in which it began to.
+    flowed: Vec<(usize, usize)>,
+    has_flowed: Vec<Vec<bool>>,
+    pressure: Vec<f64>,
+}
+
+impl Yielding {
+    pub fn new(bodies: Vec<YieldingBody>) -> Self {
+        let has_flowed = bodies.iter().map(|body| vec![false; body.len() / DEVIATOR_COMPONENTS]).collect();
+        Self {
+            bodies,
+            flowed: Vec::new(),
+            has_flowed,
+            pressure: Vec::new(),
+        }
+    }
+
+    /// Trial deviators of all bodies with the increment that they were opened with.
+    fn trial(&mut self, increment: &BlockVector, pressure: impl Iterator<Item = f64>) -> BlockVector {
+        self.pressure.clear();
+        self.pressure.extend(pressure);
+        let of_body = |(body, increment): (&mut YieldingBody, &Vec<f64>)| {
+            let mut trial = vec![0.0; increment.len()];
+            body.trial(&self.pressure, increment, &mut trial);
+            trial
+        };
+        self.bodies.iter_mut().zip(increment).map(of_body).collect()
+    }
+}
+
+impl HalfSpaces {
+    pub const fn grid(&self) -> &SurfaceGrid {
+        self.surface.grid()
+    }
+
+    fn pressure<'a>(&self, force: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+        let area = self.grid().cell_area();
+        force.iter().map(move |force| force / area)
+    }
+
+    /// Cells that count as yielded in the last evaluation.
+    pub fn yielded_cells(&self) -> usize {
+        let n_cells = self.grid().n_cells();
+        let of_body = |body: &YieldingBody| {
+            let cells = 0..body.space().layers().len() * n_cells;
+            cells.filter(|cell| body.law().has_yielded(cell / n_cells, *cell)).count()
+        };
+        self.yielding.borrow().bodies.iter().map(of_body).sum()
+    }
+
+    /// Largest pressure \[MPa\] and its cell.
+    pub fn peak(&self, force: &[f64]) -> (f64, usize) {
+        let (grid, area) = (self.grid(), self.grid().cell_area());
+        let pressure = |cell: usize| {
+            if self.is_smoothed { smoothed(grid, force, cell) / area } else { force[cell] / area }
+        };
+        (0..force.len())
+            .map(|cell| (pressure(cell), cell))
+            .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
+    }
+
+    fn sum_of_squares(&self, value: impl Fn(usize, usize) -> f64) -> f64 {
+        let mut sum = 0.0;
+        let n_cells = self.grid().n_cells();
+        for (body, weights) in self.weights.iter().enumerate() {
+            for (layer, weight) in weights.iter().enumerate() {
+                let start = layer * DEVIATOR_COMPONENTS * n_cells;
+                let mut of_layer = 0.0;
+                for cell in start..start + n_cells {
+                    let scaled = isometric(std::array::from_fn(|k| value(body, cell + k * n_cells)));
+                    of_layer += scaled.iter().map(|x| x * x).sum::<f64>();
+                }
+                sum += weight * weight * of_layer;
+            }
+        }
+        sum
+    }
+}
+
+/// Binomial mean of a field over 3 × 3 cells; the value itself at the rim.
+pub(super) fn smoothed(grid: &SurfaceGrid, field: &[f64], cell: usize) -> f64 {
+    const WEIGHTS: [f64; 3] = [0.25, 0.5, 0.25];
+    let (i, j) = (cell / grid.ny(), cell % grid.ny());
+    if i == 0 || j == 0 || i + 1 == grid.nx() || j + 1 == grid.ny() {
+        return field[cell];
+    }
+    let part =
+        |n: usize| WEIGHTS[n / 3] * WEIGHTS[n % 3] * field[(i + n / 3 - 1) * grid.ny() + j + n % 3 - 1];
+    (0..9).map(part).sum()
+}
+
+impl ContactSystem for HalfSpaces {
+    fn zeros(&self) -> BlockVector {
+        self.yielding.borrow().bodies.iter().map(|body| vec![0.0; body.len()]).collect()
+    }
+
+    fn initial_gap(&self) -> &[f64] {
+        &self.initial_gap
+    }
+
+    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        ContactProblem { flexibility: &self.surface, initial_gap, closing: &self.closing, load }
+    }
+
+    fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
+        let mut opening = vec![0.0; self.initial_gap.len()];
+        for (body, increment) in self.yielding.borrow_mut().bodies.iter_mut().zip(initial_stress) {
+            body.open(increment, &mut opening);
+        }
+        opening
+    }
+
+    fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
+        self.gap_opening(initial_stress);
+        self.yielding.borrow_mut().trial(initial_stress, self.pressure(force))
+    }
+
+    /// The spectra of the plastic strain serve the gap and the stress.
+    fn equilibrium(
+        &self,
+        initial_stress: &BlockVector,
+        solver: &dyn ContactSolver,
+        load: ContactLoad,
+        start: Option<&ContactSolution>,
+        run: &mut Run<'_>,
+    ) -> Result<Response, SolveError> {
+        let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
+        let contact = self.contact(&gap_opening, solver, load, start, run)?;
+        let pressure = self.pressure(&contact.force);
+        let displacement =
+            run.time(Phase::Solves, || self.yielding.borrow_mut().trial(initial_stress, pressure));
+        Ok(Response { displacement, contact })
+    }
+
+    fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize {
+        let Yielding { bodies, flowed, has_flowed, .. } = &mut *self.yielding.borrow_mut();
+        let mut yielded = 0;
+        for (n, (body, (trial, into))) in bodies.iter_mut().zip(displacement.iter().zip(into)).enumerate() {
+            yielded += body.flow(trial, into, |cell| {
+                if !std::mem::replace(&mut has_flowed[n][cell], true) {
+                    flowed.push((n, cell));
+                }
+            });
+        }
+        yielded
+    }
+
+    fn norm(&self, v: &BlockVector) -> f64 {
+        self.sum_of_squares(|body, k| v[body][k]).sqrt()
+    }
+
+    fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64 {
+        self.sum_of_squares(|body, k| v[body][k] - w[body][k]).sqrt()
+    }
+
+    /// Weighted numbers of the cells that have flowed, in the order in which they began to: what is packed earlier is the
+    /// beginning of what is packed later.
+    fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
+        let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
+        let mut packed = Vec::with_capacity(DEVIATOR_COMPONENTS * yielding.flowed.len());
+        for (body, cell) in &yielding.flowed {
+            let (layer, start) = place(*cell, n_cells);
+            let values = isometric(std::array::from_fn(|k| vectors[*body][start + k * n_cells]));
+            packed.extend(values.map(|value| self.weights[*body][layer] * value));
+        }
+        packed
+    }
+
+    fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
+        let (yielding, n_cells) = (self.yielding.borrow(), self.grid().n_cells());
+        for ((body, cell), scaled) in yielding.flowed.iter().zip(packed.chunks_exact(DEVIATOR_COMPONENTS)) {
+            let (layer, start) = place(*cell, n_cells);
+            let weight = self.weights[*body][layer].recip();
+            let values = from_isometric(std::array::from_fn(|k| weight * scaled[k]));
+            for (k, value) in values.into_iter().enumerate() {
+                vectors[*body][start + k * n_cells] = value;
+            }
+        }
+    }
+
+    fn accepted(&self) -> &BlockVector {
+        &self.accepted
+    }
+
+    /// Accepts the state with these trials: where the law ends from them the next increment begins.
+    fn commit(&mut self, displacement: BlockVector) {
+        let mut increment = self.zeros();
+        self.initial_stress(&displacement, &mut increment);
+        let yielding = self.yielding.get_mut();
+        self.accepted = displacement;
+        for ((body, increment), trial) in yielding.bodies.iter_mut().zip(&increment).zip(&mut self.accepted) {
+            body.accept(increment, trial);
+            for (stress, flowed) in trial.iter_mut().zip(increment) {
+                *stress -= flowed;
+            }
+        }
+        for (body, cell) in yielding.flowed.drain(..) {
+            yielding.has_flowed[body][cell] = false;
+        }
+    }
+
+    fn figures(&self, contact: &ContactSolution) -> ContactFigures {
+        ContactFigures {
+            force: contact.total_force,
+            approach: contact.approach,
+            peak_pressure: self.peak(&contact.force).0,
+            pairs: contact.active_set.len(),
+        }
+    }
+}
+
+/// Layer of a cell, and where its first component is among those of a body.
+const fn place(cell: usize, n_cells: usize) -> (usize, usize) {
+    let layer = cell / n_cells;
+    (layer, layer * DEVIATOR_COMPONENTS * n_cells + cell % n_cells)
+}
