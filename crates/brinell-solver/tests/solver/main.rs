@@ -21,7 +21,6 @@ mod factor_cache;
 mod flow_increments;
 mod flow_references;
 mod flow_theory;
-mod half_spaces;
 mod indenters;
 mod independent_program;
 mod initial_stress;

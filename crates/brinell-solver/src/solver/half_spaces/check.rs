@@ -37,8 +37,7 @@ impl Check {
 
     /// The status of an iteration that ended so: it has converged if nothing is wrong with its answer.
     pub fn verdict(&self, status: SolveStatus, tolerance: f64) -> SolveStatus {
-        let is_sound =
-            self.contact.is_sound() && self.plastic_residual <= tolerance;
+        let is_sound = self.contact.is_sound() && self.plastic_residual <= tolerance;
         if status == SolveStatus::Converged && !is_sound { SolveStatus::NotConverged } else { status }
     }
 }

@@ -3,7 +3,7 @@
 //! An initial stress is `2μ Δε` of the cells that can yield \[MPa\], and "displacements" are the trial deviators that the plastic
 //! law is asked about, `dev(S p + G(ε_p + Δε) + σ0) + 2μ Δε` \[MPa\]. Their norm is
 //! ```text
-//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over cells
+//! ‖a‖ = hx hy √(Σ h_l/ℓ a:a)      ℓ: shorter semi-axis, sum over the cells that have flowed in this increment
 //! ```
 //! a force like that of the cells in contact, to which the method compares it.
 
@@ -59,12 +59,7 @@ pub(crate) struct Yielding {
 impl Yielding {
     pub fn new(bodies: Vec<YieldingBody>) -> Self {
         let has_flowed = bodies.iter().map(|body| vec![false; body.len() / DEVIATOR_COMPONENTS]).collect();
-        Self {
-            bodies,
-            flowed: Vec::new(),
-            has_flowed,
-            pressure: Vec::new(),
-        }
+        Self { bodies, flowed: Vec::new(), has_flowed, pressure: Vec::new() }
     }
 
     /// Trial deviators of all bodies with the increment that they were opened with.
@@ -111,21 +106,15 @@ impl HalfSpaces {
             .fold((0.0, force.len() / 2), |most, next| if next.0 > most.0 { next } else { most })
     }
 
+    /// `Σ (hx hy)² h_l/ℓ a:a` over the cells that have flowed; elsewhere an initial stress is zero, and trials do not matter.
     fn sum_of_squares(&self, value: impl Fn(usize, usize) -> f64) -> f64 {
-        let mut sum = 0.0;
         let n_cells = self.grid().n_cells();
-        for (body, weights) in self.weights.iter().enumerate() {
-            for (layer, weight) in weights.iter().enumerate() {
-                let start = layer * DEVIATOR_COMPONENTS * n_cells;
-                let mut of_layer = 0.0;
-                for cell in start..start + n_cells {
-                    let scaled = isometric(std::array::from_fn(|k| value(body, cell + k * n_cells)));
-                    of_layer += scaled.iter().map(|x| x * x).sum::<f64>();
-                }
-                sum += weight * weight * of_layer;
-            }
-        }
-        sum
+        let of_cell = |(body, cell): &(usize, usize)| {
+            let (layer, start) = place(*cell, n_cells);
+            let scaled = isometric(std::array::from_fn(|k| value(*body, start + k * n_cells)));
+            self.weights[*body][layer].powi(2) * scaled.iter().map(|x| x * x).sum::<f64>()
+        };
+        self.yielding.borrow().flowed.iter().map(of_cell).sum()
     }
 }
 

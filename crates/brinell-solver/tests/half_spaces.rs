@@ -1,5 +1,6 @@
 //! Contacts in three dimensions: Hertz, and bodies that yield against figures of axisymmetric finite elements and of
-//! finer grids.
+//! finer grids. An executable of its own, because nothing of it is shared with plane problems.
+#![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
 use brinell_solver::job::{
     Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load, NonNegativeF64,
@@ -107,7 +108,7 @@ fn elastic_ellipses_agree_with_hertz() {
 #[ignore = "full"]
 fn elastic_ellipses_agree_with_hertz_on_finer_grids() {
     for ratio in [1.0, 2.0, 5.0, 10.0, 20.0, 50.0] {
-        agrees_with_hertz(ratio, 13, [1.5e-3, 3e-4, 1.5e-2]);
+        agrees_with_hertz(ratio, 15, [1.5e-3, 3e-4, 1.5e-2]);
     }
 }
 
