@@ -3,8 +3,8 @@
 //! ```text
 //! error = 0.7 |x(n) - x(n/2)| + ½ |x(N) - x(N/2)| + floor      n cells, N increments, the latter on the coarse grid
 //! ```
-//! Floors are for contacts that yield, whose edge scatters with the cells, and for semi-axes, which are read off two
-//! cells. Factors and floors are those by which the prototype's figures on 16 to 64 cells a side are covered.
+//! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes, and all other figures of
+//! contacts that yield. Factors and floors are those by which the prototype's figures on 16 to 64 cells a side are covered.
 
 use super::raw_step::RawStep;
 use super::step::HalfSpaceFigures;
@@ -56,8 +56,8 @@ fn floors(step: &RawStep) -> HalfSpaceFigures {
         ContactLoad::Approach(_) => (FORCE_OVER_APPROACH * SCATTER_OF_APPROACH, 0.0),
     };
     HalfSpaceFigures {
-        force: scatter * force,
-        approach: scatter * approach,
+        force,
+        approach,
         peak_pressure: scatter * SCATTER,
         semi_axes: [SCATTER_OF_AXES; 2],
         area: 2.0 * SCATTER_OF_AXES,
