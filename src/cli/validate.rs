@@ -11,8 +11,8 @@ use super::Format;
 use super::fault::Fault;
 use super::input::{read_job, write_answer};
 use super::style::Style;
-use crate::jobs::estimate;
 use brinell_solver::job::JobError;
+use brinell_solver::report;
 
 /// Arguments of `brinell validate`.
 #[derive(Debug, Args)]
@@ -28,7 +28,8 @@ pub(super) struct ValidateArgs {
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, Fault> {
     let (name, job) = read_job(&args.job)?;
-    let estimate = estimate(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
+    let estimate =
+        report::preflight(&job).map_err(|errors| Fault::of_job(&name, JobError::Fields(errors)))?;
     let default = if io::stdout().is_terminal() { Format::Table } else { Format::Json };
     let text = match args.format.unwrap_or(default) {
         Format::Json => format!("{}\n", json!({"valid": true, "estimate": estimate})),

@@ -109,7 +109,7 @@ impl Follower {
     /// Sends a page of iterations; `false` if there is none.
     async fn send_page(&mut self) -> Result<bool, StoreError> {
         let turn = self.state.streams.turn().await;
-        let page = self.state.jobs.history(self.job, self.position.seen).await?;
+        let page = self.state.jobs.store().history(self.job, self.position.seen).await?;
         drop(turn);
         if self.record().await?.attempts != self.position.attempt {
             return Ok(true);

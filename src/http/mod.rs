@@ -12,7 +12,6 @@ mod edge;
 mod event_stream;
 mod examples;
 mod export_file;
-mod held_text;
 mod job_path;
 mod listen;
 mod metrics;
@@ -58,7 +57,6 @@ use crate::webhook::CallbackRules;
 use access::authenticate;
 use body::Bodies;
 use edge::{check_host, drop_unusable_request_id, guard_response};
-use held_text::TextPlaces;
 use negotiation::settle_coding;
 use rates::Rates;
 use request_log::log_request;
@@ -159,7 +157,6 @@ pub struct HttpState {
     pub closing: CancellationToken,
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
-    texts: TextPlaces,
     bodies: Bodies,
     metrics: Option<Metrics>,
 }
@@ -179,7 +176,6 @@ impl HttpState {
             closing: CancellationToken::new(),
             rates,
             streams,
-            texts: TextPlaces::default(),
             metrics,
         }
     }

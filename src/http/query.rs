@@ -51,6 +51,11 @@ impl FromStr for Whole {
     }
 }
 
+/// What is repeated of a text to whoever sent it.
+fn shown(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
 /// The parameters of a query string and what is wrong with them.
 struct Reader {
     pairs: Vec<(String, String)>,
@@ -69,7 +74,7 @@ impl Reader {
         };
         for (name, _) in &pairs {
             if !known.contains(&name.as_str()) {
-                let shown: String = name.chars().take(40).collect();
+                let shown = shown(name);
                 let detail = format!("unknown parameter {shown:?}; expected one of: {}", known.join(", "));
                 faults.push(Fault::parameter(&shown, FaultCode::UnknownKey, detail));
             }
@@ -94,10 +99,20 @@ impl Reader {
     /// A parameter that `accept`s, or what is `expected`.
     fn value<T: FromStr>(&mut self, name: &str, expected: &str, accept: impl Fn(&T) -> bool) -> Option<T> {
         let text = self.text(name)?;
+        self.read(name, &text, expected, &accept)
+    }
+
+    fn read<T: FromStr>(
+        &mut self,
+        name: &str,
+        text: &str,
+        expected: &str,
+        accept: &impl Fn(&T) -> bool,
+    ) -> Option<T> {
         let value = text.parse().ok().filter(accept);
         if value.is_none() {
-            let shown: String = text.chars().take(40).collect();
-            self.fault(name, FaultCode::OutOfRange, format!("must be {expected}, got {shown:?}"));
+            let detail = format!("must be {expected}, got {:?}", shown(text));
+            self.fault(name, FaultCode::OutOfRange, detail);
         }
         value
     }
@@ -116,16 +131,7 @@ impl Reader {
             self.fault(name, FaultCode::OutOfRange, format!("may be given {most} times"));
             return Vec::new();
         }
-        let mut values = Vec::with_capacity(given.len());
-        for text in given {
-            if let Some(value) = text.parse().ok().filter(&accept) {
-                values.push(value);
-            } else {
-                let shown: String = text.chars().take(40).collect();
-                self.fault(name, FaultCode::OutOfRange, format!("must be {expected}, got {shown:?}"));
-            }
-        }
-        values
+        given.iter().filter_map(|text| self.read(name, text, expected, &accept)).collect()
     }
 
     /// The words of a list, separated by commas, each the name of one that is known.
@@ -137,8 +143,7 @@ impl Reader {
                 found.push(*one);
             } else {
                 let known: Vec<_> = known.iter().map(|(name, _)| *name).collect();
-                let shown: String = word.chars().take(40).collect();
-                let detail = format!("must be among: {}; got {shown:?}", known.join(", "));
+                let detail = format!("must be among: {}; got {:?}", known.join(", "), shown(word));
                 self.fault(name, FaultCode::UnknownWord, detail);
             }
         }

@@ -13,7 +13,6 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
 use tokio::sync::mpsc::Sender;
-use tokio::task::spawn_blocking;
 
 use super::HttpState;
 use super::negotiation::takes_gzip;
@@ -24,7 +23,9 @@ use super::request_log::JobIdExtension;
 use super::selection::{edit, edit_report, no_step};
 use super::wire::JobDocument;
 use super::written_body;
-use crate::jobs::{Deflated, FieldsReader, GzipStream, JobId, JobRecord, JobStore, ResultHead, StoreError};
+use crate::jobs::{
+    Deflated, FieldsReader, GzipStream, JobId, JobRecord, JobStore, KeyId, ResultHead, StoreError,
+};
 use brinell_solver::report::FieldPiece;
 
 /// What stands between two steps.
@@ -116,14 +117,14 @@ async fn body(
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let about = (Extension(JobIdExtension(id)), Extension(CodingChosen));
     let Some((begin, end)) = head.around_steps() else {
-        let report = whole(state, head.report, selection).await?;
+        let report = whole(state, head, selection).await?;
         return Ok((about, join([&join([&before, &report]), &behind])).into_response());
     };
     let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
-    let (state, has_fields) = (state.clone(), form.has_fields);
+    let (state, key, has_fields) = (state.clone(), head.submitter, form.has_fields);
     let (before, behind) = (join([&before, &begin]), join([&end, &behind]));
     let write = move |sender| async move {
-        let writer = ResultWriter { state, id, steps, selection, has_fields, sender };
+        let writer = ResultWriter { state, id, key, steps, selection, has_fields, sender };
         if form.gzip { writer.compressed(before, behind).await } else { writer.plain(before, behind).await }
     };
     let mut response = (about, Body::from_stream(written_body::written(write))).into_response();
@@ -144,7 +145,7 @@ pub(super) async fn inside_of(
 ) -> Result<Result<(), Problem>, StoreError> {
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let Some((begin, end)) = head.around_steps() else {
-        return Ok(match whole(state, head.report, selection.clone()).await {
+        return Ok(match whole(state, head, selection.clone()).await {
             Ok(report) => {
                 let _ = sender.send(join([&join([&before, &report]), &behind])).await;
                 Ok(())
@@ -157,25 +158,25 @@ pub(super) async fn inside_of(
     }
     let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
     let has_fields = head.has_fields && selection.has_fields();
-    let (state, selection, sender) = (state.clone(), selection.clone(), sender.clone());
-    let writer = ResultWriter { state, id, steps, selection, has_fields, sender };
+    let (state, key) = (state.clone(), head.submitter);
+    let (selection, sender) = (selection.clone(), sender.clone());
+    let writer = ResultWriter { state, id, key, steps, selection, has_fields, sender };
     writer.plain(join([&before, &begin]), join([&end, &behind])).await.map(Ok)
 }
 
 /// A report of the first version, which was kept as a whole.
-async fn whole(state: &HttpState, report: Bytes, selection: Selection) -> Result<Bytes, Problem> {
+async fn whole(state: &HttpState, head: ResultHead, selection: Selection) -> Result<Bytes, Problem> {
     if selection == Selection::default() {
-        return Ok(report);
+        return Ok(head.report);
     }
-    let _decoder = state.jobs.decoder().await;
-    let edited = spawn_blocking(move || edit_report(&report, &selection)).await;
-    edited.map_err(StoreError::unavailable)?
+    state.jobs.decode(head.submitter, move || edit_report(&head.report, &selection)).await?
 }
 
 /// Reads a result and sends it on.
 struct ResultWriter {
     state: HttpState,
     id: JobId,
+    key: Option<KeyId>,
     steps: Range<usize>,
     selection: Selection,
     has_fields: bool,
@@ -201,7 +202,7 @@ impl ResultWriter {
             if !go_on {
                 return Ok(());
             }
-            let mut step = self.state.jobs.step(self.id, number).await?;
+            let mut step = self.state.jobs.store().step(self.id, number).await?;
             if self.selection.edits_steps() {
                 step = compress(&self.edited(step).await?)?;
             }
@@ -220,7 +221,7 @@ impl ResultWriter {
             if !go_on {
                 return Ok(());
             }
-            let step = self.state.jobs.step(self.id, number).await?;
+            let step = self.state.jobs.store().step(self.id, number).await?;
             let text = self.edited(step).await?;
             go_on =
                 if self.has_fields { self.with_fields(number, text).await? } else { self.send(text).await };
@@ -232,15 +233,15 @@ impl ResultWriter {
     /// The text of a step with the parts that are wanted.
     async fn edited(&self, step: Deflated) -> Result<Bytes, StoreError> {
         let selection = self.selection.clone();
-        let text = spawn_blocking(move || {
+        let edited = move || {
             let text = step.text().map_err(StoreError::unavailable)?;
             if selection.edits_steps() {
                 edit(&text, &selection).map_err(StoreError::unavailable)
             } else {
                 Ok(text)
             }
-        });
-        text.await.map_err(StoreError::unavailable)?
+        };
+        self.state.jobs.decode(self.key, edited).await?
     }
 
     /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.
@@ -255,7 +256,7 @@ impl ResultWriter {
             if !go_on {
                 return Ok(false);
             }
-            go_on = self.send(written(&self.state, &mut fields, piece).await?).await;
+            go_on = self.send(written(&self.state, self.key, &mut fields, piece).await?).await;
         }
         Ok(go_on && self.send(end).await)
     }
@@ -267,6 +268,7 @@ pub(super) type Fields = FieldsReader<Arc<dyn JobStore>>;
 /// A piece of another form of fields. Who waits for a slow client holds no decoder.
 pub(super) async fn written(
     state: &HttpState,
+    key: Option<KeyId>,
     fields: &mut Fields,
     piece: FieldPiece,
 ) -> Result<Bytes, StoreError> {
@@ -274,9 +276,7 @@ pub(super) async fn written(
     if source.is_empty() {
         return Ok(piece.write(&source).into());
     }
-    let _decoder = state.jobs.decoder().await;
-    let written = spawn_blocking(move || Bytes::from(piece.write(&source)));
-    written.await.map_err(StoreError::unavailable)
+    state.jobs.decode(key, move || Bytes::from(piece.write(&source))).await
 }
 
 /// An answer of so many bytes under a tag, whole or the one range that is asked for (RFC 9110, section 14); `body` makes them.

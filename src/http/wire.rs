@@ -214,7 +214,7 @@ impl JobDocument {
     /// The store's.
     pub async fn of(state: &HttpState, record: JobRecord, prefix: &Prefix) -> Result<Self, StoreError> {
         let job = if record.has_report {
-            let request = state.jobs.request(record.id).await?;
+            let request = state.jobs.store().request(record.id).await?;
             Job::from_json(&request).ok()
         } else {
             None

@@ -1,17 +1,28 @@
-//! Stored results in the forms that other programs read. Only the steps that a form shows are read, and fields only where it
-//! shows them.
+//! Stored results in the forms that other programs read. Tables and files of fields are written piece by piece, as whoever takes
+//! them reads: only figures are in memory as a whole.
 
+use std::ops::Range;
+use std::sync::Arc;
+
+use bytes::Bytes;
 use thiserror::Error;
+use tokio::sync::mpsc::Sender;
+use tokio::task::spawn_blocking;
 
-use super::{JobId, JobService, ResultHead, StoreError};
+use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
 use brinell_solver::job::Job;
-use brinell_solver::report::export::{Export, ExportError};
+use brinell_solver::report::export::{Export, ExportError, Table, VtuFile};
 use brinell_solver::report::{Report, StepReport};
+
+/// Least size \[bytes\] of what is sent at a time, but for the last.
+const PIECE: usize = 64 << 10;
+/// Arrays of fields that are read side by side, at most.
+const ARRAYS: usize = 4;
 
 /// Why a result does not have a form.
 #[derive(Debug, Error)]
 pub enum ExportFailure {
-    /// The store has no such job, or does not answer.
+    /// The store has no such job, does not answer, or is damaged.
     #[error(transparent)]
     Store(#[from] StoreError),
     /// The job has no result, or none yet.
@@ -20,67 +31,151 @@ pub enum ExportFailure {
     /// The result has no such form.
     #[error(transparent)]
     Export(#[from] ExportError),
-    /// What is stored cannot be read any more.
-    #[error("the stored result cannot be read: {0}")]
-    Unreadable(String),
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "the shape that map_err takes")]
-fn unreadable(error: impl ToString) -> ExportFailure {
-    ExportFailure::Unreadable(error.to_string())
+/// A result in another form.
+pub enum Exported {
+    /// All of it.
+    Text(String),
+    /// What writes it.
+    Pieces(ExportPieces),
+}
+
+/// Writes a form piece by piece.
+pub struct ExportPieces {
+    jobs: Arc<JobService>,
+    id: JobId,
+    key: Option<KeyId>,
+    form: Pieces,
+}
+
+enum Pieces {
+    Table(Table, Range<usize>),
+    Fields(VtuFile, FieldsReader<Arc<dyn JobStore>>),
+}
+
+fn read_step(text: &[u8]) -> Result<StepReport, StoreError> {
+    serde_json::from_slice(text).map_err(StoreError::damaged)
 }
 
 impl JobService {
-    /// The report of a job in another form; `step`, counted from 0, is the last one unless it is given.
+    /// The report of a job in another form; `step`, counted from 0, is the last one unless it is given. A table has all steps
+    /// unless one is given.
     ///
     /// # Errors
     /// [`ExportFailure`].
     pub async fn export(
-        &self,
+        self: &Arc<Self>,
         id: JobId,
         form: Export,
         step: Option<usize>,
-    ) -> Result<String, ExportFailure> {
+    ) -> Result<Exported, ExportFailure> {
         let head = self.result(id).await?.ok_or(ExportFailure::NoResult)?;
-        let request = self.request(id).await?;
-        let _decoder = self.decoder().await;
-        let (report, step) = self.read_report(id, &head, form, step).await?;
-        // Megabytes of fields take their time: not on a thread that others wait for.
-        let written = tokio::task::spawn_blocking(move || {
-            let job = Job::from_json(&request).map_err(unreadable)?;
-            Ok(form.write(&job, &report, step)?)
-        });
-        written.await.unwrap_or_else(|error| Err(unreadable(error)))
-    }
-
-    /// The report with the steps that a form shows, and the place in it of the step that is wanted.
-    async fn read_report(
-        &self,
-        id: JobId,
-        head: &ResultHead,
-        form: Export,
-        step: Option<usize>,
-    ) -> Result<(Report, Option<usize>), ExportFailure> {
-        let mut report: Report = serde_json::from_slice(&head.report).map_err(unreadable)?;
-        let Some(last) = head.steps.checked_sub(1) else { return Ok((report, step)) };
+        let request = self.store.request(id).await?;
+        let (key, steps) = (head.submitter, head.steps);
+        let read = move || {
+            let job = Job::from_json(&request).map_err(StoreError::damaged)?;
+            let report: Report = serde_json::from_slice(&head.report).map_err(StoreError::damaged)?;
+            Ok::<_, StoreError>((job, report))
+        };
+        let (job, mut report) = self.decode(key, read).await??;
+        let Some(last) = steps.checked_sub(1) else {
+            // Of the first version, with its steps in it.
+            let written = self.decode(key, move || form.write(&job, &report, step)).await?;
+            return Ok(Exported::Text(written?));
+        };
         let wanted = step.unwrap_or(last);
         if wanted > last {
             return Err(ExportError::NoStep(wanted).into());
         }
-        let with_fields = form == Export::FieldVtu;
-        let shown = if form.shows_one_step() && !with_fields { wanted..wanted + 1 } else { 0..head.steps };
-        let first = shown.start;
-        for number in shown {
-            let text = self.step(id, number).await?.text().map_err(unreadable)?;
-            let mut step: StepReport = serde_json::from_slice(&text).map_err(unreadable)?;
-            if with_fields
-                && number == wanted
-                && let Some(fields) = self.fields(id, number).await?
-            {
-                step.fields = Some(fields.whole().await?.decode().map_err(unreadable)?);
+        let shown = if form.is_table() { 0 } else { wanted };
+        let text = self.store.step(id, shown).await?;
+        let read = move || read_step(&text.text().map_err(StoreError::damaged)?);
+        let shown = self.decode(key, read).await??;
+        let form = if form.is_table() {
+            let steps = step.map_or(0..steps, |step| step..step + 1);
+            Pieces::Table(Table::new(form, &job, &shown)?, steps)
+        } else if form == Export::FieldVtu {
+            let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
+            Pieces::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
+        } else {
+            report.steps.push(shown);
+            let drawn = self.decode(key, move || form.write(&job, &report, None)).await?;
+            return Ok(Exported::Text(drawn?));
+        };
+        Ok(Exported::Pieces(ExportPieces { jobs: Arc::clone(self), id, key, form }))
+    }
+
+    /// Decodes or writes something large, not on a thread that others wait for.
+    pub async fn decode<T: Send + 'static>(
+        &self,
+        key: Option<KeyId>,
+        decode: impl FnOnce() -> T + Send + 'static,
+    ) -> Result<T, StoreError> {
+        let _turn = self.decoding.take(key).await;
+        let _place = self.decoders.acquire().await;
+        spawn_blocking(decode).await.map_err(StoreError::unavailable)
+    }
+}
+
+impl ExportPieces {
+    /// Sends everything; a client that has gone is no error.
+    ///
+    /// # Errors
+    /// [`StoreError`].
+    pub async fn send(self, sender: Sender<Bytes>) -> Result<(), StoreError> {
+        let Self { jobs, id, key, form } = self;
+        let mut out = Out { text: String::new(), sender };
+        match form {
+            Pieces::Table(table, steps) => {
+                out.add(&table.header()).await;
+                for number in steps {
+                    let text = jobs.store.step(id, number).await?;
+                    let rows = move || {
+                        let step = read_step(&text.text().map_err(StoreError::damaged)?)?;
+                        Ok::<_, StoreError>(table.rows(number + 1, &step))
+                    };
+                    out.add(&jobs.decode(key, rows).await??).await;
+                }
             }
-            report.steps.push(step);
+            Pieces::Fields(mut file, fields) => {
+                let pieces = file.pieces();
+                let mut readers = vec![fields; ARRAYS];
+                for piece in pieces {
+                    let mut sources = Vec::with_capacity(ARRAYS);
+                    for (reader, source) in readers.iter_mut().zip(&piece.sources) {
+                        sources.push(reader.bytes(source.clone()).await?);
+                    }
+                    let write = move || {
+                        let text = file.write(&piece, &sources);
+                        (file, text)
+                    };
+                    let text;
+                    (file, text) = jobs.decode(key, write).await?;
+                    out.add(&text).await;
+                }
+            }
         }
-        Ok((report, Some(wanted - first)))
+        out.end().await;
+        Ok(())
+    }
+}
+
+/// Gathers what is small.
+struct Out {
+    text: String,
+    sender: Sender<Bytes>,
+}
+
+impl Out {
+    async fn add(&mut self, text: &str) {
+        self.text.push_str(text);
+        if self.text.len() >= PIECE {
+            let _ = self.sender.send(std::mem::take(&mut self.text).into()).await;
+        }
+    }
+
+    async fn end(self) {
+        let _ = self.sender.send(self.text.into()).await;
     }
 }

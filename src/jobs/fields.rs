@@ -6,9 +6,10 @@ use std::ops::{Deref, Range};
 use bytes::Bytes;
 
 use super::{FieldsPart, JobId, JobStore, StoreError};
-use brinell_solver::report::{FieldArrays, FieldArraysError, FieldLayout};
+use brinell_solver::report::{FieldArraysError, FieldLayout};
 
 /// Reads the fields of a step, best from its beginning to its end.
+#[derive(Clone)]
 pub struct FieldsReader<S> {
     store: S,
     job: JobId,
@@ -53,15 +54,6 @@ impl<S: Deref<Target: JobStore>> FieldsReader<S> {
             gathered.extend_from_slice(&here);
         }
         Ok(gathered.into())
-    }
-
-    /// All arrays in memory.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn whole(mut self) -> Result<FieldArrays<Bytes>, StoreError> {
-        let bytes = self.bytes(0..self.layout.end()).await?;
-        FieldArrays::read(bytes).map_err(damaged)
     }
 
     /// Reads everything and keeps nothing.

@@ -41,7 +41,7 @@ pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
 pub use deflate::{DeflateError, Deflated, GzipStream};
 pub use encode::{EncodeError, encode};
-pub use export::ExportFailure;
+pub use export::{ExportFailure, ExportPieces, Exported};
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use fields::FieldsReader;
 pub use id::{JobId, KeyId, WorkerId};
@@ -50,7 +50,7 @@ pub use notifier::{JobNotifier, Signal, Subscription};
 pub use record::{Idempotency, JobRecord, NewJob};
 pub use result::{FIELDS_PART, FieldsPart, ResultHead, StepResult};
 pub use service::{JobService, Rejection, Submission, SubmissionLimits, SubmitError};
-pub use solver::{CoreSolver, JobSolver, estimate};
+pub use solver::{CoreSolver, JobSolver};
 pub use state::JobState;
 pub use store::{
     Claim, ClaimRequest, Claims, Counts, Enqueued, HISTORY_PAGE, JobFilter, JobPage, JobStore, Lease,

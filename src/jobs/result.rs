@@ -2,7 +2,7 @@
 
 use bytes::Bytes;
 
-use super::{Deflated, EncodeError, encode};
+use super::{Deflated, EncodeError, KeyId, encode};
 use brinell_solver::report::{FieldArrays, StepReport};
 
 /// Where the steps of a report stand in its JSON.
@@ -11,6 +11,8 @@ const STEPS: &str = "\"steps\":[]";
 /// The result of one step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StepResult {
+    /// Its number from 0 on. A step takes the place of one of its number, and those behind that one are given up.
+    pub number: usize,
     /// The step's report without its fields (JSON).
     pub report: Deflated,
     /// Its fields, as [`FieldArrays`] writes them, in double precision.
@@ -22,12 +24,12 @@ impl StepResult {
     ///
     /// # Errors
     /// [`EncodeError`] if a number in it is NaN or infinite.
-    pub fn encode(mut report: StepReport) -> Result<Self, EncodeError> {
+    pub fn encode(number: usize, mut report: StepReport) -> Result<Self, EncodeError> {
         let fields = report.fields.take();
         let fields = fields.map(|fields| FieldArrays::encode(&fields)).transpose();
         let fields = fields.map_err(|error| EncodeError::Altered(error.to_string()))?;
         let report = Deflated::compress(&encode(&report)?)?;
-        Ok(Self { report, fields: fields.map(Bytes::from) })
+        Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }
 
     /// Bytes it takes in the store.
@@ -59,6 +61,8 @@ pub struct ResultHead {
     pub has_fields: bool,
     /// The attempt that it came of.
     pub attempt: u32,
+    /// The key that the job came under.
+    pub submitter: Option<KeyId>,
 }
 
 impl ResultHead {

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use thiserror::Error;
-use tokio::sync::{Mutex, OwnedSemaphorePermit, Semaphore};
+use tokio::sync::{Mutex, Semaphore};
 use tokio::task::spawn_blocking;
 use tokio::time::{Instant, sleep, timeout_at};
 
@@ -17,10 +17,9 @@ use tracing::Instrument;
 use uuid::Uuid;
 
 use super::{
-    ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, Counts, Deflated, DeliveryStore, Enqueued,
-    FieldsReader, Idempotency, IterationRecord, JobFilter, JobId, JobNotifier, JobPage, JobRecord, JobSolver,
-    JobStore, KeyId, KeyStore, NewJob, ResultHead, StoreError, Subscription, SystemClock, TraceParent, Turns,
-    read_token,
+    ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
+    Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
+    StoreError, Subscription, SystemClock, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -38,7 +37,7 @@ const KEY_INTERVAL: Duration = Duration::from_secs(5);
 /// would wait in a row for each other's.
 const CHECKS: usize = 32;
 
-/// Large results that are decoded at the same time.
+/// Pieces of results that are decoded at the same time.
 const DECODERS: usize = 4;
 
 /// Shortest time between two writes that show that the store is well.
@@ -118,7 +117,7 @@ pub enum SubmitError {
 
 /// Takes jobs in, answers questions about them, and stops them.
 pub struct JobService {
-    store: Arc<dyn JobStore>,
+    pub(super) store: Arc<dyn JobStore>,
     notifier: Arc<JobNotifier>,
     solver: Arc<dyn JobSolver>,
     keys: Arc<dyn KeyStore>,
@@ -126,7 +125,9 @@ pub struct JobService {
     limits: SubmissionLimits,
     closed: CancellationToken,
     waits_end: CancellationToken,
-    decoders: Arc<Semaphore>,
+    /// Of decoding, half of the places for each key.
+    pub(super) decoding: Turns,
+    pub(super) decoders: Semaphore,
     /// Of checks and estimates, one of each key.
     checks: Turns,
     check_places: Semaphore,
@@ -216,7 +217,8 @@ impl JobService {
             limits,
             closed: CancellationToken::new(),
             waits_end: CancellationToken::new(),
-            decoders: Arc::new(Semaphore::new(DECODERS)),
+            decoding: Turns::new(DECODERS / 2),
+            decoders: Semaphore::new(DECODERS),
             checks: Turns::new(1),
             check_places: Semaphore::new(CHECKS),
             submissions: Turns::new(1),
@@ -377,6 +379,11 @@ impl JobService {
         Ok(checked.into_iter().map(of).collect())
     }
 
+    /// The store, for questions that need nothing else.
+    pub fn store(&self) -> &dyn JobStore {
+        self.store.as_ref()
+    }
+
     /// What is known about a job.
     ///
     /// # Errors
@@ -405,34 +412,9 @@ impl JobService {
         }
     }
 
-    /// Returns once everything that was acknowledged survives a loss of power.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn sync(&self) -> Result<(), StoreError> {
-        self.store.sync().await
-    }
-
     /// Listens to a job.
     pub fn subscribe(&self, id: JobId) -> Subscription {
         self.notifier.subscribe(id)
-    }
-
-    /// A page of the iterations of the latest attempt behind the first `after`; empty where there
-    /// are no more.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError> {
-        self.store.history(id, after).await
-    }
-
-    /// The job as it was submitted (JSON).
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn request(&self, id: JobId) -> Result<Bytes, StoreError> {
-        self.store.request(id).await
     }
 
     /// The result without its steps, if there is one.
@@ -441,14 +423,6 @@ impl JobService {
     /// [`StoreError`].
     pub async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
         self.store.result(id).await
-    }
-
-    /// The report of a step, counted from 0, without its fields.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn step(&self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
-        self.store.step(id, step).await
     }
 
     /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask for them.
@@ -471,11 +445,6 @@ impl JobService {
         self.deliveries.callback(id).await
     }
 
-    /// Waits for the right to decode a large result; it ends when what is returned is dropped.
-    pub async fn decoder(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.decoders).acquire_owned().await.ok()
-    }
-
     /// Asks a job to stop, in the name of a key.
     ///
     /// # Errors
@@ -488,14 +457,6 @@ impl JobService {
             Ok(record)
         };
         to_its_end(cancel).await
-    }
-
-    /// One page of jobs, newest first.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError> {
-        self.store.list(filter).await
     }
 
     /// Removes a finished job, in the name of a key.
@@ -546,14 +507,6 @@ impl JobService {
     /// Bounds on what is taken in.
     pub const fn limits(&self) -> SubmissionLimits {
         self.limits
-    }
-
-    /// How many jobs are in each state.
-    ///
-    /// # Errors
-    /// [`StoreError`].
-    pub async fn counts(&self) -> Result<Counts, StoreError> {
-        self.store.counts().await
     }
 
     /// Takes no more jobs in. Questions are still answered.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::metrics;
-use brinell_solver::job::{FieldError, Job, Load, Theory};
+use brinell_solver::job::{FieldError, Job};
 use brinell_solver::report::{self, JobEstimate, Report, RunError, StepReport};
 use brinell_solver::solver::{FactorCache, Observer, Options};
 
@@ -14,11 +14,11 @@ pub trait JobSolver: Send + Sync + 'static {
     /// # Errors
     /// Every field that makes the job impossible.
     fn estimate(&self, job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-        estimate(job)
+        report::preflight(job)
     }
 
-    /// Solves the job and hands over each step as soon as it is finished; the report that is returned has no steps. Runs on
-    /// a thread of its own and may take its time, but asks `observer` between phases.
+    /// Solves the job and hands over each step with its number as [`report::run_each`] does; the report that is returned has no
+    /// steps. Runs on a thread of its own and may take its time, but asks `observer` between phases.
     ///
     /// # Errors
     /// [`RunError`] when there is nothing to report. Not converging is a status of the report, not an error.
@@ -26,49 +26,8 @@ pub trait JobSolver: Send + Sync + 'static {
         &self,
         job: &Job,
         observer: &mut dyn Observer,
-        on_step: &mut dyn FnMut(StepReport),
+        on_step: &mut dyn FnMut(usize, StepReport),
     ) -> Result<Report, RunError>;
-}
-
-/// Bytes that flow theory holds of an increment for each node: two displacements of the nodes of the
-/// coarse mesh, which has a quarter of them, of this division and of one that is twice as fine.
-const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
-
-/// Bytes of an increment and its iterations in the report, in memory and as they are stored.
-const REPORTED_INCREMENT_BYTES: u64 = 1024;
-const STORED_INCREMENT_BYTES: u64 = 256;
-
-/// Increments that the solver chooses itself: so many up to the largest load, and of each load.
-const CHOSEN_INCREMENTS: u64 = 32;
-const CHOSEN_INCREMENTS_OF_LOAD: u64 = 2;
-
-/// What a job will cost. Beside what the solver counts, flow theory holds to the end of the job the
-/// reports of all steps, because it may begin anew, and the increments on the coarse mesh.
-///
-/// # Errors
-/// Every field that makes the job impossible.
-pub fn estimate(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    let counted = report::preflight(job)?;
-    if job.solver.theory != Theory::Flow {
-        return Ok(counted);
-    }
-    let loads = match &job.load {
-        Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count() as u64,
-        Load::History(history) => history.iter().count() as u64,
-        // A force, and its removal.
-        Load::Onset | Load::Target(_) => 2,
-    };
-    let increments = match job.solver.increments {
-        Some(of_load) => loads * u64::from(of_load),
-        None => CHOSEN_INCREMENTS + loads * CHOSEN_INCREMENTS_OF_LOAD,
-    };
-    let nodes = counted.equations as u64 / 2;
-    let held = increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES);
-    Ok(JobEstimate {
-        bytes: counted.bytes + held + counted.result_bytes,
-        result_bytes: counted.result_bytes + increments * STORED_INCREMENT_BYTES,
-        ..counted
-    })
 }
 
 /// The solver of this crate.
@@ -89,7 +48,7 @@ impl JobSolver for CoreSolver {
         &self,
         job: &Job,
         observer: &mut dyn Observer,
-        on_step: &mut dyn FnMut(StepReport),
+        on_step: &mut dyn FnMut(usize, StepReport),
     ) -> Result<Report, RunError> {
         let options = Options { cache: self.cache.as_ref(), ..Options::default() };
         let report = report::run_each(job, options, observer, on_step);

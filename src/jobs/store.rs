@@ -110,7 +110,8 @@ pub trait JobStore: Send + Sync + 'static {
     /// [`StoreError::LeaseLost`]; nothing is written then.
     async fn record_progress(&self, lease: &Lease, records: &[IterationRecord]) -> Result<(), StoreError>;
 
-    /// Keeps the results of further steps of a leased job, in order.
+    /// Keeps the results of further steps of a leased job, in order. Where they begin with number 0, those that were kept before
+    /// are removed.
     ///
     /// # Errors
     /// [`StoreError::LeaseLost`]; nothing is written then.

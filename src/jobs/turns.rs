@@ -26,13 +26,13 @@ impl Turns {
             Some(key) => self.of(key).acquire_owned().await.ok(),
             None => None,
         };
-        Turn { permit }
+        Turn { _permit: permit }
     }
 
     /// A turn, if one is free.
     pub fn try_take(&self, key: Option<KeyId>) -> Option<Turn> {
         match key {
-            Some(key) => Some(Turn { permit: Some(self.of(key).try_acquire_owned().ok()?) }),
+            Some(key) => Some(Turn { _permit: Some(self.of(key).try_acquire_owned().ok()?) }),
             None => Some(Turn::free()),
         }
     }
@@ -52,18 +52,13 @@ impl Turns {
 /// The turn of a key.
 #[derive(Debug)]
 pub struct Turn {
-    permit: Option<OwnedSemaphorePermit>,
+    _permit: Option<OwnedSemaphorePermit>,
 }
 
 impl Turn {
     /// One that nobody waits for.
     pub fn free() -> Self {
-        Self { permit: None }
-    }
-
-    /// Whether the key has no other turn left.
-    pub fn is_last(&self) -> bool {
-        self.permit.as_ref().is_some_and(|permit| permit.semaphore().available_permits() == 0)
+        Self { _permit: None }
     }
 }
 

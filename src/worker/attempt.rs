@@ -46,14 +46,21 @@ fn solve(
         }
     };
     let mut unusable: Option<EncodeError> = None;
-    let mut on_step = |report: StepReport| match StepResult::encode(report) {
-        // Nobody receives it where the supervisor is gone, and then nobody receives the outcome either.
-        Ok(step) if unusable.is_none() => drop(steps.blocking_send(step)),
-        Ok(_) => {}
-        Err(error) => unusable = unusable.take().or(Some(error)),
+    let mut on_step = |number, report: StepReport| {
+        // A history that begins anew gives up what it has found.
+        unusable = unusable.take().filter(|_| number > 0);
+        match StepResult::encode(number, report) {
+            // Nobody receives it where the supervisor is gone, and then nobody receives the outcome either.
+            Ok(step) if unusable.is_none() => drop(steps.blocking_send(step)),
+            Ok(_) => {}
+            Err(error) => unusable = unusable.take().or(Some(error)),
+        }
     };
     let solved = solver.solve(&job, observer, &mut on_step);
     let encoded = solved.map(|report| (report.status, unusable.map_or_else(|| encode(&report), Err)));
+    if let Some(reason) = observer.out_of_memory() {
+        return Outcome::Failed(JobFailure::solver(reason));
+    }
     match encoded {
         Ok((status, Ok(report))) => Outcome::Reported { status, report },
         Ok((_, Err(error))) => {

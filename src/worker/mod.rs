@@ -6,6 +6,7 @@
 //! observer, which owns the job's clock. A panic ends one job. One task beats the heart of all leases.
 
 mod attempt;
+mod memory;
 mod message;
 mod observer;
 mod running;
@@ -21,6 +22,7 @@ use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 use crate::jobs::{Claim, ClaimRequest, JobNotifier, JobSolver, JobStore, WorkerId};
+use memory::WorkerMemory;
 use running::Running;
 use slots::{Memory, Reservation, Slots};
 
@@ -63,6 +65,7 @@ pub(crate) struct WorkerState {
     solver: Arc<dyn JobSolver>,
     slots: Arc<Slots>,
     running: Running,
+    memory: Arc<WorkerMemory>,
     tasks: TaskTracker,
     drain: CancellationToken,
     halt: CancellationToken,
@@ -85,6 +88,9 @@ impl Worker {
             solver,
             slots: Arc::new(Slots::new(settings.slots, memory)),
             running: Running::default(),
+            memory: WorkerMemory::new(
+                settings.memory + settings.memory_of_place * (settings.slots as u64 + 1),
+            ),
             tasks: TaskTracker::new(),
             drain: CancellationToken::new(),
             halt: CancellationToken::new(),

@@ -7,10 +7,11 @@ use std::time::{Duration, Instant};
 
 use tokio::sync::mpsc::UnboundedSender;
 
+use super::memory::JobMemory;
 use super::message::Message;
 use super::thread::{LONG, give_way};
 use crate::jobs::{IterationRecord, encode};
-use brinell_solver::solver::{Interrupt, Observer};
+use brinell_solver::solver::{Held, Interrupt, Observer};
 
 /// Shortest time between two messages about progress. Each wakes the supervisor, which costs a short job as much as some
 /// of its iterations; what a job that ends sooner has to tell comes with its outcome.
@@ -40,11 +41,18 @@ pub(super) struct JobObserver {
     pending: Vec<IterationRecord>,
     sent_at: Duration,
     gives_way: bool,
+    memory: JobMemory,
+    out_of_memory: Option<String>,
 }
 
 impl JobObserver {
     /// Starts the job's clock.
-    pub(super) fn start(timeout: Duration, stop: StopFlag, messages: UnboundedSender<Message>) -> Self {
+    pub(super) fn start(
+        timeout: Duration,
+        memory: JobMemory,
+        stop: StopFlag,
+        messages: UnboundedSender<Message>,
+    ) -> Self {
         Self {
             started: Instant::now(),
             timeout,
@@ -54,6 +62,8 @@ impl JobObserver {
             pending: Vec::new(),
             sent_at: Duration::ZERO,
             gives_way: false,
+            memory,
+            out_of_memory: None,
         }
     }
 
@@ -69,6 +79,11 @@ impl JobObserver {
             let records = self.take_pending();
             let _ = self.messages.send(Message::Iterations(records));
         }
+    }
+
+    /// What the solve was stopped for, if that was its memory.
+    pub(super) fn out_of_memory(&mut self) -> Option<String> {
+        self.out_of_memory.take()
     }
 
     /// Why the solve was stopped, if it was.
@@ -92,7 +107,7 @@ impl Observer for JobObserver {
             self.gives_way = true;
             give_way();
         }
-        let interrupt = if self.stop.is_raised() {
+        let interrupt = if self.stop.is_raised() || self.out_of_memory.is_some() {
             Interrupt::Cancelled
         } else if self.started.elapsed() >= self.timeout {
             Interrupt::TimedOut
@@ -101,6 +116,13 @@ impl Observer for JobObserver {
         };
         self.interrupt = Some(interrupt);
         ControlFlow::Break(interrupt)
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        if let Err(reason) = self.memory.hold(part, bytes as u64) {
+            self.out_of_memory = Some(reason);
+        }
+        self.on_checkpoint()
     }
 
     fn elapsed(&self) -> Duration {

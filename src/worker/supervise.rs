@@ -34,16 +34,7 @@ const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Waits between tries to write an outcome to a store that does not answer. Together they are about as long as a
 /// lease: after that the job is taken up again.
-const RETRIES: [Duration; 8] = [
-    Duration::from_millis(100),
-    Duration::from_millis(500),
-    Duration::from_secs(2),
-    Duration::from_secs(5),
-    Duration::from_secs(5),
-    Duration::from_secs(5),
-    Duration::from_secs(5),
-    Duration::from_secs(5),
-];
+const RETRIES_MS: [u64; 8] = [100, 500, 2000, 5000, 5000, 5000, 5000, 5000];
 
 /// What comes from a solver thread.
 struct SolveChannels {
@@ -61,6 +52,12 @@ struct SolveEnd {
     iterations: usize,
     /// How it ended.
     outcome: Outcome,
+}
+
+/// Keeps a step until it is written, in place of those that a history has given up.
+fn keep_step(steps: &mut Vec<StepResult>, step: StepResult) {
+    steps.retain(|kept| kept.number < step.number);
+    steps.push(step);
 }
 
 /// How long a job waited for its first attempt; `None` of a later one.
@@ -113,8 +110,9 @@ impl WorkerState {
         let solver = Arc::clone(&self.solver);
         let timeout = self.settings.job_timeout;
         let job = claim.lease.job;
+        let memory = self.memory.of_job(claim.memory.max(self.settings.memory_of_place));
         let started = thread::start(job, move || {
-            let mut observer = JobObserver::start(timeout, stop, sender.clone());
+            let mut observer = JobObserver::start(timeout, memory, stop, sender.clone());
             let outcome =
                 attempt(claim.lease.job, solver.as_ref(), &claim.request, &mut observer, &step_sender);
             let _ = sender.send(Message::Done(observer.take_pending(), outcome));
@@ -163,7 +161,7 @@ impl WorkerState {
                                 records.extend(last);
                                 // Sent before the last message, though perhaps not received.
                                 while let Ok(step) = received.try_recv() {
-                                    steps.push(step);
+                                    keep_step(&mut steps, step);
                                 }
                                 return SolveEnd { steps, records, iterations, outcome };
                             }
@@ -171,12 +169,9 @@ impl WorkerState {
                     }
                 }
                 Some(step) = received.recv() => {
-                    let is_large = step.bytes() >= LARGE_STEP;
-                    if is_large || !steps.is_empty() {
-                        steps.push(step);
+                    keep_step(&mut steps, step);
+                    if steps.len() > 1 || steps.iter().any(|step| step.bytes() >= LARGE_STEP) {
                         self.write_steps(lease, &mut steps, stop).await;
-                    } else {
-                        steps.push(step);
                     }
                 }
                 () = sleep_until(write_at), if !records.is_empty() => {
@@ -235,7 +230,7 @@ impl WorkerState {
         outcome: Outcome,
     ) -> Result<(), StoreError> {
         let mut tried = false;
-        for wait in RETRIES {
+        for wait in RETRIES_MS.map(Duration::from_millis) {
             match self.store.finish(lease, records, steps, outcome.clone()).await {
                 // The connection can break after the commit and before the answer.
                 Err(StoreError::LeaseLost) if tried && self.is_written(lease, &outcome).await => {

@@ -74,6 +74,16 @@ fn a_key_leaves_a_place_to_others_whatever_it_hands_in() {
     service.solver.open_gate();
 }
 
+#[test]
+fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
+    let service = InProcess::start(|_| ());
+    let greedy = service.target.submit(&job("greedy"));
+    let failed = service.target.wait_for(&greedy, &["failed"]);
+    let detail = failed["error"]["detail"].as_str().unwrap();
+    assert!(detail.contains("MiB for factors and increments"), "{detail}");
+    assert_eq!(service.target.post("/v1/solve", job("quick").to_string()).status, 200);
+}
+
 /// A job that needs several times as much memory as a small one.
 fn large_job() -> Value {
     let mut large = job("slow");

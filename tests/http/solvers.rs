@@ -7,9 +7,9 @@ use std::time::Duration;
 use brinell::jobs::{FieldError, JobSolver};
 use brinell_solver::job::Job;
 use brinell_solver::report::{MeshReport, Report, RunError, StepReport, Timings};
-use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus};
+use brinell_solver::solver::{Held, Interrupt, IterationRecord, Observer, SolveStatus};
 
-/// `abort`, `panic`, `nan`, `impossible`, `fail`; `slow` iterates until the gate is opened or it is told to stop; anything
+/// `abort`, `panic`, `nan`, `impossible`, `fail`; `greedy` holds more memory than there is; `slow` iterates until the gate is opened or it is told to stop; anything
 /// else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
@@ -50,7 +50,7 @@ impl JobSolver for TestSolver {
         &self,
         job: &Job,
         observer: &mut dyn Observer,
-        _: &mut dyn FnMut(StepReport),
+        _: &mut dyn FnMut(usize, StepReport),
     ) -> Result<Report, RunError> {
         match job.tags.get("test").map(String::as_str) {
             Some("abort") => std::process::abort(),
@@ -64,6 +64,10 @@ impl JobSolver for TestSolver {
                 let detail = "more than the ring can carry".to_owned();
                 Err(RunError::Input(vec![FieldError::not_solvable("/load/force", detail)]))
             }
+            Some("greedy") => match observer.on_held(Held::Bodies, usize::MAX / 2) {
+                ControlFlow::Break(interrupt) => Err(RunError::Interrupted(interrupt)),
+                ControlFlow::Continue(()) => Ok(report(SolveStatus::Converged)),
+            },
             Some("fail") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(observer)),

@@ -52,6 +52,7 @@ async fn damaged_rows_are_told(subject: &Subject) {
     assert_eq!(claims.len(), 3, "the queue goes on");
     assert!(claims[0].request.is_empty() && !claims[2].request.is_empty());
     let step = |fields: &'static [u8]| StepResult {
+        number: 0,
         report: brinell::jobs::Deflated::compress(b"{}").unwrap(),
         fields: Some(fields.into()),
     };
@@ -80,7 +81,7 @@ async fn rich_job(subject: &Subject) -> JobId {
     let fields = FieldArrays::encode(&PerBody { upper: Some(fields), lower: None }).unwrap();
     assert!(fields.len() > 2 * FIELDS_PART);
     let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
-    let steps = [StepResult { report, fields: Some(fields.into()) }];
+    let steps = [StepResult { number: 0, report, fields: Some(fields.into()) }];
     subject.store.finish(&lease, &[iteration(1)], &steps, reported(SolveStatus::Converged)).await.unwrap();
     id
 }
@@ -123,7 +124,7 @@ async fn a_damaged_file_is_found() {
     subject.enqueue("x").await;
     let lease = subject.claim_one().await;
     let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
-    let step = StepResult { report, fields: Some(vec![7; 400_000].into()) };
+    let step = StepResult { number: 0, report, fields: Some(vec![7; 400_000].into()) };
     subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
     let Subject { store, clock, place, .. } = subject;
     drop(store);

@@ -59,7 +59,7 @@ pub async fn a_client_that_goes_leaves_no_job_behind(subject: &Subject) {
         // What came to its end is dropped too.
         dropped_after(polls, jobs.submit_attended(submission)).await;
         over(&jobs, 1).await;
-        let page = jobs.list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
+        let page = jobs.store().list(&JobFilter { limit: 100, ..JobFilter::default() }).await.unwrap();
         let all_ended = page.jobs.iter().all(|job| job.state.is_finished());
         assert!(all_ended, "a job goes on after {polls} polls");
     }

@@ -51,6 +51,7 @@ macro_rules! contract {
             results steps_are_kept_as_they_are_finished;
             results fields_are_read_part_by_part;
             results a_later_attempt_begins_without_steps;
+            results steps_that_begin_anew_take_the_place_of_others;
             results the_oldest_results_make_room;
             results a_key_makes_room_for_itself_alone;
             results a_job_without_a_report_keeps_no_steps;

@@ -53,7 +53,7 @@ pub async fn a_key_stores_as_much_as_it_may(subject: &Subject) {
     let lease = subject.claim_one().await;
     let text = vec![b'x'; 10];
     let report = brinell::jobs::Deflated::compress(&text).unwrap();
-    let step = StepResult { report, fields: Some(vec![0; 1500].into()) };
+    let step = StepResult { number: 0, report, fields: Some(vec![0; 1500].into()) };
     let taken = step.bytes() as u64;
     subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
     let second = subject.submit(large(greedy)).await.unwrap().job.id;

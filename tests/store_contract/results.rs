@@ -14,8 +14,9 @@ use jiff::SignedDuration;
 use crate::quotas::key;
 use crate::subject::{ALL, HEAD, Subject, job, reported};
 
-fn step(name: &str, fields: Option<&'static [u8]>) -> StepResult {
+fn step(number: usize, name: &str, fields: Option<&'static [u8]>) -> StepResult {
     StepResult {
+        number,
         report: Deflated::compress(name.as_bytes()).unwrap(),
         fields: fields.map(Bytes::from_static),
     }
@@ -25,10 +26,10 @@ pub async fn steps_are_kept_as_they_are_finished(subject: &Subject) {
     let store = &subject.store;
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
-    store.record_steps(&lease, &[step("a", Some(b"A"))]).await.unwrap();
-    store.record_steps(&lease, &[step("b", Some(b"B")), step("c", None)]).await.unwrap();
+    store.record_steps(&lease, &[step(0, "a", Some(b"A"))]).await.unwrap();
+    store.record_steps(&lease, &[step(1, "b", Some(b"B")), step(2, "c", None)]).await.unwrap();
     assert_eq!(store.result(id).await.unwrap(), None, "a running job has no result");
-    store.finish(&lease, &[], &[step("d", None)], reported(SolveStatus::Converged)).await.unwrap();
+    store.finish(&lease, &[], &[step(3, "d", None)], reported(SolveStatus::Converged)).await.unwrap();
 
     let head = store.result(id).await.unwrap().unwrap();
     assert_eq!((&head.report[..], head.steps, head.has_fields, head.attempt), (HEAD, 4, true, 1));
@@ -54,7 +55,8 @@ pub async fn fields_are_read_part_by_part(subject: &Subject) {
     assert!(bytes.len() > 4 * FIELDS_PART);
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
-    let step = StepResult { report: Deflated::compress(b"a").unwrap(), fields: Some(bytes.clone()) };
+    let step =
+        StepResult { number: 0, report: Deflated::compress(b"a").unwrap(), fields: Some(bytes.clone()) };
     subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
 
     for at in [0, 1, FIELDS_PART - 1, FIELDS_PART, 3 * FIELDS_PART + 5, bytes.len() - 1] {
@@ -68,30 +70,58 @@ pub async fn fields_are_read_part_by_part(subject: &Subject) {
     }
     let end = bytes.len();
     assert!(matches!(reader.bytes(end..end + 1).await, Err(StoreError::Damaged(_))));
-    let reader = FieldsReader::open(Arc::clone(&subject.store), id, 0).await.unwrap().unwrap();
-    assert_eq!(reader.whole().await.unwrap().decode().unwrap(), written);
+    let arrays = FieldArrays::read(reader.bytes(0..end).await.unwrap()).unwrap();
+    assert_eq!(arrays.decode().unwrap(), written);
 }
 
 pub async fn a_later_attempt_begins_without_steps(subject: &Subject) {
     let store = &subject.store;
     let id = subject.enqueue("x").await;
     let lost = subject.claim_one().await;
-    store.record_steps(&lost, &[step("a", Some(b"A")), step("b", Some(b"B"))]).await.unwrap();
+    store.record_steps(&lost, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))]).await.unwrap();
     store.release(&[lost]).await.unwrap();
-    assert!(matches!(store.record_steps(&lost, &[step("c", None)]).await, Err(StoreError::LeaseLost)));
+    assert!(matches!(store.record_steps(&lost, &[step(2, "c", None)]).await, Err(StoreError::LeaseLost)));
     let lease = subject.claim_one().await;
-    store.finish(&lease, &[], &[step("d", None)], reported(SolveStatus::Converged)).await.unwrap();
+    store.finish(&lease, &[], &[step(0, "d", None)], reported(SolveStatus::Converged)).await.unwrap();
     let head = store.result(id).await.unwrap().unwrap();
     assert_eq!((head.steps, head.has_fields, head.attempt), (1, false, 2));
     assert_eq!(store.step(id, 0).await.unwrap().text().unwrap(), "d");
+}
+
+pub async fn steps_that_begin_anew_take_the_place_of_others(subject: &Subject) {
+    let store = &subject.store;
+    for anew in [vec![step(0, "c", None)], vec![step(0, "c", None), step(1, "d", Some(b"D"))]] {
+        let id = subject.enqueue("x").await;
+        let lease = subject.claim_one().await;
+        store.record_steps(&lease, &[step(0, "a", Some(b"A")), step(1, "b", Some(b"B"))]).await.unwrap();
+        store.record_steps(&lease, &[step(2, "b", Some(b"B"))]).await.unwrap();
+        let (first, rest) = anew.split_at(1);
+        if !rest.is_empty() {
+            store.record_steps(&lease, first).await.unwrap();
+        }
+        let last = if rest.is_empty() { first } else { rest };
+        store.finish(&lease, &[], last, reported(SolveStatus::Converged)).await.unwrap();
+        assert_eq!(store.result(id).await.unwrap().unwrap().steps, anew.len());
+        for kept in &anew {
+            assert_eq!(store.step(id, kept.number).await.unwrap(), kept.report);
+            let fields = store.fields(id, kept.number, 0).await.unwrap();
+            assert_eq!(fields.map(|part| part.bytes), kept.fields);
+        }
+        assert!(matches!(store.step(id, anew.len()).await, Err(StoreError::NotFound)));
+    }
+    let stored = Retention { stored_bytes: Some(0), ..Retention::default() };
+    assert_eq!(store.sweep(&stored).await.unwrap(), 2);
 }
 
 pub async fn a_job_without_a_report_keeps_no_steps(subject: &Subject) {
     let store = &subject.store;
     let id = subject.enqueue("x").await;
     let lease = subject.claim_one().await;
-    store.record_steps(&lease, &[step("a", Some(b"A"))]).await.unwrap();
-    store.finish(&lease, &[], &[step("b", None)], Outcome::Failed(JobFailure::solver("no"))).await.unwrap();
+    store.record_steps(&lease, &[step(0, "a", Some(b"A"))]).await.unwrap();
+    store
+        .finish(&lease, &[], &[step(1, "b", None)], Outcome::Failed(JobFailure::solver("no")))
+        .await
+        .unwrap();
     assert_eq!(store.result(id).await.unwrap(), None);
     assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)));
 }
@@ -102,7 +132,7 @@ pub async fn the_oldest_results_make_room(subject: &Subject) {
         ids.push(subject.enqueue("x").await);
         let lease = subject.claim_one().await;
         let report = Deflated::compress(b"{}").unwrap();
-        let step = StepResult { report, fields: Some(vec![0; 1000].into()) };
+        let step = StepResult { number: 0, report, fields: Some(vec![0; 1000].into()) };
         subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
         subject.clock.advance(SignedDuration::from_secs(1));
     }
@@ -124,7 +154,7 @@ pub async fn a_key_makes_room_for_itself_alone(subject: &Subject) {
         ids.push(subject.submit(new).await.unwrap().job.id);
         let lease = subject.claim_one().await;
         let report = Deflated::compress(b"{}").unwrap();
-        let step = StepResult { report, fields: Some(vec![0; 1000].into()) };
+        let step = StepResult { number: 0, report, fields: Some(vec![0; 1000].into()) };
         subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
         subject.clock.advance(SignedDuration::from_secs(1));
     }

@@ -17,7 +17,7 @@ use crate::jobs::JobState;
 pub(in crate::http) async fn get_capacity(
     State(state): State<HttpState>,
 ) -> Result<Json<CapacityDocument>, Problem> {
-    let counts = state.jobs.counts().await?;
+    let counts = state.jobs.store().counts().await?;
     let jobs = |wanted: JobState| counts.get(&wanted).copied().unwrap_or(0);
     let (settings, capacity) = (&state.settings, &state.settings.capacity);
     Ok(Json(CapacityDocument {

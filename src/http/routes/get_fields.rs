@@ -14,7 +14,7 @@ use crate::http::query::{Arrays, ArraysQuery};
 use crate::http::result_body::{Fields, no_result};
 use crate::http::written_body::written;
 use crate::http::{HttpState, Problem, ProblemType, result_body};
-use crate::jobs::{JobId, StoreError};
+use crate::jobs::{JobId, KeyId, StoreError};
 use brinell_solver::report::FieldPiece;
 
 /// Mesh and nodal fields of a step, as arrays of numbers
@@ -60,7 +60,9 @@ pub(in crate::http) async fn get_fields(
     let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
     let length = arrays.iter().filter_map(FieldPiece::length).sum();
     let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
-    let body = |range| Body::from_stream(written(|sender| send(state, fields, arrays, range, sender)));
+    let key = head.submitter;
+    let body =
+        |range| Body::from_stream(written(move |sender| send(state, key, fields, arrays, range, sender)));
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }
 
@@ -68,6 +70,7 @@ pub(in crate::http) async fn get_fields(
 /// it.
 async fn send(
     state: HttpState,
+    key: Option<KeyId>,
     mut fields: Fields,
     pieces: Vec<FieldPiece>,
     range: Range<usize>,
@@ -78,7 +81,7 @@ async fn send(
         let end = begin + piece.length().unwrap_or(0);
         let (from, to) = (range.start.max(begin), range.end.min(end));
         if from < to {
-            let text = result_body::written(&state, &mut fields, piece).await?;
+            let text = result_body::written(&state, key, &mut fields, piece).await?;
             let _ = sender.send(text.slice(from - begin..to - begin)).await;
         }
         begin = end;

@@ -19,6 +19,6 @@ pub(in crate::http) async fn get_request(
     State(state): State<HttpState>,
     JobPath(id): JobPath,
 ) -> Result<Response, Problem> {
-    let json = state.jobs.request(id).await?;
+    let json = state.jobs.store().request(id).await?;
     Ok(([(CONTENT_TYPE, "application/json")], json).into_response())
 }

@@ -3,13 +3,12 @@
 use axum::extract::State;
 use axum::http::header::VARY;
 use axum::http::{HeaderMap, HeaderValue};
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 
-use crate::http::export_file::{export, file};
+use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::negotiation::prefers_csv;
 use crate::http::query::{Selection, SelectionQuery};
-use crate::http::selection::no_step;
 use crate::http::{HttpState, Problem, result_body};
 use crate::jobs::{Export, JobId};
 use brinell_solver::report::Report;
@@ -53,15 +52,7 @@ pub(in crate::http) async fn get_result(
 
 /// The rows of all steps, or of one.
 async fn summary(state: &HttpState, id: JobId, step: Option<usize>) -> Result<Response, Problem> {
-    let mut table = export(state, id, Export::SummaryCsv, None).await?;
-    if let Some(step) = step {
-        let mut rows = table.split_inclusive('\n');
-        let head = rows.next().unwrap_or_default();
-        let rows: Vec<_> = rows.collect();
-        let row = rows.get(step).ok_or_else(|| no_step(rows.len()))?;
-        table = format!("{head}{row}");
-    }
-    let mut response = file(id, Export::SummaryCsv, table).into_response();
+    let mut response = export_file(state, id, Export::SummaryCsv, step).await?;
     response.headers_mut().insert(VARY, HeaderValue::from_static("accept, accept-encoding"));
     Ok(response)
 }

@@ -23,7 +23,7 @@ pub(in crate::http) async fn list_jobs(
     ListFilter(mut filter): ListFilter,
 ) -> Result<Json<JobList>, Problem> {
     filter.submitter = caller.confined_to();
-    let page = state.jobs.list(&filter).await?;
+    let page = state.jobs.store().list(&filter).await?;
     let jobs = page
         .jobs
         .into_iter()

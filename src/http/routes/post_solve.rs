@@ -87,7 +87,7 @@ pub(in crate::http) async fn post_solve(
     let id = enqueued.job.id;
     let record = state.jobs.wait(id, timeout).await?;
     if !record.state.is_finished() {
-        state.jobs.sync().await?;
+        state.jobs.store().sync().await?;
     }
     attended.release();
     let answer = finished(&state, record, &prefix, selection, &headers).await;

@@ -14,12 +14,15 @@ use crate::jobs::{
 const PROGRESS: &str = "UPDATE jobs SET iterations = iterations + $4, latest = $5
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations";
 const APPEND: &str = "INSERT INTO iterations (job, first, last, records) VALUES ($1, $2, $3, $4)";
-/// The steps of an attempt that has no report are removed.
+/// The steps of an attempt that has no report are removed, and those that an attempt had before it began anew: whether there are
+/// any is told.
 const FINISH: &str = "UPDATE jobs SET state = $4, finished_at = $5, has_report = $6, failure = $7,
          iterations = iterations + $8, latest = coalesce($9, latest),
-         steps = CASE WHEN $6 THEN steps + $10 ELSE 0 END,
-         stored_bytes = CASE WHEN $6 THEN stored_bytes + $11 ELSE 0 END, owner = NULL, leased_until = NULL
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING iterations, steps";
+         steps = CASE WHEN $6 THEN coalesce($10, steps) ELSE 0 END,
+         stored_bytes = CASE WHEN NOT $6 THEN 0 WHEN $12 THEN $11 ELSE stored_bytes + $11 END,
+         owner = NULL, leased_until = NULL
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
+     RETURNING iterations, $12 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
 const REPORT: &str = "INSERT INTO reports (job, body) VALUES ($1, $2)";
 const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN 'cancelled' ELSE 'queued' END,
          finished_at = CASE WHEN cancel_requested THEN $4 END,
@@ -29,8 +32,10 @@ const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN '
          steps = CASE WHEN cancel_requested THEN steps ELSE 0 END,
          stored_bytes = CASE WHEN cancel_requested THEN stored_bytes ELSE 0 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
-const STEPS: &str = "UPDATE jobs SET steps = steps + $4, stored_bytes = stored_bytes + $5
-     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING steps";
+const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
+         stored_bytes = CASE WHEN $6 THEN $5 ELSE stored_bytes + $5 END
+     WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
+     RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
 const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)";
 const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)";
 
@@ -69,13 +74,14 @@ pub(in crate::store) trait Leasing: Send {
         last: i32,
         records: &[IterationRecord],
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
-    /// Adds results of steps, of which there are `last` then.
+    /// Adds results of steps, which take the place of all others if these are outdated.
     fn append_steps(
         &mut self,
         job: JobId,
-        last: i32,
         steps: &[StepResult],
+        outdated: bool,
     ) -> impl Future<Output = Result<(), StoreError>> + Send;
+    fn forget_steps(&mut self, job: JobId) -> impl Future<Output = Result<(), StoreError>> + Send;
     /// Gives a job back; `Some(true)` if it was cancelled instead, `None` if the lease was lost.
     fn release(
         &mut self,
@@ -88,8 +94,11 @@ fn number_of<T>(items: &[T]) -> i32 {
     i32::try_from(items.len()).unwrap_or(i32::MAX)
 }
 
-fn bytes_of(steps: &[StepResult]) -> i64 {
-    i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX)
+/// How many steps there are with these, `None` without any; their bytes; whether they take the place of all others.
+fn sum_up(steps: &[StepResult]) -> (Option<i32>, i64, bool) {
+    let bytes = i64::try_from(steps.iter().map(StepResult::bytes).sum::<usize>()).unwrap_or(i64::MAX);
+    let count = steps.last().map(|last| i32::try_from(last.number + 1).unwrap_or(i32::MAX));
+    (count, bytes, steps.first().is_some_and(|first| first.number == 0))
 }
 
 macro_rules! fenced {
@@ -171,19 +180,24 @@ macro_rules! leasing {
                 if steps.is_empty() {
                     return Ok(());
                 }
-                let recorded = fenced!(sqlx::query_scalar::<$database, i32>(STEPS), lease);
-                let recorded = recorded.bind(number_of(steps)).bind(bytes_of(steps));
-                let last = recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
-                self.append_steps(lease.job, last, steps).await
+                let (count, bytes, begin_anew) = sum_up(steps);
+                let recorded = fenced!(sqlx::query_scalar::<$database, bool>(STEPS), lease);
+                let recorded = recorded.bind(count).bind(bytes).bind(begin_anew);
+                let outdated = recorded.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
+                self.append_steps(lease.job, steps, outdated).await
             }
 
             async fn append_steps(
                 &mut self,
                 job: JobId,
-                last: i32,
                 steps: &[StepResult],
+                outdated: bool,
             ) -> Result<(), StoreError> {
-                for (number, step) in (last.saturating_sub(number_of(steps))..).zip(steps) {
+                if outdated {
+                    self.forget_steps(job).await?;
+                }
+                for step in steps {
+                    let number = i32::try_from(step.number).unwrap_or(i32::MAX);
                     let report = sqlx::query::<$database>(STEP).bind(job.uuid()).bind(number);
                     report.bind(&step.report.clone().into_bytes()[..]).execute(&mut *self).await?;
                     let fields = step.fields.as_deref().unwrap_or_default();
@@ -208,12 +222,13 @@ macro_rules! leasing {
                     Outcome::Failed(failure) => (None, Some(failure_json(failure)?)),
                     Outcome::Interrupted(_) => (None, None),
                 };
-                let finish = fenced!(sqlx::query_as::<$database, (i32, i32)>(FINISH), lease);
+                let (count, bytes, begin_anew) = sum_up(steps);
+                let finish = fenced!(sqlx::query_as::<$database, (i32, bool)>(FINISH), lease);
                 let finish =
                     finish.bind(outcome.state().name()).bind(now).bind(report.is_some()).bind(failure);
                 let finish = finish.bind(number_of(records)).bind(records.last().map(to_json).transpose()?);
-                let finish = finish.bind(number_of(steps)).bind(bytes_of(steps));
-                let (iterations, n_steps) =
+                let finish = finish.bind(count).bind(bytes).bind(begin_anew);
+                let (iterations, outdated) =
                     finish.fetch_optional(&mut *self).await?.ok_or(StoreError::LeaseLost)?;
                 let settle = sqlx::query::<$database>(SETTLE).bind(lease.job.uuid()).bind(now);
                 settle.execute(&mut *self).await?;
@@ -221,17 +236,19 @@ macro_rules! leasing {
                     self.append_records(lease.job, iterations, records).await?;
                 }
                 if let Some(report) = report {
-                    self.append_steps(lease.job, n_steps, steps).await?;
+                    self.append_steps(lease.job, steps, outdated).await?;
                     let report = sqlx::query::<$database>(REPORT).bind(lease.job.uuid()).bind(pack(report)?);
                     report.execute(self).await?;
                 } else {
-                    let [_, steps, fields] = FORGET;
-                    for statement in [steps, fields] {
-                        sqlx::query::<$database>(statement)
-                            .bind(lease.job.uuid())
-                            .execute(&mut *self)
-                            .await?;
-                    }
+                    self.forget_steps(lease.job).await?;
+                }
+                Ok(())
+            }
+
+            async fn forget_steps(&mut self, job: JobId) -> Result<(), StoreError> {
+                let [_, steps, fields] = FORGET;
+                for statement in [steps, fields] {
+                    sqlx::query::<$database>(statement).bind(job.uuid()).execute(&mut *self).await?;
                 }
                 Ok(())
             }

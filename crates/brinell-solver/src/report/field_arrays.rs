@@ -307,6 +307,17 @@ impl FieldLayout {
         self.arrays.iter().map(|array| self.source(array).end).max().unwrap_or(self.data)
     }
 
+    /// Whether a body has arrays.
+    pub(in crate::report) fn has(&self, body: Side) -> bool {
+        self.arrays.iter().any(|array| array.body == body)
+    }
+
+    /// Where an array stands.
+    pub(in crate::report) fn find(&self, body: Side, name: &str) -> Result<Range<usize>, FieldArraysError> {
+        let found = self.arrays.iter().find(|array| array.body == body && array.name == name);
+        Ok(self.source(found.ok_or_else(|| malformed(format!("no {name}")))?))
+    }
+
     fn source(&self, array: &Array) -> Range<usize> {
         let begin = self.data + array.offset;
         begin..begin + array.bytes()

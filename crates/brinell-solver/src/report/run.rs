@@ -12,8 +12,8 @@ use super::{Report, StepReport, target};
 use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
-    self, Estimate, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver, StepSolution,
-    Unreachable,
+    self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver,
+    StepSolution, Unreachable,
 };
 
 /// Why a job gave no report.
@@ -157,6 +157,14 @@ const STEP_BYTES: u64 = 8 << 10;
 /// And for each element over the half-width.
 const STEP_BYTES_PER_ELEMENT: u64 = 832;
 
+/// Bytes of an increment of flow theory for each node: displacements of the nodes of the coarse mesh, which has a quarter of
+/// them, of this division and of one that is twice as fine.
+const INCREMENT_BYTES: u64 = 16 * (1 + 2) / 4;
+/// Bytes of an increment and its iterations in the report.
+const REPORTED_INCREMENT_BYTES: u64 = 1024;
+/// Increments that the solver chooses itself: so many up to the largest load, and of each load.
+const CHOSEN_INCREMENTS: [u64; 2] = [32, 2];
+
 /// Bytes of a factor whose step is one unit of work.
 const WORK_UNIT: u64 = 1 << 16;
 
@@ -176,13 +184,20 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
         Load::Onset | Load::Target(_) => steps * SEARCH_SOLVES,
         _ => steps,
     };
+    let [to_largest, of_load] =
+        job.solver.increments.map_or(CHOSEN_INCREMENTS, |of_load| [0, of_load.into()]);
+    let is_history = job.solver.theory == Theory::Flow;
+    let increments = if is_history { to_largest + of_load * steps as u64 } else { 0 };
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
     let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
     JobEstimate {
         equations: estimate.equations,
-        bytes: SOLVER_BYTES + estimate.bytes + FIELD_COPIES * fields,
-        result_bytes: step * steps as u64,
+        bytes: SOLVER_BYTES
+            + estimate.bytes
+            + FIELD_COPIES * fields
+            + increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES),
+        result_bytes: step * steps as u64 + increments * REPORTED_INCREMENT_BYTES,
         work: (estimate.bytes / WORK_UNIT).max(1) * solves as u64,
     }
 }
@@ -200,6 +215,10 @@ impl Observer for InUnits<'_> {
 
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.observer.on_checkpoint()
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        self.observer.on_held(part, bytes)
     }
 
     fn elapsed(&self) -> Duration {
@@ -221,12 +240,17 @@ pub fn run(job: &Job, observer: &mut dyn Observer) -> Result<Report, RunError> {
 /// As [`run`].
 pub fn run_with(job: &Job, options: Options<'_>, observer: &mut dyn Observer) -> Result<Report, RunError> {
     let mut steps = Vec::new();
-    let report = run_each(job, options, observer, &mut |step| steps.push(step))?;
+    let mut on_step = |number, step| {
+        steps.truncate(number);
+        steps.push(step);
+    };
+    let report = run_each(job, options, observer, &mut on_step)?;
     Ok(Report { steps, ..report })
 }
 
-/// [`run_with`] that hands over the report of each step as soon as the step is finished, those of a history of loads at its end. The
-/// report that is returned has no steps.
+/// [`run_with`] that hands over the report of each step, with its number from 0 on, as soon as the step is finished. Where a
+/// history begins anew on a wider mesh, so do the numbers: a step takes the place of the one that had its number, and those
+/// behind that one are given up. The report that is returned has no steps.
 ///
 /// # Errors
 /// As [`run`].
@@ -234,42 +258,35 @@ pub fn run_each(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,
-    on_step: &mut dyn FnMut(StepReport),
+    on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
     if job.analysis == Analysis::ThreeDimensional {
         return Err(RunError::Input(vec![no_engine()]));
     }
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
-    let may_begin_anew = options.model.is_some() || job.solver.theory == Theory::Flow;
-    let mut reports = Reports { builder: ReportBuilder::new(job), may_begin_anew, held: Vec::new(), on_step };
+    let mut reports = Reports { builder: ReportBuilder::new(job), number: 0, on_step };
     let solution =
         solver::run_each(job, options, observer, &mut reports).map_err(|error| RunError::of(job, &error))?;
-    let Reports { builder, held, on_step, .. } = reports;
-    held.into_iter().for_each(on_step);
-    Ok(builder.finish(&solution, observer))
+    Ok(reports.builder.finish(&solution, observer))
 }
 
 /// Reports on each step as it is finished, so that it is reported whatever becomes of the steps after it.
 struct Reports<'a> {
     builder: ReportBuilder<'a>,
-    /// Whether steps may be given up again, so that reports are held until the end.
-    may_begin_anew: bool,
-    held: Vec<StepReport>,
-    on_step: &'a mut dyn FnMut(StepReport),
+    /// Of the next step.
+    number: usize,
+    on_step: &'a mut dyn FnMut(usize, StepReport),
 }
 
 impl StepReceiver for Reports<'_> {
     fn step(&mut self, step: StepSolution, observer: &mut dyn Observer) {
         let report = self.builder.step(step, observer);
-        if self.may_begin_anew {
-            self.held.push(report);
-        } else {
-            (self.on_step)(report);
-        }
+        (self.on_step)(self.number, report);
+        self.number += 1;
     }
 
     fn begin_anew(&mut self) {
-        self.held.clear();
+        self.number = 0;
         self.builder.begin_anew();
     }
 }

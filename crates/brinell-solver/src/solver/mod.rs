@@ -37,7 +37,9 @@ pub use load_stepping::run::{Options, run, run_each, run_with};
 pub use load_stepping::steps::StepReceiver;
 pub(crate) use load_stepping::utilization::highest_utilization;
 pub use mesh_sizing::estimate::{Estimate, estimate};
-pub use method::observer::{IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+pub use method::observer::{
+    Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
+};
 pub use method::phases::{Phase, PhaseTimes};
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;

@@ -2,40 +2,107 @@
 
 use std::fmt::Write as _;
 
-use super::ExportError;
-use crate::job::{Named, Quantity, Units};
+use super::{Export, ExportError};
+use crate::job::{Analysis, Job, Named, Quantity, Units};
 use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport};
 
-fn units(report: &Report) -> Units {
-    if report.units == Units::Si.name() { Units::Si } else { Units::MmNMpa }
+/// A table of all steps, written step by step.
+#[derive(Debug, Clone, Copy)]
+pub struct Table {
+    form: Export,
+    units: Units,
+    force: Quantity,
+    /// Places along the surface: the distance from the axis in axisymmetry.
+    abscissa: &'static str,
+    /// Whether there are columns of flow theory, of strength over depth, and of initial stress.
+    has_flow: bool,
+    is_graded: bool,
+    is_stressed: bool,
 }
 
-/// Places along the surface: the distance from the axis in axisymmetry.
-fn abscissa(report: &Report) -> &'static str {
-    if report.analysis == "axisymmetric" { "r" } else { "x" }
-}
-
-/// One row of figures for each step, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
-pub fn summary_csv(report: &Report) -> String {
-    let units = units(report);
-    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
-    let (force, length) = (force.symbol(units), Quantity::Length.symbol(units));
-    let stress = Quantity::Stress.symbol(units);
-    let mut text = format!(
-        "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],mean_pressure [{stress}],\
-         half_width [{length}],contact_stiffness [{force}/{length}],max_equivalent_plastic_strain"
-    );
-    let has_flow = report.steps.iter().any(|step| step.flow.is_some());
-    if has_flow {
-        let _ = write!(
-            text,
-            ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up [{length}],\
-             lower_dent [{length}],lower_pile_up [{length}],work [{force} {length}],\
-             dissipated [{force} {length}],increments"
-        );
+impl Table {
+    /// The table of this form, with the columns of the first step: what that one does not have, no later one has.
+    ///
+    /// # Errors
+    /// [`ExportError::NoSubsurface`], [`ExportError::NoFlow`] where the first step has no rows.
+    pub fn new(form: Export, job: &Job, first: &StepReport) -> Result<Self, ExportError> {
+        match form {
+            Export::SubsurfaceCsv if first.subsurface.is_none() => return Err(ExportError::NoSubsurface),
+            Export::IncrementsCsv | Export::SurfaceCsv if first.flow.is_none() => {
+                return Err(ExportError::NoFlow);
+            }
+            _ => {}
+        }
+        let is_round = job.analysis == Analysis::Axisymmetric;
+        let profiles = first.subsurface.iter().flat_map(|bodies| [&bodies.upper, &bodies.lower]).flatten();
+        Ok(Self {
+            form,
+            units: job.units,
+            force: if is_round { Quantity::Force } else { Quantity::LineForce },
+            abscissa: if is_round { "r" } else { "x" },
+            has_flow: first.flow.is_some(),
+            is_graded: profiles.clone().any(|body| body.yield_stress.is_some()),
+            is_stressed: profiles.clone().any(|body| body.initial_sigma_x.is_some()),
+        })
     }
-    text.push('\n');
-    for (k, step) in report.steps.iter().enumerate() {
+
+    /// Its first line, which names columns and units.
+    pub fn header(&self) -> String {
+        let symbol = |quantity: Quantity| quantity.symbol(self.units);
+        let (force, length, stress) =
+            (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
+        match self.form {
+            Export::PressureCsv => {
+                format!("step,x [{length}],pressure [{stress}],force [{force}],gap [{length}]\n")
+            }
+            Export::SubsurfaceCsv => {
+                let strength = format!(",yield_stress [{stress}],utilization");
+                let initial =
+                    ["x", "y", "z"].map(|name| format!(",initial_sigma_{name} [{stress}]")).concat();
+                format!(
+                    "step,body,depth [{length}],sigma_x [{stress}],sigma_y [{stress}],sigma_z [{stress}],\
+                     tau_max [{stress}],von_mises [{stress}],equivalent_plastic_strain{}{},{} [{length}]\n",
+                    if self.is_graded { strength.as_str() } else { "" },
+                    if self.is_stressed { initial.as_str() } else { "" },
+                    self.abscissa,
+                )
+            }
+            Export::IncrementsCsv => format!(
+                "step,increment,force [{force}],approach [{length}],peak_pressure [{stress}],\
+                 half_width [{length}],iterations\n"
+            ),
+            Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
+            _ => {
+                let flow = format!(
+                    ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up [{length}],\
+                     lower_dent [{length}],lower_pile_up [{length}],work [{force} {length}],\
+                     dissipated [{force} {length}],increments"
+                );
+                format!(
+                    "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],\
+                     mean_pressure [{stress}],half_width [{length}],contact_stiffness [{force}/{length}],\
+                     max_equivalent_plastic_strain{}\n",
+                    if self.has_flow { flow.as_str() } else { "" },
+                )
+            }
+        }
+    }
+
+    /// The rows of a step, counted from 1.
+    pub fn rows(&self, number: usize, step: &StepReport) -> String {
+        let mut text = String::new();
+        match self.form {
+            Export::PressureCsv => pressure(&mut text, number, step),
+            Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
+            Export::IncrementsCsv => increments(&mut text, number, step),
+            Export::SurfaceCsv => surfaces(&mut text, number, step),
+            _ => self.summary(&mut text, number, step),
+        }
+        text
+    }
+
+    /// One row of figures, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
+    fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let status = Named::name(step.status);
         let zones = [&step.plasticity.upper, &step.plasticity.lower];
         let strain =
@@ -43,8 +110,7 @@ pub fn summary_csv(report: &Report) -> String {
         let contact = &step.contact;
         let _ = write!(
             text,
-            "{},{status},{},{},{},{},{},{},{strain}",
-            k + 1,
+            "{number},{status},{},{},{},{},{},{},{strain}",
             contact.force,
             step.approach,
             contact.peak_pressure,
@@ -52,12 +118,58 @@ pub fn summary_csv(report: &Report) -> String {
             contact.half_width,
             step.contact_stiffness,
         );
-        if has_flow {
-            write_flow(&mut text, step.flow.as_ref());
+        if self.has_flow {
+            write_flow(text, step.flow.as_ref());
         }
         text.push('\n');
     }
-    text
+
+    /// Stresses and plastic strain along the normal below the peak pressure, and at the end where that is.
+    fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
+        let Some(bodies) = &step.subsurface else { return };
+        for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
+            let Some(body) = body else { continue };
+            let place = step.contact.peak_position;
+            write_profile(text, (number, name, place), body, (self.is_graded, self.is_stressed));
+        }
+    }
+}
+
+/// The table of a report.
+pub(super) fn table(form: Export, job: &Job, report: &Report) -> Result<String, ExportError> {
+    let first = report.steps.first().ok_or(ExportError::NoStep(0))?;
+    let table = Table::new(form, job, first)?;
+    let rows = (1..).zip(&report.steps).map(|(number, step)| table.rows(number, step));
+    Ok([table.header()].into_iter().chain(rows).collect())
+}
+
+/// `step, x, pressure, force, gap` of every candidate pair.
+fn pressure(text: &mut String, number: usize, step: &StepReport) {
+    let nodes = &step.contact.nodes;
+    let columns = nodes.x.iter().zip(&nodes.pressure).zip(&nodes.force).zip(&nodes.gap);
+    for (((x, pressure), force), gap) in columns {
+        let _ = writeln!(text, "{number},{x},{pressure},{force},{gap}");
+    }
+}
+
+/// `step, increment, force, approach, peak_pressure, half_width, iterations` of every increment.
+fn increments(text: &mut String, number: usize, step: &StepReport) {
+    let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { return };
+    let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
+    let columns = columns.zip(&ends.half_width).zip(&ends.iterations);
+    for (n, ((((force, approach), peak), half_width), iterations)) in columns.enumerate() {
+        let _ = writeln!(text, "{number},{},{force},{approach},{peak},{half_width},{iterations}", n + 1);
+    }
+}
+
+/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the dent and its pile-up.
+fn surfaces(text: &mut String, number: usize, step: &StepReport) {
+    let Some(flow) = &step.flow else { return };
+    for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
+        for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height)) {
+            let _ = writeln!(text, "{number},{name},{x},{height}");
+        }
+    }
 }
 
 /// The columns of flow theory. A rigid body leaves its own empty.
@@ -77,112 +189,6 @@ fn write_flow(text: &mut String, flow: Option<&FlowReport>) {
     }
     let energy = &flow.energy;
     let _ = write!(text, ",{},{},{}", energy.work, energy.dissipated, flow.increments.force.len());
-}
-
-/// `step, x, pressure, force, gap` of every candidate pair.
-pub fn pressure_csv(report: &Report) -> String {
-    let units = units(report);
-    let symbol = |quantity: Quantity| quantity.symbol(units);
-    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
-    let (length, stress) = (symbol(Quantity::Length), symbol(Quantity::Stress));
-    let mut text =
-        format!("step,x [{length}],pressure [{stress}],force [{}],gap [{length}]\n", symbol(force));
-    for (k, step) in report.steps.iter().enumerate() {
-        let nodes = &step.contact.nodes;
-        let columns = nodes.x.iter().zip(&nodes.pressure).zip(&nodes.force).zip(&nodes.gap);
-        for (((x, pressure), force), gap) in columns {
-            let _ = writeln!(text, "{},{x},{pressure},{force},{gap}", k + 1);
-        }
-    }
-    text
-}
-
-/// Names of the stresses along the surface, along the normal and across the section.
-fn directions(report: &Report) -> [&'static str; 3] {
-    if report.analysis == "axisymmetric" { ["r", "z", "theta"] } else { ["x", "y", "z"] }
-}
-
-/// `step, body, depth, stresses, plastic strain` along the normals below the middle of the contact and below the peak pressure, and
-/// at the end where they are.
-///
-/// # Errors
-/// [`ExportError::NoSubsurface`] where the job did not ask for it.
-pub fn subsurface_csv(report: &Report) -> Result<String, ExportError> {
-    if report.steps.iter().all(|step| step.subsurface.is_none()) {
-        return Err(ExportError::NoSubsurface);
-    }
-    let units = units(report);
-    let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
-    let profiles = || report.steps.iter().flat_map(StepReport::profiles);
-    let graded = profiles().any(|(_, body)| body.yield_stress.is_some());
-    let mut text = format!("step,body,depth [{length}]");
-    for direction in directions(report) {
-        let _ = write!(text, ",sigma_{direction} [{stress}]");
-    }
-    let _ = write!(text, ",tau_max [{stress}],von_mises [{stress}],equivalent_plastic_strain");
-    if graded {
-        let _ = write!(text, ",yield_stress [{stress}],utilization");
-    }
-    let stressed = profiles().any(|(_, body)| body.initial_sigma_x.is_some());
-    if stressed {
-        for direction in directions(report) {
-            let _ = write!(text, ",initial_sigma_{direction} [{stress}]");
-        }
-    }
-    let _ = writeln!(text, ",{} [{length}]", abscissa(report));
-    for (k, step) in report.steps.iter().enumerate() {
-        for (name, body) in step.profiles() {
-            write_profile(&mut text, (k + 1, name, step.place_of(body)), body, (graded, stressed));
-        }
-    }
-    Ok(text)
-}
-
-/// `step, increment, force, approach, peak_pressure, half_width, iterations` of every increment.
-///
-/// # Errors
-/// [`ExportError::NoFlow`] of deformation theory.
-pub fn increments_csv(report: &Report) -> Result<String, ExportError> {
-    if report.steps.iter().all(|step| step.flow.is_none()) {
-        return Err(ExportError::NoFlow);
-    }
-    let units = units(report);
-    let force = if report.analysis == "axisymmetric" { Quantity::Force } else { Quantity::LineForce };
-    let (length, stress) = (Quantity::Length.symbol(units), Quantity::Stress.symbol(units));
-    let mut text = format!(
-        "step,increment,force [{}],approach [{length}],peak_pressure [{stress}],half_width [{length}],iterations\n",
-        force.symbol(units)
-    );
-    for (k, step) in report.steps.iter().enumerate() {
-        let Some(ends) = step.flow.as_ref().map(|flow| &flow.increments) else { continue };
-        let columns = ends.force.iter().zip(&ends.approach).zip(&ends.peak_pressure);
-        let columns = columns.zip(&ends.half_width).zip(&ends.iterations);
-        for (n, ((((force, approach), peak), half_width), iterations)) in columns.enumerate() {
-            let _ = writeln!(text, "{},{},{force},{approach},{peak},{half_width},{iterations}", k + 1, n + 1);
-        }
-    }
-    Ok(text)
-}
-
-/// `step, body, x, height` of the surfaces, outward from the undeformed one: without force the dent and its pile-up.
-///
-/// # Errors
-/// [`ExportError::NoFlow`] of deformation theory.
-pub fn surface_csv(report: &Report) -> Result<String, ExportError> {
-    if report.steps.iter().all(|step| step.flow.is_none()) {
-        return Err(ExportError::NoFlow);
-    }
-    let length = Quantity::Length.symbol(units(report));
-    let mut text = format!("step,body,x [{length}],height [{length}]\n");
-    for (k, step) in report.steps.iter().enumerate() {
-        let Some(flow) = &step.flow else { continue };
-        for (name, surface) in [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)] {
-            for (x, height) in surface.iter().flat_map(|surface| surface.x.iter().zip(&surface.height)) {
-                let _ = writeln!(text, "{},{name},{x},{height}", k + 1);
-            }
-        }
-    }
-    Ok(text)
 }
 
 /// A body whose strength does not vary, or without initial stress, leaves the columns of those that have them empty.

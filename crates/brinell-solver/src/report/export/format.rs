@@ -2,10 +2,8 @@
 
 use thiserror::Error;
 
-use super::{
-    depth_svg, field_vtu, increments_csv, load_approach_svg, pressure_csv, pressure_svg, subsurface_csv,
-    summary_csv, surface_csv, surface_svg,
-};
+use super::csv::table;
+use super::{depth_svg, field_vtu, load_approach_svg, pressure_svg, surface_svg};
 use crate::job::Job;
 use crate::report::Report;
 
@@ -29,6 +27,9 @@ pub enum ExportError {
     /// One converged load makes no curve.
     #[error("the result has no curve of force over approach; it takes two different loads that converge")]
     NoCurve,
+    /// The fields are not what they have to be.
+    #[error("the fields cannot be written: {0}")]
+    Fields(String),
     /// The drawing library failed.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
@@ -103,6 +104,18 @@ impl Export {
         }
     }
 
+    /// Whether it is a [`Table`](super::Table).
+    pub const fn is_table(self) -> bool {
+        matches!(
+            self,
+            Self::SummaryCsv
+                | Self::PressureCsv
+                | Self::SubsurfaceCsv
+                | Self::IncrementsCsv
+                | Self::SurfaceCsv
+        )
+    }
+
     /// Whether it shows one step; the others have a column for it.
     pub const fn shows_one_step(self) -> bool {
         matches!(self, Self::FieldVtu | Self::PressureSvg | Self::DepthSvg | Self::SurfaceSvg)
@@ -130,11 +143,11 @@ impl Export {
     pub fn write(self, job: &Job, report: &Report, step: Option<usize>) -> Result<String, ExportError> {
         let step = step.unwrap_or(report.steps.len().saturating_sub(1));
         match self {
-            Self::SummaryCsv => Ok(summary_csv(report)),
-            Self::PressureCsv => Ok(pressure_csv(report)),
-            Self::SubsurfaceCsv => subsurface_csv(report),
-            Self::IncrementsCsv => increments_csv(report),
-            Self::SurfaceCsv => surface_csv(report),
+            Self::SummaryCsv
+            | Self::PressureCsv
+            | Self::SubsurfaceCsv
+            | Self::IncrementsCsv
+            | Self::SurfaceCsv => table(self, job, report),
             Self::FieldVtu => field_vtu(report, step),
             Self::PressureSvg => pressure_svg(job, report, step),
             Self::DepthSvg => depth_svg(job, report, step),

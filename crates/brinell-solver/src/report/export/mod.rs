@@ -4,10 +4,9 @@ mod chart;
 mod csv;
 mod figures;
 mod format;
-mod section;
 mod vtu;
 
-pub use csv::{increments_csv, pressure_csv, subsurface_csv, summary_csv, surface_csv};
+pub use csv::Table;
 pub use figures::{depth_svg, load_approach_svg, pressure_svg, surface_svg};
 pub use format::{Export, ExportError};
-pub use vtu::field_vtu;
+pub use vtu::{VtuFile, VtuPiece, field_vtu};

@@ -20,6 +20,7 @@ use crate::solver::conforming::ConformingPair;
 use crate::solver::method::contact_system::{
     BlockVector, ContactFigures, ContactSystem, Linearize, Response, SecantStiffness,
 };
+use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
@@ -108,10 +109,13 @@ impl System {
         }
         let mut bodies: Vec<BodyModel> = Vec::with_capacity(models.len());
         let mut transferred = Vec::with_capacity(models.len());
+        let mut held = 0;
         for (k, (key, material)) in models.into_iter().enumerate() {
             // The second body may share the order and the analysis of the first.
             let first = bodies.first().map(|body| &body.elastic);
             let elastic = prepare(key, first, cache.map(|cache| &**cache), run)?;
+            held += elastic.bytes() + size_of::<f64>() * elastic.symbolic.factor_entries();
+            run.hold(Held::Bodies, held)?;
             let own = || PooledFactor::own(Cholesky::empty(&elastic.symbolic));
             let factor = run.time(Phase::Numeric, || cache.map_or_else(own, |cache| cache.acquire(&elastic)));
             let previous = previous.and_then(|fields| fields.get(k).copied());

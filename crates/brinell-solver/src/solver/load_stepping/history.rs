@@ -36,6 +36,7 @@ use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
 use crate::solver::mesh_solve::{MeshSolve, MeshSolveRequest};
 use crate::solver::method::contact_system::{ContactSystem as _, Linearize as _};
 use crate::solver::method::couplings::iteration::{Controls, Outcome};
+use crate::solver::method::observer::Held;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Leave, OnSystem, solve};
 use crate::solver::problem::Problem;
@@ -265,6 +266,7 @@ impl MeshHistory<'_> {
             has_collapsed: false,
             interrupted: None,
         };
+        self.hold(&found.path, run)?;
         let mut progress = Progress::at_rest();
         let mut widest = 0.0;
         // Of all loads so far: what follows an increment that has not converged inherits its error.
@@ -312,6 +314,7 @@ impl MeshHistory<'_> {
                 if !steps.are_final() {
                     let nodal = solve.fields.iter().map(|field| field.nodal.clone()).collect();
                     found.path.points.push((time, nodal));
+                    self.hold(&found.path, run)?;
                 }
                 if is_end {
                     found.figures.push(Some(solve.all_figures()));
@@ -337,6 +340,11 @@ impl MeshHistory<'_> {
             }
         }
         Ok(found)
+    }
+
+    /// Tells the observer what the increments on this mesh and on the one before hold.
+    fn hold(&self, path: &Path, run: &mut Run<'_>) -> Result<(), SolveError> {
+        run.hold(Held::Increments, path.bytes() + self.guide.map_or(0, Path::bytes))
     }
 
     /// How far plastic flow is looked for at first.

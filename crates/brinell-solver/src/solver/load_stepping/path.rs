@@ -13,6 +13,12 @@ pub(super) struct Path {
 }
 
 impl Path {
+    /// Bytes of the displacements.
+    pub fn bytes(&self) -> usize {
+        let nodes: usize = self.meshes.iter().map(|mesh| mesh.nodes.len()).sum();
+        self.points.len() * nodes * size_of::<[f64; 2]>()
+    }
+
     /// By how much the displacements change from one time to another.
     pub fn change(&self, from: f64, to: f64) -> Vec<Vec<[f64; 2]>> {
         let (mut change, start) = (self.at(to), self.at(from));

@@ -116,10 +116,25 @@ pub trait Observer {
         ControlFlow::Continue(())
     }
 
+    /// Told how many bytes a part of the solve is about to hold, in place of what it held before.
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        let _ = (part, bytes);
+        ControlFlow::Continue(())
+    }
+
     /// Time since the job started; zero without a clock.
     fn elapsed(&self) -> Duration {
         Duration::ZERO
     }
+}
+
+/// What a solve holds that may be large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Held {
+    /// The bodies of a mesh and their factors.
+    Bodies,
+    /// The displacements at the ends of the increments of a history.
+    Increments,
 }
 
 /// Asks the observer whether to stop.

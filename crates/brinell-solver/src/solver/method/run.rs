@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use crate::contact::{ContactError, ContactProblem, ContactSolution, ContactSolver};
-use crate::solver::method::observer::{Interrupt, IterationRecord, Observer, ask};
+use crate::solver::method::observer::{Held, Interrupt, IterationRecord, Observer, ask};
 use crate::solver::method::phases::{Phase, PhaseTimes};
 use crate::solver::{Solution, SolveError};
 
@@ -68,6 +68,12 @@ impl<'a> Run<'a> {
         ask(self.observer).map_err(SolveError::Interrupted)
     }
 
+    /// Tells the observer what a part of the solve is about to hold \[bytes\].
+    pub fn hold(&mut self, part: Held, bytes: usize) -> Result<(), SolveError> {
+        let told = self.observer.on_held(part, bytes);
+        told.break_value().map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
+    }
+
     /// Shows an iteration to the observer.
     pub fn show(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
         self.observer.on_iteration(record)
@@ -82,6 +88,10 @@ struct SilentObserver<'a> {
 impl Observer for SilentObserver<'_> {
     fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
         self.inner.on_checkpoint()
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        self.inner.on_held(part, bytes)
     }
 
     fn elapsed(&self) -> Duration {
