@@ -290,3 +290,26 @@ impl StepReceiver for Reports<'_> {
         self.builder.begin_anew();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::Unobserved;
+
+    #[test]
+    fn numbers_begin_anew_with_a_history() {
+        let job = Job::from_json(include_bytes!("../../../../api/examples/two_cylinders.json")).unwrap();
+        let job = Job { mesh: crate::job::MeshSettings { elements_per_half_width: 4 }, ..job };
+        let step = solver::run(&job, &mut Unobserved).unwrap().steps.remove(0);
+        let mut numbers = Vec::new();
+        let mut on_step = |number, _| numbers.push(number);
+        let mut reports = Reports { builder: ReportBuilder::new(&job), number: 0, on_step: &mut on_step };
+        for anew in [false, false, true, false] {
+            if anew {
+                reports.begin_anew();
+            }
+            reports.step(step.clone(), &mut Unobserved);
+        }
+        assert_eq!(numbers, [0, 1, 0, 1]);
+    }
+}

@@ -1,10 +1,11 @@
 //! What a report says beyond the contact itself: fields, plastic zone, load–approach curve, onset, validity.
 
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use brinell_solver::job::Job;
 use brinell_solver::report::{self, FieldsReport, LoadReport, Report, Side, StepReport};
-use brinell_solver::solver::{Interrupt, IterationRecord, Observer, SolveStatus, Unobserved};
+use brinell_solver::solver::{Held, Interrupt, IterationRecord, Observer, Options, SolveStatus, Unobserved};
 use serde_json::{Value, json};
 
 const FORCE: f64 = 612.6106;
@@ -418,4 +419,43 @@ fn no_zero_has_a_sign() {
     let signed = [":-0.0,", ":-0.0}", ",-0.0,", "[-0.0,", ",-0.0]"].map(|zero| report.find(zero));
     let place = signed.into_iter().flatten().min().map(|at| &report[at.saturating_sub(120)..at + 6]);
     assert_eq!(place, None);
+}
+
+/// Notes the load that is iterated, and what is held.
+struct Steps<'a> {
+    seen: &'a RefCell<Vec<(char, usize)>>,
+    held: [usize; 2],
+}
+
+impl Observer for Steps<'_> {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        let load = record.increment.as_ref().map_or(0, |increment| increment.load);
+        self.seen.borrow_mut().push(('i', load - 1));
+        ControlFlow::Continue(())
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        let most = &mut self.held[usize::from(part == Held::Increments)];
+        *most = (*most).max(bytes);
+        ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn steps_of_a_history_are_handed_over_as_they_end() {
+    let mut job = paper();
+    job["solver"] = json!({"theory": "flow"});
+    job["mesh"] = json!({"elements_per_half_width": 6});
+    job["load"] = json!({"history": [{"force": FORCE}, {"force": 0.5 * FORCE}, {"force": 0}]});
+    let job = Job::from_value(&job).unwrap();
+    let seen = RefCell::new(Vec::new());
+    let mut observer = Steps { seen: &seen, held: [0; 2] };
+    let mut on_step = |number, _| seen.borrow_mut().push(('s', number));
+    report::run_each(&job, Options::default(), &mut observer, &mut on_step).unwrap();
+    let held = observer.held;
+    let mut order = seen.into_inner();
+    order.dedup();
+    assert_eq!(order, [('i', 0), ('s', 0), ('i', 1), ('s', 1), ('i', 2), ('s', 2)]);
+    let estimate = report::preflight(&job).unwrap().bytes as usize;
+    assert!(held.iter().all(|held| *held > 0) && held.iter().sum::<usize>() < estimate, "{held:?}");
 }

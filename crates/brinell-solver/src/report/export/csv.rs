@@ -12,8 +12,9 @@ pub struct Table {
     form: Export,
     units: Units,
     force: Quantity,
-    /// Places along the surface: the distance from the axis in axisymmetry.
-    abscissa: &'static str,
+    /// Names of the stresses along the surface, along the normal and across the section; the first is that of places along the
+    /// surface too.
+    directions: [&'static str; 3],
     /// Whether there are columns of flow theory, of strength over depth, and of initial stress.
     has_flow: bool,
     is_graded: bool,
@@ -34,15 +35,15 @@ impl Table {
             _ => {}
         }
         let is_round = job.analysis == Analysis::Axisymmetric;
-        let profiles = first.subsurface.iter().flat_map(|bodies| [&bodies.upper, &bodies.lower]).flatten();
+        let profiles = || first.profiles().map(|(_, body)| body);
         Ok(Self {
             form,
             units: job.units,
             force: if is_round { Quantity::Force } else { Quantity::LineForce },
-            abscissa: if is_round { "r" } else { "x" },
+            directions: if is_round { ["r", "z", "theta"] } else { ["x", "y", "z"] },
             has_flow: first.flow.is_some(),
-            is_graded: profiles.clone().any(|body| body.yield_stress.is_some()),
-            is_stressed: profiles.clone().any(|body| body.initial_sigma_x.is_some()),
+            is_graded: profiles().any(|body| body.yield_stress.is_some()),
+            is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
         })
     }
 
@@ -57,14 +58,17 @@ impl Table {
             }
             Export::SubsurfaceCsv => {
                 let strength = format!(",yield_stress [{stress}],utilization");
-                let initial =
-                    ["x", "y", "z"].map(|name| format!(",initial_sigma_{name} [{stress}]")).concat();
+                let of = |prefix: &str| {
+                    self.directions.map(|direction| format!(",{prefix}sigma_{direction} [{stress}]")).concat()
+                };
+                let initial = of("initial_");
                 format!(
-                    "step,body,depth [{length}],sigma_x [{stress}],sigma_y [{stress}],sigma_z [{stress}],\
-                     tau_max [{stress}],von_mises [{stress}],equivalent_plastic_strain{}{},{} [{length}]\n",
+                    "step,body,depth [{length}]{},tau_max [{stress}],von_mises [{stress}],\
+                     equivalent_plastic_strain{}{},{} [{length}]\n",
+                    of(""),
                     if self.is_graded { strength.as_str() } else { "" },
                     if self.is_stressed { initial.as_str() } else { "" },
-                    self.abscissa,
+                    self.directions[0],
                 )
             }
             Export::IncrementsCsv => format!(
@@ -124,13 +128,16 @@ impl Table {
         text.push('\n');
     }
 
-    /// Stresses and plastic strain along the normal below the peak pressure, and at the end where that is.
+    /// Stresses and plastic strain along the normals below the middle of the contact and below the peak pressure, and at the end
+    /// where they are.
     fn subsurface(&self, text: &mut String, number: usize, step: &StepReport) {
-        let Some(bodies) = &step.subsurface else { return };
-        for (name, body) in [("upper", &bodies.upper), ("lower", &bodies.lower)] {
-            let Some(body) = body else { continue };
-            let place = step.contact.peak_position;
-            write_profile(text, (number, name, place), body, (self.is_graded, self.is_stressed));
+        for (name, body) in step.profiles() {
+            write_profile(
+                text,
+                (number, name, step.place_of(body)),
+                body,
+                (self.is_graded, self.is_stressed),
+            );
         }
     }
 }
