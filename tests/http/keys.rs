@@ -3,6 +3,7 @@
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::process::Command;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -234,4 +235,48 @@ fn a_head_of_any_size_is_not_read() {
     stream.read_to_string(&mut answer).unwrap();
     assert!(answer.starts_with("HTTP/1.1 431"), "{answer}");
     server.target.assert_alive();
+}
+
+/// Each of them has turns of its own, and none of them waits on threads of others.
+#[test]
+#[ignore = "full"]
+fn forty_keys_that_check_without_end_hold_up_nobody() {
+    let guarded = Guarded::start();
+    let mut sweep = example();
+    sweep["load"] = serde_json::json!({"forces": (1..=1000).collect::<Vec<_>>()});
+    let text = sweep.to_string();
+    let host = guarded.server.target.url.strip_prefix("http://").unwrap();
+    let over = AtomicBool::new(false);
+    let check = |token: String| {
+        let head = format!(
+            "POST /v1/validate HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer {token}\r\n\
+             Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            text.len()
+        );
+        let mut stream = TcpStream::connect(host).unwrap();
+        while !over.load(Ordering::Relaxed) {
+            stream.write_all(head.as_bytes()).unwrap();
+            stream.write_all(text.as_bytes()).unwrap();
+            let read = stream.read(&mut [0; 4096]).unwrap();
+            assert!(read > 0, "an answer");
+        }
+    };
+    let greedy: Vec<_> =
+        (0..40).map(|number| guarded.key(&["create", &format!("greedy {number}")])).collect();
+    let modest = guarded.key(&["create", "modest"]);
+    let mut waits = thread::scope(|scope| {
+        for token in greedy {
+            scope.spawn(|| check(token));
+        }
+        let ask = |_| {
+            let begin = Instant::now();
+            assert_eq!(guarded.post(&modest, "/v1/validate").status, 200);
+            begin.elapsed()
+        };
+        let waits: Vec<_> = (0..21).map(ask).collect();
+        over.store(true, Ordering::Relaxed);
+        waits
+    });
+    waits.sort_unstable();
+    assert!(waits[10] < Duration::from_secs(1), "{waits:?}");
 }
