@@ -7,7 +7,7 @@ use axum::response::{IntoResponse, Response};
 use super::result_body::no_result;
 use super::written_body::written;
 use super::{HttpState, Problem, ProblemType};
-use crate::jobs::{Export, ExportError, ExportFailure, Exported, JobId};
+use crate::jobs::{Export, ExportError, ExportFailure, JobId};
 
 /// The result of a job in another form, as a file with a name to keep it under.
 pub(super) async fn export_file(
@@ -17,8 +17,7 @@ pub(super) async fn export_file(
     step: Option<usize>,
 ) -> Result<Response, Problem> {
     let body = match state.jobs.export(id, form, step).await {
-        Ok(Exported::Text(text)) => Body::from(text),
-        Ok(Exported::Pieces(pieces)) => Body::from_stream(written(|sender| pieces.send(sender))),
+        Ok(exported) => Body::from_stream(written(|sender| exported.send(sender))),
         Err(ExportFailure::NoResult) => return Err(no_result(&state.jobs.get(id).await?)),
         Err(ExportFailure::Store(error)) => return Err(error.into()),
         Err(ExportFailure::Export(error)) => return Err(unavailable(&error)),

@@ -33,23 +33,16 @@ pub enum ExportFailure {
     Export(#[from] ExportError),
 }
 
-/// A result in another form.
-pub enum Exported {
-    /// All of it.
-    Text(String),
-    /// What writes it.
-    Pieces(ExportPieces),
-}
-
-/// Writes a form piece by piece.
-pub struct ExportPieces {
+/// A result in another form, as it is sent.
+pub struct Exported {
     jobs: Arc<JobService>,
     id: JobId,
     key: Option<KeyId>,
-    form: Pieces,
+    form: Form,
 }
 
-enum Pieces {
+enum Form {
+    Whole(String),
     Table(Table, Range<usize>),
     Fields(VtuFile, FieldsReader<Arc<dyn JobStore>>),
 }
@@ -79,10 +72,11 @@ impl JobService {
             Ok::<_, StoreError>((job, report))
         };
         let (job, mut report) = self.decode(key, read).await??;
+        let exported = |form| Exported { jobs: Arc::clone(self), id, key, form };
         let Some(last) = steps.checked_sub(1) else {
             // Of the first version, with its steps in it.
             let written = self.decode(key, move || form.write(&job, &report, step)).await?;
-            return Ok(Exported::Text(written?));
+            return Ok(exported(Form::Whole(written?)));
         };
         let wanted = step.unwrap_or(last);
         if wanted > last {
@@ -92,21 +86,22 @@ impl JobService {
         let text = self.store.step(id, shown).await?;
         let read = move || read_step(&text.text().map_err(StoreError::damaged)?);
         let shown = self.decode(key, read).await??;
-        let form = if form.is_table() {
+        Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
-            Pieces::Table(Table::new(form, &job, &shown)?, steps)
+            Form::Table(Table::new(form, &job, &shown)?, steps)
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
-            Pieces::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
+            Form::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
         } else {
             report.steps.push(shown);
-            let drawn = self.decode(key, move || form.write(&job, &report, None)).await?;
-            return Ok(Exported::Text(drawn?));
-        };
-        Ok(Exported::Pieces(ExportPieces { jobs: Arc::clone(self), id, key, form }))
+            Form::Whole(self.decode(key, move || form.write(&job, &report, None)).await??)
+        }))
     }
 
     /// Decodes or writes something large, not on a thread that others wait for.
+    ///
+    /// # Errors
+    /// [`StoreError::Unavailable`] where that panics.
     pub async fn decode<T: Send + 'static>(
         &self,
         key: Option<KeyId>,
@@ -118,7 +113,7 @@ impl JobService {
     }
 }
 
-impl ExportPieces {
+impl Exported {
     /// Sends everything; a client that has gone is no error.
     ///
     /// # Errors
@@ -127,7 +122,8 @@ impl ExportPieces {
         let Self { jobs, id, key, form } = self;
         let mut out = Out { text: String::new(), sender };
         match form {
-            Pieces::Table(table, steps) => {
+            Form::Whole(text) => out.add(&text).await,
+            Form::Table(table, steps) => {
                 out.add(&table.header()).await;
                 for number in steps {
                     let text = jobs.store.step(id, number).await?;
@@ -138,7 +134,7 @@ impl ExportPieces {
                     out.add(&jobs.decode(key, rows).await??).await;
                 }
             }
-            Pieces::Fields(mut file, fields) => {
+            Form::Fields(mut file, fields) => {
                 let pieces = file.pieces();
                 let mut readers = vec![fields; ARRAYS];
                 for piece in pieces {

@@ -41,7 +41,7 @@ pub use clock::{Clock, SystemClock};
 pub use closed_form::{ClosedForm, ClosedFormStep};
 pub use deflate::{DeflateError, Deflated, GzipStream};
 pub use encode::{EncodeError, encode};
-pub use export::{ExportFailure, ExportPieces, Exported};
+pub use export::{ExportFailure, Exported};
 pub use failure::{FailureKind, JobFailure, Outcome};
 pub use fields::FieldsReader;
 pub use id::{JobId, KeyId, WorkerId};

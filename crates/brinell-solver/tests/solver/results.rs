@@ -456,6 +456,6 @@ fn steps_of_a_history_are_handed_over_as_they_end() {
     let mut order = seen.into_inner();
     order.dedup();
     assert_eq!(order, [('i', 0), ('s', 0), ('i', 1), ('s', 1), ('i', 2), ('s', 2)]);
-    let estimate = report::preflight(&job).unwrap().bytes as usize;
-    assert!(held.iter().all(|held| *held > 0) && held.iter().sum::<usize>() < estimate, "{held:?}");
+    let estimate = report::preflight(&job).unwrap().bytes;
+    assert!(held.iter().all(|held| *held > 0) && (held.iter().sum::<usize>() as u64) < estimate, "{held:?}");
 }

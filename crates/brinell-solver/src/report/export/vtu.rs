@@ -227,11 +227,6 @@ impl Body {
         }
     }
 
-    fn pieces(&self, body: usize, is_image: bool, count: usize) -> impl Iterator<Item = Items> + use<> {
-        let ranges = (0..count).step_by(CHUNK).map(move |from| from..(from + CHUNK).min(count));
-        ranges.map(move |range| Items { body, is_image, range })
-    }
-
     /// Where some of its numbers stand.
     fn source(&self, source: usize, range: &Range<usize>) -> Range<usize> {
         let (begin, bytes) = (self.sources[source].start, SOURCES[source].1);
@@ -269,7 +264,7 @@ impl VtuFile {
         let text = |what| VtuPiece { what, sources: Vec::new() };
         let mut pieces = Vec::new();
         for (k, body) in self.bodies.iter().enumerate().filter(|(_, body)| body.is_half) {
-            pieces.extend(body.pieces(k, false, body.nodes).map(|items| {
+            pieces.extend(items(k, false, body.nodes).map(|items| {
                 let sources = vec![body.source(0, &items.range)];
                 VtuPiece { what: What::Axis(items), sources }
             }));
@@ -280,7 +275,7 @@ impl VtuFile {
             for (k, body) in self.bodies.iter().enumerate() {
                 let count = if array.is_of_elements() { body.elements } else { body.nodes };
                 let halves = [false, true].into_iter().take(1 + usize::from(body.is_half));
-                pieces.extend(halves.flat_map(|is_image| body.pieces(k, is_image, count)).map(|items| {
+                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(|items| {
                     let of = |source: &usize| body.source(*source, &items.range);
                     let sources = array.sources().iter().map(of).collect();
                     VtuPiece { what: What::Values(array, items), sources }
@@ -352,11 +347,11 @@ impl VtuFile {
         let pending = &mut self.pending;
         match array {
             Array::Displacement => {
-                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1) - body.descent, 0.0]))
+                floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1) - body.descent, 0.0]));
             }
             Array::Points => floats(pending, nodes.map(|k| [sign * at(0, 2 * k), at(0, 2 * k + 1), 0.0])),
             Array::Stress => {
-                floats(pending, nodes.map(|k| [at(0, k), at(1, k), at(2, k), sign * at(3, k), 0.0, 0.0]))
+                floats(pending, nodes.map(|k| [at(0, k), at(1, k), at(2, k), sign * at(3, k), 0.0, 0.0]));
             }
             Array::VonMises | Array::Strain => floats(pending, nodes.map(|k| [at(0, k)])),
             Array::Body => pending.extend(range.clone().map(|_| body.name)),
@@ -384,6 +379,12 @@ impl VtuFile {
         let count = |body: &Body| [body.all_nodes(), body.elements * (1 + usize::from(body.is_half))];
         bodies.map(count).fold([0; 2], |[n, e], [nodes, elements]| [n + nodes, e + elements])
     }
+}
+
+/// Pieces of so many nodes or elements.
+fn items(body: usize, is_image: bool, count: usize) -> impl Iterator<Item = Items> {
+    let ranges = (0..count).step_by(CHUNK).map(move |from| from..(from + CHUNK).min(count));
+    ranges.map(move |range| Items { body, is_image, range })
 }
 
 fn floats<const N: usize>(bytes: &mut Vec<u8>, values: impl Iterator<Item = [f64; N]>) {
