@@ -13,7 +13,7 @@ use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
     self, Estimate, Held, Interrupt, IterationRecord, Observer, Options, SolveError, StepReceiver,
-    StepSolution, Unreachable,
+    StepSolution,
 };
 
 /// Why a job gave no report.
@@ -54,12 +54,10 @@ impl RunError {
                 vec!["/load".to_owned()]
             }
             SolveError::NoLoad => vec!["/load/history".to_owned()],
-            SolveError::NoYieldPoint | SolveError::Unreachable(Unreachable { target: None, .. }) => {
-                vec!["/load/onset".to_owned()]
-            }
-            SolveError::Unreachable(Unreachable { target: Some(target), .. }) => {
-                vec![format!("/load/target/{}", target.figure.name())]
-            }
+            SolveError::NoYieldPoint | SolveError::Unreachable(_) => match &job.load {
+                Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
+                _ => vec!["/load/onset".to_owned()],
+            },
             SolveError::Conforming | SolveError::TouchesAtEnd { .. } => {
                 sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
             }
@@ -80,7 +78,7 @@ impl RunError {
         };
         let detail = match error {
             SolveError::Unreachable(found) => {
-                target::unreachable(found, UnitConverter::new(job.units, job.analysis))
+                target::unreachable(found, &job.load, UnitConverter::new(job.units, job.analysis))
             }
             SolveError::TooWide { .. } | SolveError::Conforming if lies_in_groove(job) => {
                 format!("{error}; {CONFORMING_ADVICE}")
@@ -278,7 +276,7 @@ struct Reports<'a> {
     on_step: &'a mut dyn FnMut(usize, StepReport),
 }
 
-impl StepReceiver for Reports<'_> {
+impl StepReceiver<StepSolution> for Reports<'_> {
     fn step(&mut self, step: StepSolution, observer: &mut dyn Observer) {
         let report = self.builder.step(step, observer);
         (self.on_step)(self.number, report);

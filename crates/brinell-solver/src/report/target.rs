@@ -82,8 +82,8 @@ fn error_of(figure: TargetFigure, bars: ErrorEstimate, of_revolution: bool) -> O
 }
 
 /// Why a target is not reached, in the units of the job.
-pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
-    let Some(target) = found.target else {
+pub(super) fn unreachable(found: &Unreachable, load: &Load, write: UnitConverter) -> String {
+    let Load::Target(target) = load else {
         let (ratio, force) = (found.nearest, write.force_text(found.force));
         return match &found.reason {
             UnreachableReason::Limit(why) => format!("the contact does not yield: {why}"),
@@ -102,7 +102,7 @@ pub(super) fn unreachable(found: &Unreachable, write: UnitConverter) -> String {
     };
     let name = target.figure.label();
     let figure = |value: f64| write.target_text(target.figure, value);
-    let (nearest, force) = (figure(found.nearest), write.force_text(found.force));
+    let (nearest, force) = (figure(found.nearest * target.value.get()), write.force_text(found.force));
     match &found.reason {
         UnreachableReason::Insensitive => format!(
             "the {name} is {nearest} under {force} and hardly depends on the force, so that it does not tell one"
@@ -139,15 +139,15 @@ mod tests {
     #[test]
     fn a_limit_is_told_of_the_force_at_which_it_is() {
         let value = PositiveF64::new(5000.0).unwrap();
+        let load = Load::Target(Target { figure: TargetFigure::PeakPressure, value });
         let found = |largest_force: f64| Unreachable {
-            target: Some(Target { figure: TargetFigure::PeakPressure, value }),
-            nearest: 3000.0,
+            nearest: 0.6,
             force: 90.0,
             largest_force,
             reason: UnreachableReason::Limit("the iteration does not converge".to_owned()),
         };
         let told = |found: &Unreachable| {
-            unreachable(found, UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain))
+            unreachable(found, &load, UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain))
         };
         assert!(
             told(&found(95.0)).contains("up to 95 N/mm it rises no more; under a larger one the iteration")

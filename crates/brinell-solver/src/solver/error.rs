@@ -5,8 +5,8 @@ use thiserror::Error;
 
 use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
-use crate::job::Target;
 use crate::solver::conforming::MAX_HALF_ANGLE;
+use crate::solver::method::force_search::Unreachable;
 use crate::solver::method::observer::Interrupt;
 use sparse_cholesky::FactorizationError;
 
@@ -113,33 +113,4 @@ pub enum SolveError {
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),
-}
-
-/// A force that was sought by what it does and does not exist.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Unreachable {
-    /// What was sought; `None` for the onset of yield.
-    pub target: Option<Target>,
-    /// The nearest value that was found \[mm, MPa or 1\]; of the onset, the highest von Mises stress over the yield stress. Not a
-    /// number where none was found.
-    pub nearest: f64,
-    /// The force under which it was \[N/mm or N\].
-    pub force: f64,
-    /// The largest force that was solved \[N/mm or N\].
-    pub largest_force: f64,
-    /// Why no other force does.
-    pub reason: UnreachableReason,
-}
-
-/// Why no force gives a contact what it was to have.
-#[derive(Debug, Clone, PartialEq)]
-pub enum UnreachableReason {
-    /// Larger forces cannot be solved, for this reason.
-    Limit(String),
-    /// The figure is too small under the largest force.
-    LargestForce,
-    /// The figure is too large under the smallest force.
-    SmallestForce,
-    /// The figure is the same under all forces nearby.
-    Insensitive,
 }

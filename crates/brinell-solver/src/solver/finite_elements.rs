@@ -10,7 +10,7 @@ use crate::solver::method::contact_system::{BlockVector, Linearize as _};
 use crate::solver::method::couplings::iteration::Outcome;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{Engine, Round, Verdict};
+use crate::solver::method::solve::{Engine, Round, Verdict, VerdictOf};
 use crate::solver::problem::Problem;
 use crate::solver::strategy::coupling;
 
@@ -70,7 +70,7 @@ impl FiniteElements<'_> {
         is_first: bool,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<Verdict<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, SolveError> {
         let search_region = if is_first {
             let envelope = solve.yielded_envelope().joined(&solve.system.accepted.plastic);
             PlasticSearchRegion::Within(envelope.scaled(WIDENING))
@@ -155,7 +155,7 @@ impl Engine for FiniteElements<'_> {
         mut outcome: Outcome,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<Verdict<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, SolveError> {
         let fields = run.time_observed(Phase::Output, |observer| fields(&system, &mut outcome, observer));
         let mut solve = run.time(Phase::Output, || MeshSolve::of(self.problem, system, outcome, fields));
         solve.enlargements = design.enlargements;

@@ -19,11 +19,11 @@ use crate::solver::method::contact_system::{ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::observer::ask;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::solve;
+use crate::solver::method::solve::{Answer, solve};
+use crate::solver::method::steps::CoarseFigures;
 use crate::solver::problem::Problem;
-use crate::solver::solution::CoarseFigures;
 use crate::solver::strategy::coupling;
-use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError};
+use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, final_check};
 
 /// What a mesh solve is asked to do.
 #[derive(Clone)]
@@ -129,17 +129,9 @@ impl MeshSolve {
             .collect()
     }
 
-    /// Headline figures.
-    pub fn figures(&self) -> Option<CoarseFigures> {
-        self.patch.map(|_| self.all_figures())
-    }
-
-    /// Headline figures, those of no contact where nothing touches.
-    pub fn all_figures(&self) -> CoarseFigures {
-        let ContactFigures { force, approach, peak_pressure, .. } =
-            self.system.figures(&self.outcome.state.response.contact);
-        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        CoarseFigures { peak_pressure, half_width, approach, force }
+    /// Headline figures; `None` where nothing touches.
+    pub fn figures_of_contact(&self) -> Option<CoarseFigures> {
+        self.patch.map(|_| self.figures())
     }
 
     /// Connected parts of the contact.
@@ -154,6 +146,37 @@ impl MeshSolve {
         let mut system = self.system;
         system.remember(load.magnitude(), displacement);
         system
+    }
+}
+
+impl Answer for MeshSolve {
+    type System = System;
+
+    fn system(&self) -> &System {
+        &self.system
+    }
+
+    fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
+    fn outcome_mut(&mut self) -> &mut Outcome {
+        &mut self.outcome
+    }
+
+    fn into_parts(self) -> (System, Outcome) {
+        (self.system, self.outcome)
+    }
+
+    fn figures(&self) -> CoarseFigures {
+        let ContactFigures { force, approach, peak_pressure, .. } =
+            self.system.figures(&self.outcome.state.response.contact);
+        let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
+        CoarseFigures { peak_pressure, half_width, approach, force }
+    }
+
+    fn has_collapsed(&self) -> bool {
+        final_check::has_collapsed(self)
     }
 }
 

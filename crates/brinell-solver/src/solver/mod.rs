@@ -30,21 +30,22 @@ pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
 pub use conforming::ConformingPair;
 pub(crate) use conforming::MAX_HALF_ANGLE;
-pub use error::{SolveError, Unreachable, UnreachableReason};
+pub use error::SolveError;
 pub(crate) use final_check::TIP_ELEMENTS;
 pub(crate) use load_stepping::force_search::target_figure;
 pub use load_stepping::run::{Options, run, run_each, run_with};
-pub use load_stepping::steps::StepReceiver;
 pub(crate) use load_stepping::utilization::highest_utilization;
 pub use mesh_sizing::estimate::{Estimate, estimate};
+pub use method::force_search::{Unreachable, UnreachableReason};
+pub use method::increments::LastIncrement;
 pub use method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 pub use method::phases::{Phase, PhaseTimes};
+pub use method::steps::{CoarseFigures, IncrementRecord, StepReceiver};
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
 pub use solution::{
-    BodySolution, CoarseFigures, Energy, IncrementRecord, LastIncrement, NarrowEdge, PairState, RoundedTip,
-    Solution, StepMesh, StepSolution,
+    BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,
 };

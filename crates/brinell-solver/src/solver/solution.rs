@@ -13,8 +13,10 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::contact_patch::ContactPatch;
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::rough::LEAST_PART;
+use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
+use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
 const SURFACE: f64 = 2.5;
@@ -127,17 +129,6 @@ pub enum StepMesh {
     Coarse,
 }
 
-/// Where the last increment of a history begins, and what it follows.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct LastIncrement {
-    /// Where it begins, over the larger of the loads at both ends of the way to this load.
-    pub from: f64,
-    /// Its size over the same.
-    pub size: f64,
-    /// Whether an increment before it has not converged.
-    pub inherits_error: bool,
-}
-
 /// A rounded edge on which the contact is narrow beside the elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NarrowEdge {
@@ -158,25 +149,6 @@ pub struct RoundedTip {
     pub elastic_pressure: f64,
     /// By how much the largest pressure may differ from that of the mesh \[MPa\].
     pub pressure_error: f64,
-}
-
-/// One increment of a load history.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct IncrementRecord {
-    /// Contact force, both sides of the axis.
-    pub force: f64,
-    /// Approach \[mm\].
-    pub approach: f64,
-    /// Largest contact pressure \[MPa\].
-    pub peak_pressure: f64,
-    /// Half-width \[mm\].
-    pub half_width: f64,
-    /// Iterations made.
-    pub iterations: usize,
-    /// Gauss points that have yielded so far.
-    pub plastic_points: usize,
-    /// How its iteration ended.
-    pub status: SolveStatus,
 }
 
 /// Energies of both bodies \[N mm/mm, or N mm\].
@@ -297,6 +269,38 @@ impl StepSolution {
     }
 }
 
+impl Step for StepSolution {
+    fn status(&self) -> SolveStatus {
+        self.status
+    }
+
+    fn set_status(&mut self, status: SolveStatus) {
+        self.status = status;
+    }
+
+    fn reaches_edge(&self) -> bool {
+        self.reaches_edge
+    }
+
+    fn end_load(&mut self, end: LoadEnd) {
+        let LoadEnd { load, last_increment, increments, reached } = end;
+        (self.load, self.last_increment) = (load, last_increment);
+        (self.increments, self.reached) = (increments, reached);
+    }
+
+    fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+        (self.coarse, self.increment_error) = (coarse, increments);
+    }
+
+    fn make_preliminary(&mut self) {
+        self.mesh = StepMesh::Coarse;
+    }
+
+    fn miss(&mut self, ratio: f64) {
+        (self.status, self.missed) = (SolveStatus::NotConverged, Some(ratio));
+    }
+}
+
 impl BodySolution {
     pub(crate) fn of(body: &BodyModel, displacement: Vec<[f64; 2]>, stress: StressField) -> Self {
         let elastic = &body.elastic;
@@ -372,17 +376,4 @@ impl BodySolution {
         }
         -self.mesh.nodes.iter().map(|node| node[1]).fold(0.0, f64::min)
     }
-}
-
-/// Headline figures of a mesh.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct CoarseFigures {
-    /// Largest contact pressure \[MPa\].
-    pub peak_pressure: f64,
-    /// Half-width \[mm\].
-    pub half_width: f64,
-    /// Approach \[mm\].
-    pub approach: f64,
-    /// Contact force of both sides of the axis \[N/mm\].
-    pub force: f64,
 }

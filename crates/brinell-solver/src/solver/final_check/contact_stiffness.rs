@@ -27,6 +27,7 @@ use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::iteration::State;
 use crate::solver::method::observer::ask;
+use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::{ContactPatch, Interrupt, Observer};
 use sparse_cholesky::dense::DenseCholesky;
@@ -91,7 +92,7 @@ struct RoundedEdges {
 
 impl RoundedEdges {
     fn of(problem: &Problem, solve: &MeshSolve, patch: ContactPatch) -> Option<Self> {
-        let (spacing, force) = (solve.system.zone.spacing(), solve.all_figures().force);
+        let (spacing, force) = (solve.system.zone.spacing(), solve.figures().force);
         let edge = EdgeContact::of(problem, patch, spacing, force)?;
         let elements = (patch.half_width() - edge.flat) / spacing;
         Some(Self { elements, is_narrow: edge.is_narrow(spacing) })

@@ -21,12 +21,13 @@ use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::method::contact_system::ContactSystem as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
+use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
 use crate::solver::solution::{
-    BodySolution, Energy, LastIncrement, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
+    BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
 };
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
@@ -68,12 +69,6 @@ pub(crate) struct LeastScales {
     pub residual: f64,
     /// Of the contact conditions.
     pub contact: ContactScales,
-}
-
-/// The scales of the contact conditions in a state.
-pub(crate) fn contact_scales(pass: &MeshSolve, load: ContactLoad) -> ContactScales {
-    let (system, force) = (&pass.system, &pass.outcome.state.response.contact.force);
-    kkt::scales(&system.contact_problem(&system.initial_gap, load), force)
 }
 
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration

@@ -1,22 +1,14 @@
-//! The force under which a figure of the contact has a value: the onset of yield, or a target.
-//!
-//! ```text
-//! guess:    the force whose mean pressure is about what the figure suggests
-//! coarse:   whole solves on meshes of a third of the density, until a force meets the value nearly
-//! fine:     whole solves as the job asks for them, from there on with the slope that the coarse ones have shown
-//! ```
-//!
-//! Figures of contacts follow powers of the force over long ranges, so that both are looked at in logarithms.
+//! The force under which a figure of a meshed contact has a value: the onset of yield, or a target. The first guess is the force
+//! whose mean pressure is about what the figure suggests; meshes on which the force is looked for have a third of the density.
 
 use super::load_sequence::LoadSequence;
 use super::load_stepper::auxiliary;
 use super::utilization::{highest_at_ends, highest_utilization};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
-use crate::solver::error::{Unreachable, UnreachableReason};
 use crate::solver::loads::Sought;
 use crate::solver::mesh_sizing::contact_size::ContactSizeEstimate;
-use crate::solver::method::bracket::{Bracket, Next};
+use crate::solver::method::force_search::{self, Density, ForceFound, Terms, Trial, Tried, find};
 use crate::solver::method::run::Run;
 use crate::solver::problem::{Problem, ProblemBody};
 use crate::solver::reference::ElasticReference;
@@ -35,8 +27,9 @@ const MOST_HIDDEN: f64 = 0.15;
 const COARSER: u32 = 3;
 const COARSER_FOR_WIDTH: u32 = 2;
 const FEWEST_ELEMENTS: u32 = 6;
-/// Deviation of the figure that is near enough on a coarse mesh, which is itself off by as much.
-const NEAR: f64 = 0.01;
+/// Most fine solves.
+const MAX_FINE: usize = 4;
+const MAX_FINE_OF_ONSET: usize = 8;
 /// Deviation that ends the search. At 20 elements figures scatter by 0.02 % (peak pressure) to 0.4 %
 /// (half-width) with the mesh.
 const TOLERANCE: f64 = 1e-3;
@@ -47,20 +40,6 @@ const ONSET_MISSED: f64 = 3e-3;
 /// Deviation from which on the value counts as missed, and the same in elements where it follows the width of the contact.
 const MISSED: f64 = 0.01;
 const MISSED_ELEMENTS: f64 = 0.5;
-/// Most solves on coarse and on fine meshes.
-const MAX_COARSE: usize = 40;
-const MAX_FINE: usize = 4;
-const MAX_FINE_OF_ONSET: usize = 8;
-/// Slope of the logarithms below which the figure does not tell the force.
-const INSENSITIVE: f64 = 0.02;
-/// Deviation up to which such a figure is looked upon as having the value under any force.
-const FLAT: f64 = 0.03;
-/// Least change of a force, as a logarithm, over which a slope is read off two fine solves.
-const SLOPE_SPAN: f64 = 0.02;
-/// Change of a force that shows the slope where the first trial is near already.
-const NEIGHBOUR: f64 = 1.1;
-/// Largest change of the logarithm of the force on fine meshes.
-const LARGEST_CORRECTION: f64 = 0.3;
 /// Mean pressure over the yield stress under which plastic strain is first looked for.
 const PLASTIC_START: f64 = 1.5;
 /// Mean pressure over the yield stress that a first trial does not exceed.
@@ -68,15 +47,8 @@ const HIGHEST_START: f64 = 2.5;
 /// Mean over peak pressure of a first trial.
 const MEAN_OF_PEAK: f64 = 0.75;
 
-/// What a search has found.
-pub(super) struct ForceFound {
-    /// Those of the last solve: the force itself and, for a figure that is permanent, the contact after it is taken away.
-    pub steps: Vec<StepSolution>,
-    /// Relative change of the figure over that of the force.
-    pub sensitivity: f64,
-}
-
-/// Solves for the force.
+/// Solves for the force. Returns the steps of the last solve, of the force itself and, for a figure that is permanent, of the contact
+/// after it is taken away; and the relative change of the figure over that of the force.
 ///
 /// # Errors
 /// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
@@ -84,7 +56,7 @@ pub(super) fn run(
     sought: Sought,
     sequence: &LoadSequence<'_>,
     run: &mut Run<'_>,
-) -> Result<ForceFound, SolveError> {
+) -> Result<(Vec<StepSolution>, f64), SolveError> {
     let problem = sequence.problem;
     if sought != Sought::Onset {
         return ForceSearch { sought, problem, sequence: *sequence }.run(run);
@@ -140,147 +112,47 @@ struct ForceSearch<'a> {
     sequence: LoadSequence<'a>,
 }
 
-/// What a force has given.
-struct Trial {
-    /// The figure over its wanted value.
-    ratio: f64,
-    steps: Vec<StepSolution>,
-}
-
-/// A trial, or why its force is too large to be solved.
-type Tried = Result<Trial, String>;
-
 impl ForceSearch<'_> {
-    fn run(&self, run: &mut Run<'_>) -> Result<ForceFound, SolveError> {
-        let (force, sensitivity) = run.silently(|run| self.coarse(run))?;
-        let steps = self.fine(force, sensitivity, run)?;
-        Ok(ForceFound { steps, sensitivity })
-    }
-
-    /// A force that meets the value nearly, and the slope of the logarithms there.
-    fn coarse(&self, run: &mut Run<'_>) -> Result<(f64, f64), SolveError> {
-        let job = self.coarse_job();
-        let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
-        let mut bracket = Bracket::new(self.expected_slope());
-        let mut force = first_force(self.sought, self.problem)?;
-        let mut reason = UnreachableReason::LargestForce;
-        let mut near = None;
-        for _ in 0..MAX_COARSE {
-            match self.trial(&sequence, force, run)? {
-                Ok(trial) if trial.is_converged() => {
-                    bracket.record(force, trial.ratio);
-                    if trial.deviation() <= NEAR {
-                        near = Some(force);
-                    }
-                    let is_flat = || bracket.slope_at(force).is_some_and(|slope| slope < INSENSITIVE);
-                    if trial.deviation() <= FLAT && is_flat() {
-                        return Err(self.unreachable(force, trial.ratio, UnreachableReason::Insensitive));
-                    }
-                }
-                Ok(trial) => {
-                    if bracket.limit(force) {
-                        reason = UnreachableReason::Limit(trial.why_not_converged().to_owned());
-                    }
-                }
-                Err(why) => {
-                    if bracket.limit(force) {
-                        reason = UnreachableReason::Limit(why);
-                    }
-                }
-            }
-            if let Some(near) = near.or_else(|| bracket.jump()) {
-                match bracket.slope_at(near) {
-                    Some(slope) if slope < INSENSITIVE => {
-                        return Err(self.unreachable(near, 1.0, UnreachableReason::Insensitive));
-                    }
-                    Some(slope) => return Ok((near, slope)),
-                    None => force = near * NEIGHBOUR,
-                }
-                continue;
-            }
-            match bracket.next() {
-                Next::Force(next) => force = next,
-                Next::NoSmaller => {
-                    return Err(self.unreachable(force, f64::NAN, UnreachableReason::SmallestForce));
-                }
-                Next::AtLimit => break,
-            }
-        }
-        let (nearest, ratio) = bracket.largest().unwrap_or((force, 0.0));
-        let largest_force = bracket.largest_force().unwrap_or(nearest);
-        Err(self.unreachable_up_to(largest_force, nearest, ratio, reason))
-    }
-
-    /// From a force that is nearly right to the answer.
-    fn fine(
-        &self,
-        mut force: f64,
-        sensitivity: f64,
-        run: &mut Run<'_>,
-    ) -> Result<Vec<StepSolution>, SolveError> {
-        let (tolerance, most) = match self.sought {
-            Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
-            Sought::Target(_) => (TOLERANCE, MAX_FINE),
-        };
-        let mut slope = sensitivity;
-        let mut best: Option<Trial> = None;
-        let mut last: Option<[f64; 2]> = None;
-        for _ in 0..most {
-            let trial = match self.trial(&self.sequence, force, run)? {
-                Ok(trial) => trial,
-                Err(why) => {
-                    let ratio = best.map_or(0.0, |best| best.ratio);
-                    return Err(self.unreachable(force, ratio, UnreachableReason::Limit(why)));
-                }
-            };
-            if !trial.is_converged() {
-                return Ok(trial.steps);
-            }
-            let at = [force.ln(), trial.ratio.max(f64::MIN_POSITIVE).ln()];
-            if best.as_ref().is_none_or(|best| trial.deviation() < best.deviation()) {
-                best = Some(trial);
-            }
-            if best.as_ref().is_some_and(|best| best.deviation() <= tolerance) {
-                break;
-            }
-            if let Some(last) = last
-                && (at[0] - last[0]).abs() >= SLOPE_SPAN
-            {
-                let found = (at[1] - last[1]) / (at[0] - last[0]);
-                slope = found.clamp(0.5 * slope, 2.0 * slope);
-            }
-            last = Some(at);
-            force *= (-at[1] / slope).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION).exp();
-        }
-        let Some(mut best) = best else { return Err(SolveError::NoLoad) };
-        if self.sought == Sought::Onset {
-            let error = self.force_error(&best, slope, run)?;
-            if let Some(step) = best.steps.last_mut() {
+    fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), SolveError> {
+        let ForceFound { mut trial, sensitivity, slope } = find(self, self.terms()?, run)?;
+        if self.sought == Sought::Onset
+            && trial.steps.iter().all(|step| step.status == SolveStatus::Converged || step.missed.is_some())
+        {
+            let error = self.force_error(&trial, slope, run)?;
+            if let Some(step) = trial.steps.last_mut() {
                 step.onset_error = Some(error);
             }
         }
-        // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
-        let steepness = (sensitivity / self.expected_slope()).max(1.0);
-        if best.deviation() > (steepness * self.missed()).max(tolerance) {
-            for step in &mut best.steps {
-                (step.status, step.missed) = (SolveStatus::NotConverged, Some(best.ratio));
-            }
-        }
-        Ok(best.steps)
+        Ok((trial.steps, sensitivity))
+    }
+
+    fn terms(&self) -> Result<Terms, SolveError> {
+        let (tolerance, most_fine) = match self.sought {
+            Sought::Onset => (ONSET_TOLERANCE, MAX_FINE_OF_ONSET),
+            Sought::Target(_) => (TOLERANCE, MAX_FINE),
+        };
+        let first_force = first_force(self.sought, self.problem)?;
+        let (expected_slope, missed) = (self.expected_slope(), self.missed());
+        Ok(Terms { first_force, expected_slope, tolerance, most_fine, missed })
     }
 
     /// Relative error of the force under which yield begins, by how much half the density changes utilization under it: where it
     /// is highest, and at the ends of the contact, where more may be hidden from the mesh.
-    fn force_error(&self, found: &Trial, slope: f64, run: &mut Run<'_>) -> Result<f64, SolveError> {
+    fn force_error(
+        &self,
+        found: &Trial<StepSolution>,
+        slope: f64,
+        run: &mut Run<'_>,
+    ) -> Result<f64, SolveError> {
         let elements = self.sequence.job.mesh.elements_per_half_width;
         let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
         let job = self.coarser_job(half);
         let sequence = LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence };
         let Some(force) = found.steps.last().map(StepSolution::force) else { return Ok(0.0) };
-        let trial = run.silently(|run| self.trial(&sequence, force, run))?;
+        let trial = run.silently(|run| self.trial_by(&sequence, force, run))?;
         let change = match trial {
             Ok(trial) if trial.is_converged() => {
-                let at_ends = |trial: &Trial| {
+                let at_ends = |trial: &Trial<StepSolution>| {
                     let highest = trial.steps.last().and_then(|step| highest_at_ends(step, self.problem));
                     highest.map_or(f64::MIN_POSITIVE, |highest| highest.ratio).ln()
                 };
@@ -309,7 +181,12 @@ impl ForceSearch<'_> {
     }
 
     /// Solves under one force.
-    fn trial(&self, sequence: &LoadSequence<'_>, force: f64, run: &mut Run<'_>) -> Result<Tried, SolveError> {
+    fn trial_by(
+        &self,
+        sequence: &LoadSequence<'_>,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<StepSolution>, SolveError> {
         let mut loads = vec![ContactLoad::Force(force)];
         if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
             loads.push(ContactLoad::Force(0.0));
@@ -390,43 +267,22 @@ impl ForceSearch<'_> {
             ..job.clone()
         }
     }
-
-    /// The error of a value that no force gives; `ratio` is what the nearest force that was solved gives of it.
-    fn unreachable(&self, force: f64, ratio: f64, reason: UnreachableReason) -> SolveError {
-        self.unreachable_up_to(force, force, ratio, reason)
-    }
-
-    /// The same where larger forces were solved than the nearest one.
-    fn unreachable_up_to(
-        &self,
-        largest_force: f64,
-        force: f64,
-        ratio: f64,
-        reason: UnreachableReason,
-    ) -> SolveError {
-        let (target, nearest) = match self.sought {
-            Sought::Onset => (None, ratio),
-            Sought::Target(target) => (Some(target), ratio * target.value.get()),
-        };
-        SolveError::Unreachable(Unreachable { target, nearest, force, largest_force, reason })
-    }
 }
 
-impl Trial {
-    fn is_converged(&self) -> bool {
-        self.steps.iter().all(|step| step.status == SolveStatus::Converged)
-    }
+impl force_search::Sought for ForceSearch<'_> {
+    type Step = StepSolution;
 
-    fn why_not_converged(&self) -> &'static str {
-        if self.steps.iter().any(|step| step.reaches_edge) {
-            "the contact is wider than what can be meshed"
-        } else {
-            "the iteration does not converge"
+    fn trial(
+        &self,
+        density: Density,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<StepSolution>, SolveError> {
+        if density == Density::Asked {
+            return self.trial_by(&self.sequence, force, run);
         }
-    }
-
-    fn deviation(&self) -> f64 {
-        (self.ratio - 1.0).abs()
+        let job = self.coarse_job();
+        self.trial_by(&LoadSequence { job: &job, contact: &ActiveSetSolver, ..self.sequence }, force, run)
     }
 }
 

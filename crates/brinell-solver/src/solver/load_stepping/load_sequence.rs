@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use super::history::{self, HistoryRequest};
+use super::history::MeshedHistory;
 use super::load_stepper::LoadStepper;
-use super::steps::StepReceiver;
 use crate::contact::{ContactLoad, ContactSolver};
 use crate::job::Job;
 use crate::solver::body_system::factor_cache::FactorCache;
+use crate::solver::method::history;
 use crate::solver::method::run::Run;
+use crate::solver::method::steps::{StepReceiver, each_load};
 use crate::solver::problem::Problem;
+use crate::solver::solution::StepSolution;
 use crate::solver::{Interrupt, SolveError};
 
 /// The bodies, and how loads on them are solved.
@@ -33,28 +35,14 @@ impl LoadSequence<'_> {
         &self,
         loads: &[ContactLoad],
         run: &mut Run<'_>,
-        receiver: &mut dyn StepReceiver,
+        receiver: &mut dyn StepReceiver<StepSolution>,
     ) -> Result<Option<Interrupt>, SolveError> {
         let mut stepper = LoadStepper::new(self.problem, self.job, self.contact, self.cache);
         if let Some(problem) = self.with_memory {
-            let (job, contact, increments) = (self.job, self.contact, self.job.solver.increments);
-            let request = HistoryRequest { problem, sizing: &stepper, job, contact, loads, increments };
-            return history::run(request, run, receiver);
+            let (job, contact) = (self.job, self.contact);
+            let bodies = MeshedHistory { problem, sizing: &stepper, job, contact, loads };
+            return history::run(&bodies, loads, job.solver.increments, run, receiver);
         }
-        for (k, &load) in loads.iter().enumerate() {
-            match stepper.step(load, loads.get(k + 1).copied(), run) {
-                Ok(step) => {
-                    let status = step.status;
-                    receiver.step(step, run.observer);
-                    if status.is_stopped() {
-                        break;
-                    }
-                }
-                // The steps that are done are worth keeping.
-                Err(SolveError::Interrupted(interrupt)) if k > 0 => return Ok(Some(interrupt)),
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(None)
+        each_load(loads, receiver, run, |load, next, run| stepper.step(load, next, run))
     }
 }

@@ -16,6 +16,7 @@ use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
 use crate::solver::method::couplings::iteration::Scales;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
@@ -104,7 +105,7 @@ impl<'a> LoadStepper<'a> {
         let coarse = self.solve_auxiliary(&request, coarse, run)?;
         let found = || self.found(extent, &coarse);
         let extent = run.time(Phase::Output, found);
-        let figures = coarse.figures();
+        let figures = coarse.figures_of_contact();
 
         let previous = coarse.nodal_fields();
         let mut request = self.request(load, extent, elements, reserve, self.job.solver);
@@ -240,7 +241,7 @@ impl<'a> LoadStepper<'a> {
         }
         let found = found.refined(self.problem, self.job.mesh.elements_per_half_width as usize);
         // Where summits yield they grow together.
-        if pass.yields() { found } else { found.with_parts(self.problem, pass.all_figures().force) }
+        if pass.yields() { found } else { found.with_parts(self.problem, pass.figures().force) }
     }
 
     fn solve_auxiliary(

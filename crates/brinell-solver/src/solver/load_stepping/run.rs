@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::force_search;
 use super::load_sequence::LoadSequence;
-use super::steps::StepReceiver;
 use crate::contact::{ActiveSetSolver, ContactSolver, SimplexSolver};
 use crate::job::{ContactMethod, Job, Theory};
 use crate::solver::SolveError;
@@ -12,8 +11,9 @@ use crate::solver::body_system::factor_cache::FactorCache;
 use crate::solver::loads::{Loads, loads};
 use crate::solver::method::observer::Observer;
 use crate::solver::method::run::Run;
+use crate::solver::method::steps::StepReceiver;
 use crate::solver::problem::{ModelOf, Problem, flow_theory};
-use crate::solver::solution::Solution;
+use crate::solver::solution::{Solution, StepSolution};
 
 /// What the wire format does not offer: for the service, for verification, and for trying out methods.
 #[derive(Clone, Copy)]
@@ -70,7 +70,7 @@ pub fn run_each(
     job: &Job,
     options: Options<'_>,
     observer: &mut dyn Observer,
-    receiver: &mut dyn StepReceiver,
+    receiver: &mut dyn StepReceiver<StepSolution>,
 ) -> Result<Solution, SolveError> {
     let mut problem = Problem::of(job);
     problem.use_symmetry = options.use_symmetry;
@@ -91,11 +91,11 @@ pub fn run_each(
     match loads(&job.load) {
         Loads::Given(loads) => solution.interrupted = sequence.solve(&loads, &mut run, receiver)?,
         Loads::Sought(sought) => {
-            let found = force_search::run(sought, &sequence, &mut run)?;
-            for step in found.steps {
+            let (steps, sensitivity) = force_search::run(sought, &sequence, &mut run)?;
+            for step in steps {
                 receiver.step(step, run.observer);
             }
-            solution.sensitivity = Some(found.sensitivity);
+            solution.sensitivity = Some(sensitivity);
         }
     }
     Ok(solution)

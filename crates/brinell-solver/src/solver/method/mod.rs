@@ -6,9 +6,15 @@
 pub(crate) mod bracket;
 pub(crate) mod contact_system;
 pub(crate) mod couplings;
+pub(crate) mod force_search;
 #[cfg(test)]
 mod half_planes;
+pub(crate) mod history;
+mod history_steps;
+pub(crate) mod increments;
 pub(crate) mod observer;
 pub(crate) mod phases;
+pub(crate) mod progress;
 pub(crate) mod run;
 pub(crate) mod solve;
+pub(crate) mod steps;

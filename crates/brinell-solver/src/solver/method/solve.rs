@@ -5,6 +5,7 @@ use super::couplings::iteration::{Controls, InitialState, Outcome};
 use super::couplings::{self, Coupling};
 use super::observer::IterationRecord;
 use super::run::Run;
+use super::steps::CoarseFigures;
 use crate::contact::ContactLoad;
 use crate::solver::SolveError;
 
@@ -13,8 +14,7 @@ pub(crate) trait Engine {
     type System: ContactSystem;
     /// How finely, and how far.
     type Design;
-    /// An outcome with all that the engine says of it.
-    type Answer;
+    type Answer: Answer<System = Self::System>;
 
     /// Makes a system. Returns it with displacements to start from, if any are known.
     ///
@@ -51,7 +51,7 @@ pub(crate) trait Engine {
         outcome: Outcome,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<Verdict<Self>, SolveError>;
+    ) -> Result<VerdictOf<Self>, SolveError>;
 }
 
 /// A load, and how often it has been continued on the same system.
@@ -61,18 +61,39 @@ pub(crate) struct Round {
     pub number: usize,
 }
 
+/// An outcome on a system with all that the engine says of it.
+pub(crate) trait Answer {
+    type System: ContactSystem;
+
+    fn system(&self) -> &Self::System;
+
+    fn outcome(&self) -> &Outcome;
+
+    fn outcome_mut(&mut self) -> &mut Outcome;
+
+    fn into_parts(self) -> (Self::System, Outcome);
+
+    /// Headline figures, those of no contact where nothing touches.
+    fn figures(&self) -> CoarseFigures;
+
+    /// Whether strains have outgrown the theory of small strains.
+    fn has_collapsed(&self) -> bool;
+}
+
 /// What becomes of an outcome.
-pub(crate) enum Verdict<E: Engine + ?Sized> {
-    Accept(E::Answer),
+pub(crate) enum Verdict<S, D, A> {
+    Accept(A),
     /// Plastic flow has been found where it was not looked for: from here on it is.
     Continue {
-        system: E::System,
+        system: S,
         start: Option<BlockVector>,
         history: Vec<IterationRecord>,
     },
     /// The contact does not fit: all loads again, by another design.
-    Again(E::Design),
+    Again(D),
 }
+
+pub(crate) type VerdictOf<E> = Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
 
 /// Why loads are left before their end.
 pub(crate) enum Leave<D> {

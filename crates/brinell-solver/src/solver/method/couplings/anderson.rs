@@ -104,7 +104,6 @@ impl Step {
     /// The step from here to another pair.
     fn until(mut self, image: &[f64], residual: &[f64]) -> Self {
         for (mine, later) in [(&mut self.image, image), (&mut self.residual, residual)] {
-            mine.resize(later.len(), 0.0);
             for (value, later) in mine.iter_mut().zip(later) {
                 *value = later - *value;
             }

@@ -3,10 +3,10 @@
 //! A job may be stopped at any time. Loads that are finished on the mesh that was asked for are answers, whatever comes of the
 //! rest. For the others there is what the coarse mesh has found, which is less: no stresses, no error bars.
 
-use super::steps::StepReceiver;
-use crate::solver::method::run::Run;
-use crate::solver::solution::{CoarseFigures, StepMesh, StepSolution};
-use crate::solver::{Interrupt, Observer, SolveError};
+use super::observer::{Interrupt, Observer};
+use super::run::Run;
+use super::steps::{CoarseFigures, Step, StepReceiver};
+use crate::solver::SolveError;
 
 /// What the coarse mesh says of the errors of each step.
 pub(super) struct Estimates<'a> {
@@ -15,21 +15,21 @@ pub(super) struct Estimates<'a> {
 }
 
 /// Takes the end of each load of a history on one mesh.
-pub(super) enum HistorySteps<'a> {
+pub(super) enum HistorySteps<'a, S> {
     /// Of the coarse mesh, by their number; each takes the place of the one that larger increments have found.
-    Preliminary(&'a mut Vec<StepSolution>),
+    Preliminary(&'a mut Vec<S>),
     /// Of the mesh that was asked for.
     Final {
         estimates: Estimates<'a>,
-        receiver: &'a mut dyn StepReceiver,
+        receiver: &'a mut dyn StepReceiver<S>,
         /// How many it has received.
         done: usize,
     },
 }
 
-impl<'a> HistorySteps<'a> {
+impl<'a, S: Step> HistorySteps<'a, S> {
     /// Of the mesh that was asked for.
-    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver) -> Self {
+    pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<S>) -> Self {
         Self::Final { estimates, receiver, done: 0 }
     }
 
@@ -46,10 +46,10 @@ impl<'a> HistorySteps<'a> {
     }
 
     /// Takes the end of a load.
-    pub fn take(&mut self, number: usize, mut step: StepSolution, observer: &mut dyn Observer) {
+    pub fn take(&mut self, number: usize, mut step: S, observer: &mut dyn Observer) {
         match self {
             Self::Preliminary(steps) => {
-                step.mesh = StepMesh::Coarse;
+                step.make_preliminary();
                 if let Some(before) = steps.get_mut(number) {
                     *before = step;
                 } else {
@@ -57,8 +57,8 @@ impl<'a> HistorySteps<'a> {
                 }
             }
             Self::Final { estimates, receiver, done } => {
-                step.coarse = estimates.coarse.get(number).copied().flatten();
-                step.increment_error = estimates.increments.get(number).copied().flatten();
+                let of = |figures: &[Option<CoarseFigures>]| figures.get(number).copied().flatten();
+                step.estimate(of(estimates.coarse), of(estimates.increments));
                 receiver.step(step, observer);
                 *done += 1;
             }
@@ -85,18 +85,18 @@ impl<'a> HistorySteps<'a> {
 ///
 /// # Errors
 /// [`SolveError::Interrupted`] where there is nothing to keep at all.
-pub(super) fn keep_preliminary(
-    steps: Vec<StepSolution>,
+pub(super) fn keep_preliminary<S: Step>(
+    steps: Vec<S>,
     done: usize,
     interrupt: Interrupt,
-    receiver: &mut dyn StepReceiver,
+    receiver: &mut dyn StepReceiver<S>,
     run: &mut Run<'_>,
 ) -> Result<Interrupt, SolveError> {
     if steps.len().max(done) == 0 {
         return Err(SolveError::Interrupted(interrupt));
     }
     for mut step in steps.into_iter().skip(done) {
-        step.status = interrupt.into();
+        step.set_status(interrupt.into());
         receiver.step(step, run.observer);
     }
     Ok(interrupt)

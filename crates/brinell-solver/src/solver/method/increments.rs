@@ -1,8 +1,6 @@
 //! How a load of a history is divided into increments.
 
 use crate::contact::ContactLoad;
-use crate::fem::element::StressState;
-use crate::solver::solution::LastIncrement;
 
 /// By how much the contact grows in one increment of the coarsest division, over what it grows to.
 const GROWTH: f64 = 0.12;
@@ -11,7 +9,7 @@ const UNKNOWN_ONSET: f64 = 0.05;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::solver) enum Division {
+pub(crate) enum Division {
     /// So many equal increments for each load.
     Fixed(u32),
     /// By the growth of the contact, which is halved from one level to the next.
@@ -28,9 +26,29 @@ impl Division {
     }
 }
 
+/// Where the last increment of a history begins, and what it follows.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct LastIncrement {
+    /// Where it begins, over the larger of the loads at both ends of the way to this load.
+    pub from: f64,
+    /// Its size over the same.
+    pub size: f64,
+    /// Whether an increment before it has not converged.
+    pub inherits_error: bool,
+}
+
+/// How a contact grows with its load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Growth {
+    /// Measure of the load at which plastic flow begins on the way up from rest, if that is known.
+    pub onset: Option<f64>,
+    /// Power of the half-width with which the measure grows.
+    pub exponent: f64,
+}
+
 /// One load of a history, in its own measure: force or approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::solver) struct Leg {
+pub(crate) struct Leg {
     /// Whether the measure is the force.
     pub is_force: bool,
     /// The measure where the leg begins.
@@ -39,10 +57,7 @@ pub(in crate::solver) struct Leg {
     pub to: f64,
     /// Largest measure that the history has reached so far.
     pub reached: f64,
-    /// Measure at which plastic flow begins on the way up from rest, if that is known.
-    pub onset: Option<f64>,
-    /// Power of the half-width with which the measure grows.
-    pub exponent: f64,
+    pub growth: Growth,
 }
 
 impl Leg {
@@ -81,7 +96,7 @@ impl Leg {
             }
             Division::Level(level) => f64::from(1u32 << level.min(16)),
         };
-        let onset = self.onset.unwrap_or(UNKNOWN_ONSET * self.to);
+        let onset = self.growth.onset.unwrap_or(UNKNOWN_ONSET * self.to);
         let start = self.from.max(self.reached).max(onset);
         if self.to <= start {
             return vec![self.to];
@@ -91,11 +106,11 @@ impl Leg {
             ends.push(start);
         }
         // Half-width at the start over that at the end.
-        let first = (start / self.to).powf(self.exponent.recip());
+        let first = (start / self.to).powf(self.growth.exponent.recip());
         let count = (n * (1.0 - first) / GROWTH).ceil().clamp(1.0, 10_000.0);
         let mut k = 1.0;
         while k < count {
-            ends.push(self.to * (first + (1.0 - first) * k / count).powf(self.exponent));
+            ends.push(self.to * (first + (1.0 - first) * k / count).powf(self.growth.exponent));
             k += 1.0;
         }
         ends.push(self.to);
@@ -108,7 +123,7 @@ const MAX_HALVINGS: u32 = 5;
 
 /// The ends of the increments of a leg, which become more where one is divided.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::solver) struct IncrementEnds {
+pub(crate) struct IncrementEnds {
     /// Measures, and how often their increments have been halved.
     ends: Vec<(f64, u32)>,
 }
@@ -139,21 +154,12 @@ impl IncrementEnds {
     }
 }
 
-/// Power of the half-width with which a load grows, between the elastic and the fully plastic one.
-pub(in crate::solver) fn exponent(stress_state: StressState, load: ContactLoad) -> f64 {
-    match (stress_state, load) {
-        (StressState::Axisymmetric, ContactLoad::Force(_)) => 2.4,
-        (_, ContactLoad::Force(_)) => 1.6,
-        (_, ContactLoad::Approach(_)) => 2.0,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn leg(from: f64, to: f64, reached: f64) -> Leg {
-        Leg { is_force: true, from, to, reached, onset: Some(100.0), exponent: 1.6 }
+        Leg { is_force: true, from, to, reached, growth: Growth { onset: Some(100.0), exponent: 1.6 } }
     }
 
     #[test]
