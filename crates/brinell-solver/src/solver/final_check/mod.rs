@@ -12,15 +12,16 @@ use edge_contact::EdgeContact;
 
 use std::f64::consts::PI;
 
-use crate::contact::kkt::{self, ContactScales};
-use crate::contact::{ContactLoad, ContactSolution, KktReport};
+use crate::contact::kkt::ContactScales;
+use crate::contact::{ContactLoad, KktReport};
 use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
+use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
-use crate::solver::method::contact_system::ContactSystem as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
+use crate::solver::method::final_check::{Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
@@ -29,11 +30,6 @@ use crate::solver::problem::Problem;
 use crate::solver::solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
 };
-
-/// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
-const RESIDUAL_SLACK: f64 = 1.5;
-/// Rounding floor of the residual.
-const RESIDUAL_FLOOR: f64 = 1e-9;
 
 /// Elements over half of the arc of a tip with which the pressure on it is known to two per cent.
 pub(crate) const TIP_ELEMENTS: f64 = 4.0;
@@ -62,15 +58,6 @@ pub(crate) fn has_collapsed(pass: &MeshSolve) -> bool {
     })
 }
 
-/// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct LeastScales {
-    /// `‖R‖` \[N/mm\].
-    pub residual: f64,
-    /// Of the contact conditions.
-    pub contact: ContactScales,
-}
-
 /// Judges the final state by the full displacement fields and the material law everywhere: nothing that the iteration
 /// computed is reused. Takes stresses and nodal displacements out of the pass.
 pub(crate) fn finish(
@@ -96,13 +83,14 @@ pub(crate) fn finish(
         }
     };
     run.time_observed(Phase::Output, |observer| {
-        let evidence = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
+        let (evidence, bodies) = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
             pass.outcome.status = interrupt.into();
             from_iteration(pass)
         });
         let is_stopped = pass.outcome.status.is_stopped();
         let contact_stiffness = if is_stopped { ContactStiffness::default() } else { contact_stiffness };
-        let mut step = judge(pass, evidence, contact_stiffness, load, tolerance, least.contact);
+        let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, least.contact);
+        let mut step = step(pass, evidence, &bodies, judged, contact_stiffness, load);
         step.rounded_edge = unresolved_edge(problem, &step);
         step.rounded_tip = unresolved_tip(problem, &step);
         step
@@ -168,7 +156,9 @@ fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
 
 /// The last iteration as it is, without stresses and stiffness.
 pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -> StepSolution {
-    judge(pass, from_iteration(pass), ContactStiffness::default(), load, tolerance, ContactScales::default())
+    let (evidence, bodies) = from_iteration(pass);
+    let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, ContactScales::default());
+    step(pass, evidence, &bodies, judged, ContactStiffness::default(), load)
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
@@ -213,24 +203,15 @@ fn energy(system: &System, outcome: &Outcome, bodies: &[Arc<BodySolution>]) -> O
     Some(energy)
 }
 
-/// The quantities of the final state that are checked.
-struct Evidence {
-    /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
-    unloaded_gap: Vec<f64>,
-    /// `‖∫B̄ᵀσ dV - R‖ / ‖R‖`.
-    equilibrium_residual: f64,
-    /// Whether strains have outgrown the theory of small strains.
-    has_collapsed: bool,
-    /// One for each model.
-    bodies: Vec<Arc<BodySolution>>,
-}
+/// The fields of each model.
+type Bodies = Vec<Arc<BodySolution>>;
 
 /// By the fields, unless the iteration was stopped and has none. The observer can stop it here as well.
 fn from_fields(
     pass: &mut MeshSolve,
     force_scale: f64,
     observer: &mut dyn Observer,
-) -> Result<Evidence, Interrupt> {
+) -> Result<(Evidence, Bodies), Interrupt> {
     if pass.outcome.status.is_stopped() {
         return Ok(from_iteration(pass));
     }
@@ -254,47 +235,30 @@ fn from_fields(
     }
     let equilibrium_residual = relative(squares.sqrt(), norm(&contact.force).max(force_scale));
     ask(observer)?;
-    Ok(Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies })
+    let reaches_edge = pass.reaches_edge;
+    Ok((Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge }, bodies))
 }
 
 /// From the last iterate: an iteration that was stopped has no fields.
-fn from_iteration(pass: &MeshSolve) -> Evidence {
+fn from_iteration(pass: &MeshSolve) -> (Evidence, Bodies) {
     let (system, outcome) = (&pass.system, &pass.outcome);
-    let contact = &outcome.state.response.contact;
-    let bodies = system.bodies.iter();
-    Evidence {
-        has_collapsed: false,
-        unloaded_gap: contact
-            .gap
-            .iter()
-            .zip(&system.closing)
-            .map(|(gap, closing)| gap + contact.approach * closing)
-            .collect(),
-        equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
-        bodies: bodies
-            .map(|body| Arc::new(BodySolution::of(body, Vec::new(), StressField::default())))
-            .collect(),
-    }
+    let without_fields =
+        |body: &BodyModel| Arc::new(BodySolution::of(body, Vec::new(), StressField::default()));
+    let bodies = system.bodies.iter().map(without_fields).collect();
+    (Evidence::of_iteration(system, outcome, pass.reaches_edge), bodies)
 }
 
-fn judge(
+fn step(
     pass: &MeshSolve,
     evidence: Evidence,
+    bodies: &[Arc<BodySolution>],
+    (status, contact_check): (SolveStatus, KktReport),
     contact_stiffness: ContactStiffness,
     load: ContactLoad,
-    tolerance: f64,
-    least: ContactScales,
 ) -> StepSolution {
-    let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, bodies } = evidence;
+    let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge } = evidence;
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
-    let contact_check = check_contact(system, &unloaded_gap, contact, load, least);
-    let sound =
-        contact_check.is_sound() && equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
-    let status = match outcome.status {
-        SolveStatus::Converged if !sound || has_collapsed || pass.reaches_edge => SolveStatus::NotConverged,
-        status => status,
-    };
     let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach);
     StepSolution {
         status,
@@ -321,7 +285,7 @@ fn judge(
         contact_check,
         equilibrium_residual,
         loaded_corners: system.loaded_corners(&contact.force),
-        reaches_edge: pass.reaches_edge,
+        reaches_edge,
         has_collapsed,
         mesh: StepMesh::Asked,
         last_increment: LastIncrement::default(),
@@ -336,7 +300,7 @@ fn judge(
         increment_error: None,
         reached: [0.0; 2],
         unloading_stiffness: 0.0,
-        energy: energy(system, outcome, &bodies),
+        energy: energy(system, outcome, bodies),
     }
 }
 
@@ -344,22 +308,6 @@ fn judge(
 fn peak_position(pairs: &[PairState]) -> f64 {
     let highest = pairs.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
     highest.map_or(0.0, |pair| pair.x)
-}
-
-/// The contact conditions with the gap that the displacement fields leave, `δ0 + w_u + w_l - α`.
-fn check_contact(
-    system: &System,
-    unloaded_gap: &[f64],
-    contact: &ContactSolution,
-    load: ContactLoad,
-    least: ContactScales,
-) -> KktReport {
-    let force = &contact.force;
-    let elastic = (0..force.len())
-        .map(|i| -> f64 { system.flexibility.row(i).iter().zip(force).map(|(f, r)| f * r).sum() });
-    let equivalent: Vec<f64> =
-        unloaded_gap.iter().zip(elastic).map(|(total, elastic)| total - elastic).collect();
-    kkt::check_beside(&system.contact_problem(&equivalent, load), force, contact.approach, least)
 }
 
 fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {

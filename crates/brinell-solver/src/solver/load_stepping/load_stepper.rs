@@ -14,6 +14,7 @@ use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
 use crate::solver::mesh_sizing::end_of_contact::EndSearch;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
 use crate::solver::method::couplings::iteration::Scales;
+use crate::solver::method::final_check::LeastScales;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::Answer as _;
@@ -115,14 +116,8 @@ impl<'a> LoadStepper<'a> {
         // Before the stresses are handed over.
         let found = run.time(Phase::Output, || extent.found_by(&pass));
         let (tolerance, yields) = (request.solver.tolerance.get(), pass.yields());
-        let mut step = final_check::finish(
-            self.problem,
-            &mut pass,
-            load,
-            tolerance,
-            final_check::LeastScales::default(),
-            run,
-        );
+        let mut step =
+            final_check::finish(self.problem, &mut pass, load, tolerance, LeastScales::default(), run);
         step.coarse = figures;
         let elastic_force = (!yields).then(|| step.force());
         step.unresolved =

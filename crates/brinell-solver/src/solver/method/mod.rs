@@ -6,6 +6,7 @@
 pub(crate) mod bracket;
 pub(crate) mod contact_system;
 pub(crate) mod couplings;
+pub(crate) mod final_check;
 pub(crate) mod force_search;
 #[cfg(test)]
 mod half_planes;

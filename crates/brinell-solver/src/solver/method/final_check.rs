@@ -1,0 +1,75 @@
+//! The final state, judged by what its engine has computed afresh.
+
+use super::contact_system::ContactSystem;
+use super::couplings::iteration::Outcome;
+use super::observer::SolveStatus;
+use crate::contact::kkt::{self, ContactScales};
+use crate::contact::{ContactLoad, KktReport};
+
+/// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
+const RESIDUAL_SLACK: f64 = 1.5;
+/// Rounding floor of the residual.
+const RESIDUAL_FLOOR: f64 = 1e-9;
+
+/// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct LeastScales {
+    /// `‖R‖` \[N/mm\].
+    pub residual: f64,
+    /// Of the contact conditions.
+    pub contact: ContactScales,
+}
+
+/// The quantities of the final state that are checked. Nothing that the iteration computed is reused.
+pub(crate) struct Evidence {
+    /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
+    pub unloaded_gap: Vec<f64>,
+    /// `‖∫Bᵀσ dV - R‖ / ‖R‖`.
+    pub equilibrium_residual: f64,
+    /// Whether strains have outgrown the theory of small strains.
+    pub has_collapsed: bool,
+    /// Whether the contact is wider than what the system knows of.
+    pub reaches_edge: bool,
+}
+
+impl Evidence {
+    /// From the last iterate: an iteration that was stopped has nothing else.
+    pub fn of_iteration(system: &impl ContactSystem, outcome: &Outcome, reaches_edge: bool) -> Self {
+        let contact = &outcome.state.response.contact;
+        let closing = system.contact_problem(system.initial_gap(), ContactLoad::Force(0.0)).closing;
+        let gaps = contact.gap.iter().zip(closing);
+        Self {
+            unloaded_gap: gaps.map(|(gap, closing)| gap + contact.approach * closing).collect(),
+            equilibrium_residual: outcome.history.last().map_or(1.0, |record| record.equilibrium_residual),
+            has_collapsed: false,
+            reaches_edge,
+        }
+    }
+}
+
+/// How a solve has ended, and the contact conditions with the gap that the displacements leave, `δ0 + w_u + w_l - α`.
+pub(crate) fn judge(
+    system: &impl ContactSystem,
+    outcome: &Outcome,
+    evidence: &Evidence,
+    load: ContactLoad,
+    tolerance: f64,
+    least: ContactScales,
+) -> (SolveStatus, KktReport) {
+    let contact = &outcome.state.response.contact;
+    let problem = system.contact_problem(&evidence.unloaded_gap, load);
+    let mut gap = vec![0.0; contact.force.len()];
+    problem.flexibility.apply(&contact.force, &mut gap);
+    for (elastic, total) in gap.iter_mut().zip(&evidence.unloaded_gap) {
+        *elastic = total - *elastic;
+    }
+    let problem = system.contact_problem(&gap, load);
+    let check = kkt::check_beside(&problem, &contact.force, contact.approach, least);
+    let balanced = evidence.equilibrium_residual <= RESIDUAL_FLOOR.max(RESIDUAL_SLACK * tolerance);
+    let is_answer = check.is_sound() && balanced && !evidence.has_collapsed && !evidence.reaches_edge;
+    let status = match outcome.status {
+        SolveStatus::Converged if !is_answer => SolveStatus::NotConverged,
+        status => status,
+    };
+    (status, check)
+}

@@ -1,0 +1,445 @@
+//! A second engine, by which the method is tested without finite elements: two half-planes that touch along a line, with a layer
+//! of springs between them that yield.
+//!
+//! Each pair k has a spring of stiffness s in series with the half-planes. It carries `R = s (w - p)` under a compression w, of
+//! which p is plastic: it grows so that `R = R_y + H p` beyond yield, and is never taken back. The initial stress is `s p`.
+
+mod tests;
+
+use std::f64::consts::PI;
+
+use super::contact_system::{BlockVector, ContactFigures, ContactSystem};
+use super::couplings::Coupling;
+use super::couplings::iteration::{Controls, InitialState, Outcome, Scales, norm};
+use super::final_check::{Evidence, LeastScales, judge};
+use super::force_search::{Density, Sought, Trial, Tried};
+use super::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
+use super::increments::Growth;
+use super::observer::SolveStatus;
+use super::progress::Progress;
+use super::run::Run;
+use super::solve::{Answer, Engine, Round, Verdict, VerdictOf, solve};
+use super::steps::{CoarseFigures, LoadEnd, Step};
+use crate::contact::kkt::ContactScales;
+use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
+use crate::solver::SolveError;
+use sparse_cholesky::dense::SymmetricMatrix;
+
+/// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where displacements are zero \[mm\].
+const RADIUS: f64 = 10.0;
+const MODULUS: f64 = 1e5;
+const DATUM: f64 = 100.0;
+/// Stiffness and hardening of the springs \[N/mm² per mm\], and the pressure at which they yield \[MPa\].
+const STIFFNESS: f64 = 1e7;
+const HARDENING: f64 = 1e6;
+const YIELD: f64 = 400.0;
+const TOLERANCE: f64 = 1e-9;
+
+/// The springs, and the half-planes by their flexibility.
+struct HalfPlanes {
+    /// Distance of the pairs \[mm\].
+    spacing: f64,
+    initial_gap: Vec<f64>,
+    closing: Vec<f64>,
+    flexibility: SymmetricMatrix,
+    /// Whether each spring is looked at for plastic flow.
+    watched: Vec<bool>,
+    /// Compressions of the accepted state, and what is plastic of them.
+    accepted: BlockVector,
+    plastic: Vec<f64>,
+}
+
+impl HalfPlanes {
+    fn new(Design { pairs, watched }: Design, spacing: f64) -> Self {
+        let x = |k: usize| (k as f64 - 0.5 * (pairs - 1) as f64) * spacing;
+        let integral = |t: f64| if t == 0.0 { 0.0 } else { t * (t.abs() / DATUM).ln() - t };
+        let flexibility = SymmetricMatrix::from_fn(pairs, |i, j| {
+            let (near, far) = (x(i) - x(j) - 0.5 * spacing, x(i) - x(j) + 0.5 * spacing);
+            let half_planes = -2.0 / (PI * MODULUS * spacing) * (integral(far) - integral(near));
+            half_planes + if i == j { 1.0 / (STIFFNESS * spacing) } else { 0.0 }
+        });
+        let beside = (pairs - watched) / 2;
+        Self {
+            spacing,
+            initial_gap: (0..pairs).map(|k| x(k).powi(2) / (2.0 * RADIUS)).collect(),
+            closing: vec![1.0; pairs],
+            flexibility,
+            watched: (0..pairs).map(|k| (beside..pairs - beside).contains(&k)).collect(),
+            accepted: vec![vec![0.0; pairs]],
+            plastic: vec![0.0; pairs],
+        }
+    }
+
+    /// What is plastic of a compression.
+    fn plastic_compression(&self, pair: usize, w: f64) -> f64 {
+        let before = self.plastic[pair];
+        let beyond_yield = (STIFFNESS * w - YIELD) / (STIFFNESS + HARDENING);
+        if self.watched[pair] { beyond_yield.max(before) } else { before }
+    }
+}
+
+impl ContactSystem for HalfPlanes {
+    fn zeros(&self) -> BlockVector {
+        vec![vec![0.0; self.initial_gap.len()]]
+    }
+
+    fn initial_gap(&self) -> &[f64] {
+        &self.initial_gap
+    }
+
+    fn contact_problem<'a>(&'a self, initial_gap: &'a [f64], load: ContactLoad) -> ContactProblem<'a> {
+        ContactProblem { flexibility: &self.flexibility, initial_gap, closing: &self.closing, load }
+    }
+
+    fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
+        initial_stress[0].iter().map(|stress| stress / (STIFFNESS * self.spacing)).collect()
+    }
+
+    fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
+        let loads = initial_stress[0].iter().zip(force);
+        vec![loads.map(|(stress, force)| (stress + force) / (STIFFNESS * self.spacing)).collect()]
+    }
+
+    fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize {
+        let mut flowing = 0;
+        for (k, stress) in into[0].iter_mut().enumerate() {
+            let plastic = self.plastic_compression(k, displacement[0][k]);
+            *stress = STIFFNESS * self.spacing * plastic;
+            flowing += usize::from(plastic > 0.0);
+        }
+        flowing
+    }
+
+    fn norm(&self, v: &BlockVector) -> f64 {
+        norm(&v[0])
+    }
+
+    fn distance(&self, v: &BlockVector, w: &BlockVector) -> f64 {
+        norm(&v[0].iter().zip(&w[0]).map(|(v, w)| v - w).collect::<Vec<_>>())
+    }
+
+    fn pack(&self, vectors: &BlockVector) -> Vec<f64> {
+        vectors[0].clone()
+    }
+
+    fn unpack(&self, packed: &[f64], vectors: &mut BlockVector) {
+        vectors[0].copy_from_slice(packed);
+    }
+
+    fn accepted(&self) -> &BlockVector {
+        &self.accepted
+    }
+
+    fn commit(&mut self, displacement: BlockVector) {
+        self.plastic =
+            displacement[0].iter().enumerate().map(|(k, &w)| self.plastic_compression(k, w)).collect();
+        self.accepted = displacement;
+    }
+
+    fn figures(&self, contact: &ContactSolution) -> ContactFigures {
+        ContactFigures {
+            force: contact.total_force,
+            approach: contact.approach,
+            peak_pressure: contact.force.iter().copied().fold(0.0, f64::max) / self.spacing,
+            pairs: contact.active_set.len(),
+        }
+    }
+}
+
+/// How many pairs there are, and how many of them are looked at for plastic flow.
+#[derive(Clone, Copy)]
+struct Design {
+    pairs: usize,
+    watched: usize,
+}
+
+/// The engine.
+struct Springs {
+    coupling: &'static dyn Coupling,
+    spacing: f64,
+}
+
+struct SpringAnswer {
+    system: HalfPlanes,
+    outcome: Outcome,
+    /// How often more springs were looked at.
+    continued: usize,
+}
+
+impl Answer for SpringAnswer {
+    type System = HalfPlanes;
+
+    fn system(&self) -> &HalfPlanes {
+        &self.system
+    }
+
+    fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
+    fn outcome_mut(&mut self) -> &mut Outcome {
+        &mut self.outcome
+    }
+
+    fn into_parts(self) -> (HalfPlanes, Outcome) {
+        (self.system, self.outcome)
+    }
+
+    fn figures(&self) -> CoarseFigures {
+        let contact = &self.outcome.state.response.contact;
+        let ContactFigures { force, approach, peak_pressure, pairs } = self.system.figures(contact);
+        CoarseFigures { peak_pressure, half_width: 0.5 * pairs as f64 * self.system.spacing, approach, force }
+    }
+
+    fn has_collapsed(&self) -> bool {
+        false
+    }
+}
+
+impl SpringAnswer {
+    /// The answer, checked by the forces alone.
+    fn step(&self, load: ContactLoad, least: LeastScales) -> SpringStep {
+        let Self { system, outcome, .. } = self;
+        let state = &outcome.state;
+        let evidence = if outcome.status.is_stopped() {
+            Evidence::of_iteration(system, outcome, false)
+        } else {
+            let mut loads = system.zeros();
+            system.initial_stress(
+                &system.displacement(&state.loads, &state.response.contact.force),
+                &mut loads,
+            );
+            let mut unloaded_gap = vec![0.0; loads[0].len()];
+            system
+                .contact_problem(&[], load)
+                .flexibility
+                .apply(&state.response.contact.force, &mut unloaded_gap);
+            let opening = system.gap_opening(&loads);
+            for ((gap, initial), opening) in unloaded_gap.iter_mut().zip(&system.initial_gap).zip(opening) {
+                *gap += initial + opening;
+            }
+            let residual = system.distance(&loads, &state.loads);
+            let equilibrium_residual = residual / norm(&state.response.contact.force).max(least.residual);
+            Evidence { unloaded_gap, equilibrium_residual, has_collapsed: false, reaches_edge: false }
+        };
+        let (status, check) = judge(system, outcome, &evidence, load, TOLERANCE, least.contact);
+        SpringStep {
+            status,
+            check,
+            figures: self.figures(),
+            is_preliminary: false,
+            errors: [None; 2],
+            end: None,
+        }
+    }
+}
+
+/// What is reported of a load.
+struct SpringStep {
+    status: SolveStatus,
+    check: KktReport,
+    figures: CoarseFigures,
+    is_preliminary: bool,
+    /// By how much the coarse history and larger increments differ.
+    errors: [Option<CoarseFigures>; 2],
+    end: Option<LoadEnd>,
+}
+
+impl Step for SpringStep {
+    fn status(&self) -> SolveStatus {
+        self.status
+    }
+
+    fn set_status(&mut self, status: SolveStatus) {
+        self.status = status;
+    }
+
+    fn reaches_edge(&self) -> bool {
+        false
+    }
+
+    fn end_load(&mut self, end: LoadEnd) {
+        self.end = Some(end);
+    }
+
+    fn estimate(&mut self, coarse: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+        self.errors = [coarse, increments];
+    }
+
+    fn make_preliminary(&mut self) {
+        self.is_preliminary = true;
+    }
+
+    fn miss(&mut self, _: f64) {
+        self.status = SolveStatus::NotConverged;
+    }
+}
+
+impl Engine for Springs {
+    type System = HalfPlanes;
+    type Design = Design;
+    type Answer = SpringAnswer;
+
+    fn build(
+        &self,
+        design: &mut Design,
+        _: &mut Run<'_>,
+    ) -> Result<(HalfPlanes, Option<BlockVector>), SolveError> {
+        Ok((HalfPlanes::new(*design, self.spacing), None))
+    }
+
+    fn resume(
+        &self,
+        _: &Design,
+        system: HalfPlanes,
+        _: &mut Run<'_>,
+    ) -> Result<(HalfPlanes, Option<BlockVector>), SolveError> {
+        Ok((system, None))
+    }
+
+    fn verdict(
+        &self,
+        design: &Design,
+        mut system: HalfPlanes,
+        outcome: Outcome,
+        under: Round,
+        _: &mut Run<'_>,
+    ) -> Result<VerdictOf<Self>, SolveError> {
+        let contact = &outcome.state.response.contact;
+        let continued = under.number;
+        if outcome.status.is_stopped() {
+            return Ok(Verdict::Accept(SpringAnswer { system, outcome, continued }));
+        }
+        let mut springs = contact.force.iter().zip(&system.watched);
+        if springs.any(|(force, is_watched)| !is_watched && *force > YIELD * system.spacing) {
+            system.watched.fill(true);
+            let start = Some(outcome.state.response.displacement);
+            return Ok(Verdict::Continue { system, start, history: outcome.history });
+        }
+        if contact.active_set.contains(0) {
+            let pairs = design.pairs + 2 * (design.pairs / 4);
+            return Ok(Verdict::Again(Design { pairs, ..*design }));
+        }
+        Ok(Verdict::Accept(SpringAnswer { system, outcome, continued }))
+    }
+}
+
+impl Springs {
+    /// One load from rest.
+    fn answer(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<SpringAnswer, SolveError> {
+        let design = Design { pairs: 41, watched: 21 };
+        solve(self, design, None, run, |on, system, start, run| {
+            on.solve(system, start, self.coupling, Controls { load, ..self.controls() }, run)
+        })
+    }
+}
+
+impl HistoryEngine for Springs {
+    type Step = SpringStep;
+    /// The pairs that were enough, and the displacements at the end of each increment.
+    type Memory = (usize, Vec<BlockVector>);
+
+    fn coupling(&self) -> &dyn Coupling {
+        self.coupling
+    }
+
+    fn controls(&self) -> Controls<'_> {
+        Controls {
+            contact: &ActiveSetSolver,
+            load: ContactLoad::Force(0.0),
+            tolerance: TOLERANCE,
+            max_iterations: 2000,
+            renewable: false,
+            scales: Scales::default(),
+            increment: None,
+        }
+    }
+
+    fn begin(&self, system: &HalfPlanes) -> Self::Memory {
+        (system.initial_gap.len(), Vec::new())
+    }
+
+    fn design_after(&self, (pairs, _): &Self::Memory) -> Design {
+        Design { pairs: *pairs, watched: 21 }
+    }
+
+    fn growth(&self, _: ContactLoad) -> Growth {
+        Growth { onset: Some(50.0), exponent: 1.6 }
+    }
+
+    fn prepare(
+        &self,
+        system: &mut HalfPlanes,
+        increment: &NextIncrement<'_, Self::Memory>,
+        _: &mut Run<'_>,
+    ) -> Result<BlockVector, SolveError> {
+        let NextIncrement { target, leg, progress, .. } = increment;
+        Ok(progress.extrapolated(system.accepted().clone(), target.magnitude(), leg))
+    }
+
+    fn remember(&self, answer: &mut SpringAnswer, memory: &mut Self::Memory, _: f64, _: bool) {
+        memory.1.push(answer.outcome.state.response.displacement.clone());
+    }
+
+    fn step(
+        &self,
+        answer: &mut SpringAnswer,
+        load: ContactLoad,
+        _: &mut Self::Memory,
+        progress: &Progress,
+        _: &mut Run<'_>,
+    ) -> SpringStep {
+        let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        answer.step(load, least)
+    }
+
+    fn step_as_iterated(&self, answer: &SpringAnswer, load: ContactLoad) -> SpringStep {
+        let Self::Answer { system, outcome, .. } = answer;
+        let evidence = Evidence::of_iteration(system, outcome, false);
+        let (status, check) = judge(system, outcome, &evidence, load, TOLERANCE, ContactScales::default());
+        SpringStep { status, check, ..answer.step(load, LeastScales::default()) }
+    }
+}
+
+/// The same bodies with pairs at two distances.
+struct Bodies(&'static dyn Coupling);
+
+const SPACING: f64 = 0.01;
+
+impl Bodies {
+    fn springs(&self, density: Density) -> Springs {
+        let spacing = if density == Density::Asked { SPACING } else { 2.0 * SPACING };
+        Springs { coupling: self.0, spacing }
+    }
+}
+
+impl TwoDensities for Bodies {
+    type Engine = Springs;
+
+    fn coarse(&self, _: &mut Run<'_>) -> Result<EngineAndDesign<Springs>, SolveError> {
+        Ok((self.springs(Density::Coarse), Design { pairs: 21, watched: 11 }))
+    }
+
+    fn fine(&self, (pairs, _): &(usize, Vec<BlockVector>)) -> EngineAndDesign<Springs> {
+        (self.springs(Density::Asked), Design { pairs: 2 * pairs - 1, watched: 21 })
+    }
+}
+
+/// A largest pressure that is sought \[MPa\].
+struct Peak(f64);
+
+impl Sought for Peak {
+    type Step = SpringStep;
+
+    fn trial(
+        &self,
+        density: Density,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<SpringStep>, SolveError> {
+        let load = ContactLoad::Force(force);
+        let answer = Bodies(&super::couplings::Accelerated).springs(density).answer(load, run)?;
+        let ratio = answer.figures().peak_pressure / self.0;
+        Ok(Ok(Trial { ratio, steps: vec![answer.step(load, LeastScales::default())] }))
+    }
+}

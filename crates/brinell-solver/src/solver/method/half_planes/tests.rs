@@ -1,0 +1,219 @@
+#![cfg(test)]
+
+use std::ops::ControlFlow;
+
+use super::super::couplings::{self, Accelerated, SecantStiffness, Strong, Weak};
+use super::super::force_search::{Terms, find};
+use super::super::history;
+use super::super::observer::{Interrupt, IterationRecord, Observer};
+use super::super::steps::each_load;
+use super::*;
+use crate::contact::{ContactSolver, SimplexSolver, kkt, never};
+use crate::solver::{Solution, Unobserved};
+
+fn with_run<T>(observer: &mut dyn Observer, work: impl FnOnce(&mut Run<'_>) -> T) -> (T, usize) {
+    let mut solution = Solution::default();
+    let answer = work(&mut Run::new(&mut solution, observer));
+    (answer, solution.passes)
+}
+
+/// One force from rest, and how many systems were made.
+fn solved(coupling: &'static dyn Coupling, force: f64, observer: &mut dyn Observer) -> (SpringAnswer, usize) {
+    let springs = Bodies(coupling).springs(Density::Asked);
+    let (answer, systems) = with_run(observer, |run| springs.answer(ContactLoad::Force(force), run));
+    (answer.unwrap(), systems)
+}
+
+fn peak(answer: &SpringAnswer) -> f64 {
+    answer.figures().peak_pressure
+}
+
+fn hertz(force: f64) -> f64 {
+    (force * MODULUS / (PI * RADIUS)).sqrt()
+}
+
+#[test]
+fn springs_that_do_not_yield_leave_the_pressure_of_hertz() {
+    let (answer, _) = solved(&Strong, 40.0, &mut Unobserved);
+    // The springs take a little of the peak.
+    let share = peak(&answer) / hertz(40.0);
+    assert!((0.95..0.97).contains(&share), "{share}");
+    assert_eq!(answer.outcome.history.len(), 1);
+}
+
+#[test]
+fn couplings_agree_and_the_answer_satisfies_the_laws() {
+    let couplings: [(&str, &'static dyn Coupling); 3] =
+        [("strong", &Strong), ("weak", &Weak), ("accelerated", &Accelerated)];
+    let mut peaks = Vec::new();
+    for (name, coupling) in couplings {
+        let (answer, systems) = solved(coupling, 400.0, &mut Unobserved);
+        assert!(systems > 1 && answer.continued == 1, "{name}: {systems} systems, {}", answer.continued);
+        let step = answer.step(ContactLoad::Force(400.0), LeastScales::default());
+        assert_eq!(step.status, SolveStatus::Converged, "{name}: {:?}", step.check);
+        let plastic = answer.system.gap_opening(&answer.outcome.state.loads);
+        let force = &answer.outcome.state.response.contact.force;
+        for (force, p) in force.iter().zip(plastic).filter(|(_, p)| *p > 0.0) {
+            let law = (YIELD + HARDENING * p) * SPACING;
+            assert!((force - law).abs() < 1e-6 * law, "{name}: {force} {law}");
+        }
+        peaks.push(peak(&answer));
+    }
+    assert!(peaks.iter().all(|peak| (peak / peaks[0] - 1.0).abs() < 1e-7), "{peaks:?}");
+    assert!(peaks[0] < 0.9 * hertz(400.0), "{peaks:?}");
+}
+
+/// What the iteration calls converged is not, where the contact was tampered with.
+#[test]
+fn the_check_finds_out_a_wrong_contact() {
+    let (mut answer, _) = solved(&Accelerated, 400.0, &mut Unobserved);
+    answer.outcome.state.response.contact.approach *= 1.001;
+    let step = answer.step(ContactLoad::Force(400.0), LeastScales::default());
+    assert_eq!(step.status, SolveStatus::NotConverged);
+    assert!(!step.check.is_sound());
+}
+
+#[test]
+fn both_direct_solvers_find_one_contact() {
+    let system = HalfPlanes::new(Design { pairs: 101, watched: 0 }, SPACING);
+    let problem = system.contact_problem(&system.initial_gap, ContactLoad::Force(100.0));
+    let [a, b] = [&ActiveSetSolver as &dyn ContactSolver, &SimplexSolver]
+        .map(|solver| solver.solve(&problem, None, &mut never).unwrap());
+    assert_eq!(a.active_set, b.active_set);
+    assert!((a.approach - b.approach).abs() < 1e-12);
+    assert!(kkt::check(&problem, &a.force, a.approach).is_sound());
+}
+
+/// Solves a history; steps and why it ended early.
+fn history_of(
+    coupling: &'static dyn Coupling,
+    forces: &[f64],
+    observer: &mut dyn Observer,
+) -> (Vec<SpringStep>, Option<Interrupt>) {
+    let loads: Vec<_> = forces.iter().map(|force| ContactLoad::Force(*force)).collect();
+    let mut steps = Vec::new();
+    let (end, _) = with_run(observer, |run| history::run(&Bodies(coupling), &loads, None, run, &mut steps));
+    (steps, end.unwrap())
+}
+
+#[test]
+fn a_history_leaves_a_dent_and_loads_again_as_elastic_bodies_do() {
+    let forces = [400.0, 0.0, 300.0, 400.0];
+    let (steps, interrupt) = history_of(&Accelerated, &forces, &mut Unobserved);
+    assert_eq!((steps.len(), interrupt), (4, None));
+    for step in &steps {
+        assert_eq!(step.status, SolveStatus::Converged, "{:?}", step.check);
+        assert!(step.errors.iter().all(Option::is_some) && !step.is_preliminary);
+    }
+    // Springs harden by their own pressure alone, so that the increments do not matter.
+    let (single, _) = solved(&Strong, 400.0, &mut Unobserved);
+    for loaded in [&steps[0], &steps[3]] {
+        assert!((loaded.figures.peak_pressure / peak(&single) - 1.0).abs() < 1e-6);
+    }
+    assert!(steps[1].figures.approach > 0.01 * steps[0].figures.approach);
+    let end = steps[2].end.as_ref().unwrap();
+    assert_eq!((end.increments.len(), end.reached[0]), (1, steps[0].figures.approach));
+    assert!(steps[0].end.as_ref().unwrap().increments.len() > 3);
+}
+
+#[test]
+fn a_history_runs_by_every_initial_stress_coupling() {
+    let couplings: [&'static dyn Coupling; 3] = [&Strong, &Weak, &Accelerated];
+    let approaches = couplings.map(|coupling| {
+        let (steps, _) = history_of(coupling, &[400.0, 0.0], &mut Unobserved);
+        assert!(steps.iter().all(|step| step.status == SolveStatus::Converged));
+        steps[1].figures.approach
+    });
+    assert!(approaches.iter().all(|a| (a / approaches[0] - 1.0).abs() < 1e-6), "{approaches:?}");
+}
+
+#[test]
+fn a_sweep_hands_over_each_load() {
+    let springs = Bodies(&Accelerated).springs(Density::Asked);
+    let loads = [100.0, 400.0, 50.0].map(ContactLoad::Force);
+    let mut steps = Vec::new();
+    let (end, _) = with_run(&mut Unobserved, |run| {
+        each_load(&loads, &mut steps, run, |load, _, run| {
+            Ok(springs.answer(load, run)?.step(load, LeastScales::default()))
+        })
+    });
+    assert_eq!(end, Ok(None));
+    let peaks: Vec<f64> = steps.iter().map(|step| step.figures.peak_pressure).collect();
+    assert!(peaks[2] < peaks[0] && peaks[0] < peaks[1], "{peaks:?}");
+    let (single, _) = solved(&Accelerated, 50.0, &mut Unobserved);
+    assert!((peaks[2] / peak(&single) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_search_finds_the_force_of_a_pressure_from_either_side() {
+    let search = |first_force: f64, wanted: f64| {
+        let terms = Terms { first_force, expected_slope: 0.5, tolerance: 1e-3, most_fine: 4, missed: 0.01 };
+        with_run(&mut Unobserved, |run| find(&Peak(wanted), terms, run)).0
+    };
+    let [below, above] = [40.0, 600.0].map(|first| search(first, 600.0).unwrap());
+    for found in [&below, &above] {
+        assert!((found.trial.ratio - 1.0).abs() < 1e-3 && found.trial.is_converged());
+        assert!((0.3..0.6).contains(&found.sensitivity), "{}", found.sensitivity);
+    }
+    let [a, b] = [&below, &above].map(|found| found.trial.steps[0].figures.force);
+    assert!((a / b - 1.0).abs() < 0.01, "{a} {b}");
+    // Plastic flow takes more of the peak than the springs do without it.
+    assert!(0.95 * hertz(a) > 600.0);
+}
+
+/// Sees iterations and stops one of them.
+struct Stopping {
+    seen: Vec<IterationRecord>,
+    last: usize,
+}
+
+impl Observer for Stopping {
+    fn on_iteration(&mut self, record: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.seen.push(record.clone());
+        self.on_checkpoint()
+    }
+
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        if self.seen.len() >= self.last {
+            ControlFlow::Break(Interrupt::Cancelled)
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+#[test]
+fn an_observer_sees_each_iteration_and_stops_one() {
+    let mut observer = Stopping { seen: Vec::new(), last: 3 };
+    let (answer, _) = solved(&Strong, 400.0, &mut observer);
+    assert_eq!((observer.seen.len(), answer.outcome.history.len()), (3, 3));
+    assert_eq!(answer.outcome.status, SolveStatus::Cancelled);
+}
+
+#[test]
+fn a_history_that_is_stopped_keeps_what_is_done_and_what_the_coarse_one_has_found() {
+    let (whole, _) = history_of(&Accelerated, &[400.0, 0.0], &mut Unobserved);
+    let mut observer = Stopping { seen: Vec::new(), last: usize::MAX };
+    history_of(&Accelerated, &[400.0, 0.0], &mut observer);
+    let numbers: Vec<_> = observer.seen.iter().filter_map(|record| record.increment).collect();
+    assert!(numbers.is_sorted_by_key(|number| (number.load, number.number)));
+    assert_eq!(numbers.last().map(|number| (number.load, number.loads)), Some((2, 2)));
+    let first_of_second = numbers.iter().position(|number| number.load == 2).unwrap();
+
+    let mut observer = Stopping { seen: Vec::new(), last: first_of_second };
+    let (steps, interrupt) = history_of(&Accelerated, &[400.0, 0.0], &mut observer);
+    assert_eq!((steps.len(), interrupt), (2, Some(Interrupt::Cancelled)));
+    assert!((steps[0].figures.approach / whole[0].figures.approach - 1.0).abs() < 1e-6);
+    assert!(steps[1].is_preliminary && steps[1].status == SolveStatus::Cancelled);
+}
+
+#[test]
+fn bodies_without_a_stiffness_have_no_secant_moduli() {
+    let mut system = HalfPlanes::new(Design { pairs: 61, watched: 61 }, SPACING);
+    let springs = Bodies(&SecantStiffness).springs(Density::Asked);
+    let controls = Controls { load: ContactLoad::Force(10.0), ..springs.controls() };
+    let (outcome, _) = with_run(&mut Unobserved, |run| {
+        couplings::iterate(&mut system, &SecantStiffness, controls, InitialState::default(), run)
+    });
+    assert_eq!(outcome.err(), Some(SolveError::NoSecantStiffness));
+}
