@@ -21,7 +21,7 @@ use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
-use crate::solver::method::final_check::{Evidence, LeastScales, judge};
+use crate::solver::method::final_check::{COLLAPSE_STRAIN, Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
@@ -38,8 +38,6 @@ pub(crate) const TIP_ELEMENTS: f64 = 4.0;
 /// at 10 and 20 elements.
 const POINTED_FLOOR: f64 = 0.1;
 
-/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
-const COLLAPSE_STRAIN: f64 = 1.0;
 /// Area of the section that strains so much, over the square of the half-width: beside a sharp edge strains grow without bound
 /// under any load.
 const COLLAPSE_AREA: f64 = 1.0 / 400.0;

@@ -7,14 +7,17 @@ use brinell_halfspace::{
 };
 
 use super::law::law_of_cells;
+use super::measure::semi_axes;
 use super::problem::HalfSpaceProblem;
 use super::system::{ElasticBody, HalfSpaces, Yielding};
 use crate::job::{Deformable, InitialStressProfile, Theory};
 use crate::solver::SolveError;
-use crate::solver::method::contact_system::BlockVector;
+use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::iteration::Outcome;
+use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{Engine, Round, Verdict};
+use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
+use crate::solver::method::steps::CoarseFigures;
 
 /// Half a side of the grid over the expected semi-axis. From the prototype in Python.
 const REACH: f64 = 1.6;
@@ -84,6 +87,41 @@ pub(super) struct Answer {
     pub system: HalfSpaces,
     pub outcome: Outcome,
     pub design: GridDesign,
+}
+
+impl solve::Answer for Answer {
+    type System = HalfSpaces;
+
+    fn system(&self) -> &HalfSpaces {
+        &self.system
+    }
+
+    fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
+    fn outcome_mut(&mut self) -> &mut Outcome {
+        &mut self.outcome
+    }
+
+    fn into_parts(self) -> (HalfSpaces, Outcome) {
+        (self.system, self.outcome)
+    }
+
+    /// The shorter semi-axis is the half-width.
+    fn figures(&self) -> CoarseFigures {
+        let contact = &self.outcome.state.response.contact;
+        let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
+        let [x, y] = semi_axes(self.system.grid(), &contact.force);
+        CoarseFigures { peak_pressure, half_width: x.min(y), approach, force }
+    }
+
+    fn has_collapsed(&self) -> bool {
+        self.system.yielding.borrow().bodies.iter().any(|body| {
+            let cells = body.space().layers().len() * body.space().grid().n_cells();
+            (0..cells).any(|cell| body.law().equivalent_plastic_strain(cell) > COLLAPSE_STRAIN)
+        })
+    }
 }
 
 impl HalfSpaceEngine<'_> {
@@ -218,7 +256,7 @@ impl Engine for HalfSpaceEngine<'_> {
         outcome: Outcome,
         _: Round,
         _: &mut Run<'_>,
-    ) -> Result<Verdict<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, SolveError> {
         let reached = ends_reached(&system, &outcome.state.response.contact.force);
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
         if !may_enlarge || reached == [false; 3] {

@@ -8,15 +8,14 @@ use super::raw_step::RawStep;
 use super::run::{Iterating, contact_solver};
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
-use crate::fem::element::StressState;
 use crate::job::Theory;
-use crate::solver::load_stepping::increments::{Division, IncrementEnds, Leg, exponent};
 use crate::solver::method::contact_system::ContactSystem as _;
 use crate::solver::method::couplings::iteration::{Outcome, Scales, norm};
+use crate::solver::method::increments::{Division, Growth, IncrementEnds, Leg};
 use crate::solver::method::observer::{IterationRecord, SolveStatus};
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Leave, OnSystem, solve};
-use crate::solver::solution::IncrementRecord;
+use crate::solver::method::steps::IncrementRecord;
 use crate::solver::strategy::coupling;
 use crate::solver::{IncrementNumber, SolveError};
 
@@ -193,8 +192,8 @@ impl History<'_> {
             from: progress.measure(load),
             to: load.magnitude(),
             reached: progress.reached[usize::from(!is_force)],
-            onset,
-            exponent: exponent(StressState::Axisymmetric, load),
+            // Between the elastic and the fully plastic contact of a ball.
+            growth: Growth { onset, exponent: if is_force { 2.4 } else { 2.0 } },
         }
     }
 

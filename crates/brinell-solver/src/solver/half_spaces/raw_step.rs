@@ -8,7 +8,7 @@ use super::problem::HalfSpaceProblem;
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
 use crate::solver::method::observer::{IterationRecord, SolveStatus};
-use crate::solver::solution::IncrementRecord;
+use crate::solver::method::steps::IncrementRecord;
 
 /// The answer to a load on one grid.
 pub(super) struct RawStep {

@@ -7,7 +7,7 @@ use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
 use crate::contact::ContactLoad;
 use crate::solver::method::observer::{IterationRecord, Observer, SolveStatus};
-use crate::solver::solution::IncrementRecord;
+use crate::solver::method::steps::IncrementRecord;
 
 /// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses in MPa.
 #[derive(Debug, Clone)]

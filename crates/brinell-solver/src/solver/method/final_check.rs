@@ -11,6 +11,9 @@ const RESIDUAL_SLACK: f64 = 1.5;
 /// Rounding floor of the residual.
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
+/// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
+pub(crate) const COLLAPSE_STRAIN: f64 = 1.0;
+
 /// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct LeastScales {
