@@ -359,6 +359,10 @@ impl HistoryEngine for Springs {
         (system.initial_gap.len(), Vec::new())
     }
 
+    fn bytes((_, displacements): &Self::Memory) -> usize {
+        size_of_val(displacements.as_slice())
+    }
+
     fn design_after(&self, (pairs, _): &Self::Memory) -> Design {
         Design { pairs: *pairs, watched: 21 }
     }
