@@ -89,15 +89,16 @@ impl Cell {
     }
 }
 
-/// The function, of which cells are prepared when they are asked for.
+/// The function, of which cells are prepared when they are asked for, and room for them by octaves: a body whose strength
+/// varies has thousands of these.
 #[derive(Debug, Clone)]
 pub(super) struct Interpolant {
-    cells: Vec<OnceLock<Cell>>,
+    octaves: Vec<OnceLock<Box<[OnceLock<Cell>]>>>,
 }
 
 impl Interpolant {
     pub fn new() -> Self {
-        Self { cells: vec![OnceLock::new(); OCTAVES << CELLS_LOG2] }
+        Self { octaves: vec![OnceLock::new(); OCTAVES] }
     }
 
     /// The value of the function f, which has to be the same one each time; `None` where the argument is too small or too large.
@@ -106,7 +107,10 @@ impl Interpolant {
     pub fn at<F: FnMut(f64) -> f64>(&self, x: f64, function: impl FnOnce() -> F) -> Option<f64> {
         let bits = x.to_bits();
         let cell = (bits >> REST_BITS).checked_sub(2f64.powi(SMALLEST).to_bits() >> REST_BITS)?;
-        let cell = self.cells.get(usize::try_from(cell).ok()?)?.get_or_init(|| {
+        let cell = usize::try_from(cell).ok()?;
+        let octave = self.octaves.get(cell >> CELLS_LOG2)?;
+        let cells = octave.get_or_init(|| vec![OnceLock::new(); 1 << CELLS_LOG2].into());
+        let cell = cells.get(cell % (1 << CELLS_LOG2))?.get_or_init(|| {
             let (begin, end) = (bits & !REST, (bits & !REST) + REST + 1);
             Cell::new(f64::from_bits(begin), f64::from_bits(end), &mut function())
         });
@@ -134,8 +138,8 @@ mod tests {
                 let found = interpolant.at(x, || f).unwrap();
                 assert!((found - f(x)).abs() < 3e-15 * f(x), "{found} for {} at {x}", f(x));
             }
-            let pieces: usize =
-                interpolant.cells.iter().filter_map(|cell| Some(cell.get()?.pieces.len())).sum();
+            let cells = interpolant.octaves.iter().filter_map(OnceLock::get).flatten();
+            let pieces: usize = cells.filter_map(|cell| Some(cell.get()?.pieces.len())).sum();
             assert!(pieces < at_most, "{pieces} pieces");
         }
     }
