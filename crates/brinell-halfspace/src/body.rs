@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use crate::half_space::{HalfSpace, HalfSpaceWork};
-use crate::tensors::{DEVIATOR_COMPONENTS, TensorField};
+use crate::tensors::{DEVIATOR_COMPONENTS, TensorField, isometric};
 
 /// The plastic law of the cells of a body, with what they remember. Cells count through the layers:
 /// `layer * n_cells + cell`.
@@ -39,8 +39,8 @@ pub trait PlasticLaw {
     /// Whether a cell counts as yielded at that strain.
     fn has_yielded(&self, layer: usize, cell: usize) -> bool;
 
-    /// `∫σ:dε_p` of a cell \[MPa\].
-    fn plastic_work(&self, cell: usize) -> f64;
+    /// `∫σ:dε_p` of a cell \[MPa\], and the part of it that the backstress stores.
+    fn plastic_work(&self, layer: usize, cell: usize) -> [f64; 2];
 }
 
 /// Plastic strains, stresses and work space of one body.
@@ -192,6 +192,30 @@ impl YieldingBody {
     /// Plastic strain and displacement of the surface of the last [`open`](Self::open).
     pub const fn opened(&self) -> (&TensorField, &[f64]) {
         (&self.total, self.displacement.as_slice())
+    }
+
+    /// `-½ ∫ ε_p : G ε_p dV` with this increment \[N mm\]: the elastic energy of the plastic strain alone, of one body.
+    pub fn residual_energy(&mut self, increment: &[f64]) -> f64 {
+        let nothing = vec![0.0; self.displacement.len()];
+        self.open(increment, &mut nothing.clone());
+        self.space.stress(&nothing, &mut self.work, &mut self.stress);
+        let (area, layers) = (self.space.grid().cell_area(), self.space.layers());
+        let n_cells = self.strain.n_cells();
+        let of_layer = |layer: usize| {
+            let (stress, strain) = (self.stress.layer(layer), self.total.layer(layer));
+            let pair = |cell: usize| {
+                let [stress, strain] = [stress, strain]
+                    .map(|field| isometric(std::array::from_fn(|k| field[k * n_cells + cell])));
+                stress.iter().zip(strain).map(|(s, e)| s * e).sum::<f64>()
+            };
+            layers.thickness(layer) * (0..n_cells).map(pair).sum::<f64>()
+        };
+        -0.5 * area * (0..self.strain.n_layers()).map(of_layer).sum::<f64>()
+    }
+
+    /// How many bodies this one stands for.
+    pub const fn count(&self) -> f64 {
+        self.count
     }
 
     /// All six stresses \[MPa\] under pressures with this increment, without σ0.

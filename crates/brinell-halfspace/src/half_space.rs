@@ -192,11 +192,11 @@ impl HalfSpace {
     }
 
     /// Bytes of the operators and of one work space.
-    pub fn bytes(&self) -> usize {
-        let n_rows = self.transform.n_rows();
-        let half = self.transform.mx / 2 + 1;
-        let kernels = n_rows * half * self.layers.len() * (COMPONENTS + 5) * size_of::<f64>();
-        let stack = self.transform.stack_len(self.layers.len() * COMPONENTS) * size_of::<Complex64>();
+    pub fn bytes(grid: &SurfaceGrid, n_layers: usize) -> usize {
+        let [mx, my] = [grid.nx(), grid.ny()].map(|n| fast_length(2 * n));
+        let (n_rows, half) = (my / 2 + 1, mx / 2 + 1);
+        let kernels = n_rows * half * n_layers * (COMPONENTS + 5) * size_of::<f64>();
+        let stack = n_rows * mx * n_layers * COMPONENTS * size_of::<Complex64>();
         kernels + stack
     }
 }

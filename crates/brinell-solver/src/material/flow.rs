@@ -162,6 +162,12 @@ impl<const N: usize> FlowPlasticity<N> {
         &self.mapping
     }
 
+    /// The energy that backstress stores \[MPa\]: `X = 2/3 C α`, and the energy is `C/3 α:α`.
+    pub(crate) fn backstress_energy<const D: usize>(&self, backstress: &[[f64; D]; N]) -> f64 {
+        let terms = backstress.iter().zip(&self.backstress).filter(|(_, term)| term.modulus > 0.0);
+        terms.map(|(x, term)| 0.75 * product(*x, *x) / term.modulus).sum()
+    }
+
     /// Parts of a strain path.
     pub(crate) fn substeps(&self) -> u32 {
         self.substeps
@@ -544,7 +550,6 @@ impl<const N: usize> ConstitutiveModel for FlowPlasticity<N> {
             stress[2] = 0.0;
         }
         let is_plastic = end.accumulated > 0.0;
-        let backstress_energy = end.backstress.iter().zip(&self.backstress);
         let response = PointResponse {
             stress,
             secant_shear: self.elastic.shear,
@@ -552,11 +557,7 @@ impl<const N: usize> ConstitutiveModel for FlowPlasticity<N> {
             yielded: is_plastic
                 && self.mapping.has_yielded(self.mapping.law().stress(end.accumulated), end.accumulated),
             plastic_work: end.plastic_work,
-            // X = 2/3 C α, and the energy is C/3 α:α.
-            backstress_energy: backstress_energy
-                .filter(|(_, term)| term.modulus > 0.0)
-                .map(|(x, term)| 0.75 * product(*x, *x) / term.modulus)
-                .sum(),
+            backstress_energy: self.backstress_energy(&end.backstress),
         };
         (response, end)
     }

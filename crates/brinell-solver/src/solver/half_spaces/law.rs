@@ -127,7 +127,8 @@ impl<const N: usize> PlasticLaw for Cells<N> {
         strain > 0.0 && mapping.has_yielded(mapping.law().stress(strain), strain)
     }
 
-    fn plastic_work(&self, cell: usize) -> f64 {
-        self.current[cell].plastic_work
+    fn plastic_work(&self, layer: usize, cell: usize) -> [f64; 2] {
+        let CellState { plastic_work, backstress, .. } = &self.current[cell];
+        [*plastic_work, self.models[layer].backstress_energy(backstress)]
     }
 }

@@ -3,10 +3,12 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use brinell_contact::Flexibility as _;
 use brinell_halfspace::{SurfaceGrid, TensorField, YieldingBody};
 
 use super::step::{HalfSpaceBody, HalfSpaceFigures, LargestStrain, SurfaceMap};
 use super::system::{ElasticBody, HalfSpaces};
+use crate::solver::Energy;
 use crate::solver::method::contact_system::BlockVector;
 use crate::solver::method::couplings::iteration::Outcome;
 
@@ -16,6 +18,7 @@ pub(super) struct Measured {
     pub peak_position: [f64; 2],
     pub largest_cell_pressure: f64,
     pub surface: SurfaceMap,
+    pub energy: Energy,
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
 }
 
@@ -48,8 +51,31 @@ pub(super) fn measure(system: &HalfSpaces, outcome: &Outcome, last_peak: [f64; 2
         peak_position,
         largest_cell_pressure: pressure.iter().copied().fold(0.0, f64::max),
         surface: SurfaceMap { grid, pressure, gap: contact.gap.clone() },
+        energy: energy(system, outcome),
         bodies,
     }
+}
+
+/// Elastic energy of the pressure, `½ RᵀF R`, and of plastic strain, whose cross terms cancel; and the work of plastic flow.
+fn energy(system: &HalfSpaces, outcome: &Outcome) -> Energy {
+    let force = &outcome.state.response.contact.force;
+    let mut displacement = vec![0.0; force.len()];
+    system.surface.apply(force, &mut displacement);
+    let of_pressure = 0.5 * force.iter().zip(&displacement).map(|(r, u)| r * u).sum::<f64>();
+    let mut energy = Energy { elastic: of_pressure, ..Energy::default() };
+    let mut yielding = system.yielding.borrow_mut();
+    for (body, increment) in yielding.bodies.iter_mut().zip(&outcome.state.loads) {
+        energy.elastic += body.count() * body.residual_energy(increment);
+        let (n_cells, layers) = (force.len(), body.space().layers());
+        for cell in 0..layers.len() * n_cells {
+            let layer = cell / n_cells;
+            let volume = body.count() * layers.thickness(layer) * system.grid().cell_area();
+            let [work, stored] = body.law().plastic_work(layer, cell).map(|density| volume * density);
+            energy.plastic_work += work;
+            energy.backstress += stored;
+        }
+    }
+    energy
 }
 
 fn of_bodies(bodies: &[Option<Arc<HalfSpaceBody>>; 2], figure: impl Fn(&HalfSpaceBody) -> f64) -> [f64; 2] {

@@ -8,6 +8,7 @@
 mod check;
 mod engine;
 mod errors;
+mod estimate;
 mod history;
 mod law;
 mod measure;
@@ -17,6 +18,7 @@ mod run;
 mod step;
 mod system;
 
+pub use estimate::{HalfSpaceEstimate, estimate};
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use step::{

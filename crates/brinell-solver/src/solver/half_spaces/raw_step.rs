@@ -34,7 +34,8 @@ impl RawStep {
     }
 
     pub fn into_step(self, problem: &HalfSpaceProblem, errors: Option<HalfSpaceFigures>) -> HalfSpaceStep {
-        let Measured { figures, peak_position, largest_cell_pressure, surface, bodies } = self.measured;
+        let Measured { figures, peak_position, largest_cell_pressure, surface, energy, bodies } =
+            self.measured;
         HalfSpaceStep {
             status: self.status,
             load: self.load,
@@ -44,6 +45,7 @@ impl RawStep {
             largest_cell_pressure,
             hertz: (figures.force > 0.0).then(|| problem.hertz(figures.force)),
             surface: Arc::new(surface),
+            energy,
             bodies,
             history: self.history,
             contact_check: self.check.contact,

@@ -8,6 +8,7 @@ use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 use crate::contact::ContactLoad;
 use crate::solver::method::observer::{IterationRecord, Observer, SolveStatus};
 use crate::solver::method::steps::IncrementRecord;
+use crate::solver::solution::Energy;
 
 /// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses in MPa.
 #[derive(Debug, Clone)]
@@ -28,6 +29,8 @@ pub struct HalfSpaceStep {
     pub hertz: Option<EllipticContact>,
     /// Pressures and gaps.
     pub surface: Arc<SurfaceMap>,
+    /// Where the work of the force has gone, by flow theory. Stress before any load is left out of the elastic part.
+    pub energy: Energy,
     /// Upper and lower body; `None` for a rigid one. Two equal bodies share one.
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
     /// Every iteration on the grid that was asked for.

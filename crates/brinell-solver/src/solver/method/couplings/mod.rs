@@ -12,7 +12,7 @@
 //!
 //! A coupling is one file with a type that implements [`Coupling`], and a line in `solver/strategy.rs`.
 
-mod anderson;
+pub(crate) mod anderson;
 pub(crate) mod iteration;
 pub(crate) mod newton;
 mod secant;
