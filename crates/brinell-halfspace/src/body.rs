@@ -147,12 +147,10 @@ impl YieldingBody {
         }
     }
 
-    /// What the plastic law answers a trial with. Calls `flowing` for each cell that flows. The number of those that count
-    /// as yielded.
-    pub fn flow(&mut self, trial: &[f64], into: &mut [f64], mut flowing: impl FnMut(usize)) -> usize {
+    /// What the plastic law answers a trial with. Calls `flowing` for each cell that flows.
+    pub fn flow(&mut self, trial: &[f64], into: &mut [f64], mut flowing: impl FnMut(usize)) {
         let (n_layers, n_cells) = (self.strain.n_layers(), self.strain.n_cells());
         let layer_len = DEVIATOR_COMPONENTS * n_cells;
-        let mut count = 0;
         into.fill(0.0);
         self.law.rest();
         for layer in 0..n_layers {
@@ -167,14 +165,12 @@ impl YieldingBody {
                 let from = whole(std::array::from_fn(|k| old[k * n_cells + cell]));
                 let index = layer * n_cells + cell;
                 let Some(answer) = self.law.flow(layer, index, &from, &trial) else { continue };
-                count += usize::from(self.law.has_yielded(layer, index));
                 flowing(index);
                 for (k, row) in [0, 1, 3, 4, 5].into_iter().enumerate() {
                     new[k * n_cells + cell] = answer[row];
                 }
             }
         }
-        count
     }
 
     /// Accepts an increment whose trial is given: its end is where the next one begins.

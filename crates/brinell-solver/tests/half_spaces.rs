@@ -4,10 +4,10 @@
 
 use brinell_solver::job::{
     Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load, NonNegativeF64,
-    PoissonRatio, PositiveF64, SolverSettings, Theory,
+    PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
 };
 use brinell_solver::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, run_each};
-use brinell_solver::solver::{SolveStatus, Unobserved};
+use brinell_solver::solver::{SolveError, SolveStatus, Unobserved};
 
 const YIELD_STRESS: f64 = 500.0;
 const RADIUS: f64 = 10.0;
@@ -248,11 +248,38 @@ fn a_perfectly_plastic_ball_beside_the_fits_of_others() {
     }
 }
 
+/// The force is found under which elastic bodies come up to the yield stress: `p0 = 1.613 σ_y` for ν = 0.3.
+#[test]
+fn the_onset_of_yield_is_that_of_johnson() {
+    let mut problem = on_flat(RADIUS, steel(Some(0.05)), 10);
+    let mut steps: Vec<HalfSpaceStep> = Vec::new();
+    run_each(&problem, &mut Unobserved, &mut steps).unwrap();
+    near(steps[0].figures.force, force_of(&problem, 1.613), 1e-2, "force");
+    let highest = problem.highest_utilization(&steps[0]).unwrap();
+    near(highest.ratio, 1.0, 2e-4, "utilization");
+    near(highest.position[2], 0.481 * steps[0].figures.semi_axes[0], 5e-2, "depth");
+    problem.materials[1] = Some(steel(None));
+    let refused = run_each(&problem, &mut Unobserved, &mut steps).unwrap_err();
+    assert_eq!(refused, SolveError::NoYieldPoint);
+}
+
+#[test]
+#[ignore = "full"]
+fn a_force_is_found_by_the_dent_that_it_leaves() {
+    let mut problem = on_flat(RADIUS, steel(Some(0.05)), 10);
+    problem.solver.theory = Theory::Flow;
+    let value = positive(5.92e-4);
+    problem.load = Load::Target(Target { figure: TargetFigure::DentDepth, value });
+    let steps = solved(&problem);
+    near(steps[0].figures.force, force_of(&problem, 4.0), 2e-2, "force");
+    near(steps[1].figures.dent[1], 5.92e-4, 1e-3, "dent");
+}
+
 #[test]
 #[ignore = "full"]
 fn two_equal_bodies_are_one_that_counts_twice() {
     let mut both = on_flat(RADIUS, steel(Some(0.05)), 6);
-    both.materials[0].clone_from(&both.materials[1]);
+    both.materials = [Some(steel(Some(0.05))), Some(steel(Some(0.05)))];
     let two = under(both.clone(), 3.0);
     let one = under(on_flat(RADIUS, steel(Some(0.05)), 6), 3.0);
     // Beside a rigid ball all lengths are half as large, at the same pressures.

@@ -28,11 +28,6 @@ pub enum SolveError {
     /// Elastic constants that half-spaces do not have.
     #[error(transparent)]
     Elasticity(#[from] ElasticityError),
-    /// A force that is sought by what it does, in three dimensions.
-    #[error(
-        "in three dimensions forces and approaches have to be given: the onset of yield and targets are not sought"
-    )]
-    NotInThreeDimensions,
     /// The load would spread the contact over too much of the bodies.
     #[error(
         "the contact would reach about {half_width:.4} mm to each side on a surface that spans {available:.4} mm; \

@@ -9,15 +9,18 @@ use brinell_halfspace::{
 use super::law::law_of_cells;
 use super::measure::semi_axes;
 use super::problem::HalfSpaceProblem;
+use super::step::HalfSpaceFigures;
 use super::system::{ElasticBody, HalfSpaces, Yielding};
-use crate::job::{Deformable, InitialStressProfile, Theory};
-use crate::solver::SolveError;
+use crate::contact::{ConjugateGradientSolver, ContactLoad};
+use crate::job::{self, Deformable, InitialStressProfile, Theory};
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
-use crate::solver::method::couplings::iteration::Outcome;
+use crate::solver::method::couplings::Coupling;
+use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
 use crate::solver::method::steps::CoarseFigures;
+use crate::solver::{SolveError, strategy};
 
 /// Half a side of the grid over the expected semi-axis. From the prototype in Python.
 const REACH: f64 = 1.6;
@@ -80,13 +83,48 @@ impl GridDesign {
 pub(super) struct HalfSpaceEngine<'a> {
     pub problem: &'a HalfSpaceProblem,
     pub theory: Theory,
+    pub coupling: &'static dyn Coupling,
+    pub tolerance: f64,
+    contact: ConjugateGradientSolver,
+    /// Figures of a grid of half the cells at the end of each load of a history.
+    pub coarse: Vec<HalfSpaceFigures>,
+}
+
+/// Largest violation of a contact condition that the contact solver leaves: half of what the check lets pass.
+const CONTACT_TOLERANCE: f64 = 5e-9;
+
+impl<'a> HalfSpaceEngine<'a> {
+    /// Iterated as the job asks for.
+    pub fn new(problem: &'a HalfSpaceProblem, theory: Theory) -> Self {
+        let coupling = strategy::coupling(problem.solver.coupling);
+        Self { coupling, ..Self::auxiliary(problem, theory, problem.solver.tolerance.get()) }
+    }
+
+    /// Iterated as is best for grids that nothing is reported of.
+    pub fn auxiliary(problem: &'a HalfSpaceProblem, theory: Theory, tolerance: f64) -> Self {
+        let coupling = strategy::coupling(job::Coupling::Accelerated);
+        let contact = ConjugateGradientSolver::new(CONTACT_TOLERANCE);
+        Self { problem, theory, coupling, tolerance, contact, coarse: Vec::new() }
+    }
+
+    /// The load is filled in.
+    pub fn controls(&self) -> Controls<'_> {
+        Controls {
+            contact: &self.contact,
+            load: ContactLoad::Force(0.0),
+            tolerance: self.tolerance,
+            max_iterations: self.problem.solver.max_iterations as usize,
+            renewable: false,
+            scales: Scales::default(),
+            increment: None,
+        }
+    }
 }
 
 /// An outcome on its grid.
 pub(super) struct Answer {
     pub system: HalfSpaces,
     pub outcome: Outcome,
-    pub design: GridDesign,
 }
 
 impl solve::Answer for Answer {
@@ -150,6 +188,7 @@ impl HalfSpaceEngine<'_> {
             (0..layers.len()).map(weight).collect()
         };
         Ok(HalfSpaces {
+            design: *design,
             surface: SurfaceFlexibility::new(grid, problem.effective_modulus()),
             closing: vec![1.0; initial_gap.len()],
             accepted: bodies.iter().map(|body: &YieldingBody| vec![0.0; body.len()]).collect(),
@@ -204,7 +243,7 @@ fn deviator([xx, yy, xy]: [f64; 3]) -> [f64; DEVIATOR_COMPONENTS] {
 }
 
 /// Where contact or plastic strain comes to the end of a grid: along x, along y, in depth.
-fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
+pub(super) fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
     let grid = system.grid();
     let (nx, ny, n_cells) = (grid.nx(), grid.ny(), grid.n_cells());
     let is_at_x = |cell: &usize| cell / ny == 0 || cell / ny + 1 == nx;
@@ -260,7 +299,7 @@ impl Engine for HalfSpaceEngine<'_> {
         let reached = ends_reached(&system, &outcome.state.response.contact.force);
         let may_enlarge = !outcome.status.is_stopped() && design.enlargements < MAX_ENLARGEMENTS;
         if !may_enlarge || reached == [false; 3] {
-            return Ok(Verdict::Accept(Answer { system, outcome, design: *design }));
+            return Ok(Verdict::Accept(Answer { system, outcome }));
         }
         let factor = reached.map(|reached| if reached { ENLARGEMENT } else { 1.0 });
         Ok(Verdict::Again(GridDesign {

@@ -6,10 +6,9 @@
 //! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes, and all other figures of
 //! contacts that yield. Factors and floors are those by which the prototype's figures on 16 to 64 cells a side are covered.
 
-use super::raw_step::RawStep;
-use super::step::HalfSpaceFigures;
+use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
-use crate::solver::SolveStatus;
+use crate::solver::method::steps::CoarseFigures;
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
@@ -20,27 +19,18 @@ const SCATTER_OF_AXES: f64 = 1.5e-2;
 /// By how much the force changes with the approach, of both logarithms.
 const FORCE_OVER_APPROACH: f64 = 1.5;
 
-/// Of a load that stands for itself; `None` where the coarse grid has no answer.
-pub(super) fn of_grid(fine: &RawStep, coarse: &RawStep) -> Option<HalfSpaceFigures> {
-    let has_answer = coarse.status == SolveStatus::Converged;
-    has_answer.then(|| estimate(fine, coarse, &HalfSpaceFigures::default()))
-}
+impl HalfSpaceStep {
+    /// Errors by what a grid of half the cells has found.
+    pub(super) fn errors_beside(&self, coarse: &HalfSpaceFigures) -> HalfSpaceFigures {
+        let figures = self.figures.values();
+        let of_grid = difference(&self.figures, coarse).values();
+        let floors = floors(self).values();
+        HalfSpaceFigures::of(std::array::from_fn(|k| OF_GRID * of_grid[k] + floors[k] * figures[k].abs()))
+    }
 
-/// Of a load of a history; `halved` is the coarse grid with half the increments.
-pub(super) fn of_history(fine: &RawStep, coarse: &RawStep, halved: &RawStep) -> Option<HalfSpaceFigures> {
-    let has_answer = [coarse, halved].iter().all(|step| step.status == SolveStatus::Converged);
-    let change = difference(&coarse.measured.figures, &halved.measured.figures);
-    has_answer.then(|| estimate(fine, coarse, &change))
-}
-
-fn estimate(fine: &RawStep, coarse: &RawStep, of_increments: &HalfSpaceFigures) -> HalfSpaceFigures {
-    let figures = fine.measured.figures.values();
-    let of_grid = difference(&fine.measured.figures, &coarse.measured.figures).values();
-    let floors = floors(fine).values();
-    let increments = of_increments.values();
-    HalfSpaceFigures::of(std::array::from_fn(|k| {
-        OF_GRID * of_grid[k] + OF_INCREMENTS * increments[k] + floors[k] * figures[k].abs()
-    }))
+    fn yields(&self) -> bool {
+        self.figures.max_plastic_strain.iter().any(|strain| *strain > 0.0)
+    }
 }
 
 fn difference(a: &HalfSpaceFigures, b: &HalfSpaceFigures) -> HalfSpaceFigures {
@@ -49,7 +39,7 @@ fn difference(a: &HalfSpaceFigures, b: &HalfSpaceFigures) -> HalfSpaceFigures {
 }
 
 /// Over the figure.
-fn floors(step: &RawStep) -> HalfSpaceFigures {
+fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
     let scatter = if step.yields() { 1.0 } else { 0.0 };
     let (force, approach) = match step.load {
         ContactLoad::Force(_) => (0.0, SCATTER_OF_APPROACH),
@@ -69,6 +59,25 @@ fn floors(step: &RawStep) -> HalfSpaceFigures {
 }
 
 impl HalfSpaceFigures {
+    /// Adds what half as many increments change, relative to figures: of approach, force and widths their own, of all others that of the
+    /// pressure, which changes most.
+    pub(super) fn add_increments(&mut self, figures: &Self, changes: CoarseFigures) {
+        let CoarseFigures { peak_pressure, half_width, approach, force } = changes;
+        let relative = Self {
+            force,
+            approach,
+            peak_pressure,
+            semi_axes: [half_width; 2],
+            area: 2.0 * half_width,
+            max_plastic_strain: [peak_pressure; 2],
+            dent: [peak_pressure; 2],
+            pile_up: [peak_pressure; 2],
+            least_stress: [peak_pressure; 2],
+        };
+        let (errors, figures, relative) = (self.values(), figures.values(), relative.values());
+        *self = Self::of(std::array::from_fn(|k| errors[k] + OF_INCREMENTS * relative[k] * figures[k].abs()));
+    }
+
     fn values(&self) -> [f64; 14] {
         let Self { force, approach, peak_pressure, semi_axes: [a, b], area, .. } = *self;
         let [[e0, e1], [d0, d1], [p0, p1], [s0, s1]] =

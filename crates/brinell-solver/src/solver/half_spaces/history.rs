@@ -1,250 +1,149 @@
-//! Loads one after the other on one grid, each divided into increments, by flow theory.
+//! Half-spaces that go on from accepted states: histories of the method, on a grid of half the cells and on the one that was
+//! asked for.
 
-use super::check::Check;
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
-use super::measure::{measure, semi_axes};
+use super::measure::{measure, place, semi_axes};
 use super::problem::HalfSpaceProblem;
-use super::raw_step::RawStep;
-use super::run::{Iterating, contact_solver};
+use super::run::size;
+use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use super::system::HalfSpaces;
 use crate::contact::ContactLoad;
 use crate::job::Theory;
-use crate::solver::method::contact_system::ContactSystem as _;
-use crate::solver::method::couplings::iteration::{Outcome, Scales, norm};
-use crate::solver::method::increments::{Division, Growth, IncrementEnds, Leg};
-use crate::solver::method::observer::{IterationRecord, SolveStatus};
+use crate::solver::SolveError;
+use crate::solver::loads::largest_loads;
+use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
+use crate::solver::method::couplings::Coupling;
+use crate::solver::method::couplings::iteration::Controls;
+use crate::solver::method::final_check::LeastScales;
+use crate::solver::method::history::{EngineAndDesign, HistoryEngine, NextIncrement, TwoDensities};
+use crate::solver::method::increments::Growth;
+use crate::solver::method::progress::Progress;
 use crate::solver::method::run::Run;
-use crate::solver::method::solve::{Leave, OnSystem, solve};
-use crate::solver::method::steps::IncrementRecord;
-use crate::solver::strategy::coupling;
-use crate::solver::{IncrementNumber, SolveError};
 
 /// Largest pressure over the yield stress at which a ball begins to yield (Poisson's ratio 0.3); others begin later.
 const ONSET: f64 = 1.6;
+/// Powers of the semi-axes with which force and approach grow, between the elastic and the fully plastic contact of a ball.
+const FORCE_EXPONENT: f64 = 2.4;
+const APPROACH_EXPONENT: f64 = 2.0;
 
-/// Takes the steps of a history.
-pub(super) trait Steps {
-    /// The history begins, perhaps anew.
-    fn begin(&mut self);
-    /// A load has ended.
-    fn step(&mut self, step: RawStep, run: &mut Run<'_>);
-}
-
-/// Keeps steps.
-#[derive(Default)]
-pub(super) struct Recorder {
-    pub steps: Vec<RawStep>,
-}
-
-impl Recorder {
-    /// How the last load ended.
-    pub fn status(&self) -> SolveStatus {
-        self.steps.last().map_or(SolveStatus::Converged, |step| step.status)
-    }
-
-    /// The largest semi-axes, or these.
-    pub fn semi_axes_or(&self, other: [f64; 2]) -> [f64; 2] {
-        let axes = self.steps.iter().map(|step| step.semi_axes_or([0.0; 2]));
-        let most = axes.fold([0.0_f64; 2], |most, axes| [most[0].max(axes[0]), most[1].max(axes[1])]);
-        if most[0] > 0.0 && most[1] > 0.0 { most } else { other }
-    }
-}
-
-impl Steps for Recorder {
-    fn begin(&mut self) {
-        self.steps.clear();
-    }
-
-    fn step(&mut self, step: RawStep, _: &mut Run<'_>) {
-        self.steps.push(step);
-    }
-}
-
-/// Loads in order, and how each is divided.
-pub(super) struct History<'a> {
-    pub problem: &'a HalfSpaceProblem,
-    pub loads: &'a [ContactLoad],
-    pub division: Division,
-}
-
-/// Where a history is.
-#[derive(Default)]
-struct Progress {
-    force: f64,
-    approach: f64,
-    /// Largest force and approach so far.
-    reached: [f64; 2],
-    scales: Scales,
+/// What a history leaves beside the accepted state.
+pub(super) struct Memory {
+    design: GridDesign,
+    /// Largest semi-axes.
+    semi_axes: [f64; 2],
     /// Where the pressure was largest under the last load above zero.
     peak: [f64; 2],
+    /// Figures at the end of each load.
+    pub figures: Vec<HalfSpaceFigures>,
 }
 
-impl Progress {
-    fn after(&mut self, system: &HalfSpaces, outcome: &Outcome) {
-        let response = &outcome.state.response;
-        self.force = response.contact.total_force;
-        self.approach = response.contact.approach;
-        self.reached = [self.reached[0].max(self.force), self.reached[1].max(self.approach)];
-        self.scales.force = self.scales.force.max(norm(&response.contact.force));
-        self.scales.displacement = self.scales.displacement.max(system.norm(&response.displacement));
+impl HistoryEngine for HalfSpaceEngine<'_> {
+    type Step = HalfSpaceStep;
+    type Memory = Memory;
+
+    fn coupling(&self) -> &dyn Coupling {
+        self.coupling
     }
 
-    fn measure(&self, load: ContactLoad) -> f64 {
+    fn controls(&self) -> Controls<'_> {
+        HalfSpaceEngine::controls(self)
+    }
+
+    fn begin(&self, system: &HalfSpaces) -> Memory {
+        Memory { design: system.design, semi_axes: [0.0; 2], peak: [0.0; 2], figures: Vec::new() }
+    }
+
+    fn design_after(&self, memory: &Memory) -> GridDesign {
+        memory.design
+    }
+
+    fn growth(&self, load: ContactLoad) -> Growth {
+        let onset = onset_force(self.problem);
         match load {
-            ContactLoad::Force(_) => self.force,
-            ContactLoad::Approach(_) => self.approach,
+            ContactLoad::Force(_) => Growth { onset, exponent: FORCE_EXPONENT },
+            ContactLoad::Approach(_) => {
+                let onset = onset.map(|force| self.problem.hertz(force).approach);
+                Growth { onset, exponent: APPROACH_EXPONENT }
+            }
         }
     }
-}
 
-/// One load in the making.
-#[derive(Default)]
-struct Records {
-    iterations: Vec<IterationRecord>,
-    increments: Vec<IncrementRecord>,
-    has_failed: bool,
-}
-
-impl History<'_> {
-    /// Solves all loads on one grid, or on a larger one from the first load on. The grid in the end.
-    pub fn solve(
+    /// Increments begin where nothing flows; a guess by the last ones saves nothing.
+    fn prepare(
         &self,
-        design: GridDesign,
-        run: &mut Run<'_>,
-        steps: &mut dyn Steps,
-    ) -> Result<GridDesign, SolveError> {
-        let engine = HalfSpaceEngine { problem: self.problem, theory: Theory::Flow };
-        solve(&engine, design, None, run, |grid, mut system, _, run| {
-            steps.begin();
-            let (mut progress, mut last) = (Progress::default(), design);
-            for number in 0..self.loads.len() {
-                let (step, after, on) = self.load(number, grid, system, &mut progress, run)?;
-                (system, last) = (after, on);
-                let is_stopped = step.status.is_stopped();
-                steps.step(step, run);
-                if is_stopped {
-                    break;
-                }
-            }
-            Ok(last)
-        })
+        system: &mut HalfSpaces,
+        _: &NextIncrement<'_, Memory>,
+        _: &mut Run<'_>,
+    ) -> Result<BlockVector, SolveError> {
+        Ok(system.accepted().clone())
     }
 
-    fn load(
+    fn remember(&self, answer: &mut Answer, memory: &mut Memory, time: f64, _: bool) {
+        let Answer { system, outcome } = answer;
+        let contact = &outcome.state.response.contact;
+        let axes = semi_axes(system.grid(), &contact.force);
+        memory.semi_axes = [memory.semi_axes[0].max(axes[0]), memory.semi_axes[1].max(axes[1])];
+        if contact.total_force > 0.0 {
+            memory.peak = place(system.grid(), system.peak(&contact.force).1);
+        }
+        // What a coarse grid has found is compared at the end of each load.
+        if time.fract() == 0.0 && self.coarse.is_empty() {
+            memory.figures.push(measure(system, outcome, memory.peak).figures);
+        }
+    }
+
+    fn step(
         &self,
-        number: usize,
-        grid: &OnSystem<'_, HalfSpaceEngine<'_>>,
-        mut system: HalfSpaces,
-        progress: &mut Progress,
-        run: &mut Run<'_>,
-    ) -> Result<(RawStep, HalfSpaces, GridDesign), Leave<GridDesign>> {
-        let load = self.loads[number];
-        let leg = self.leg(load, progress);
-        let mut ends = IncrementEnds::of(&leg, self.division);
-        let mut records = Records::default();
-        let mut k = 0;
-        loop {
-            let increment = IncrementNumber {
-                number: k + 1,
-                count: ends.count(),
-                load: number + 1,
-                loads: self.loads.len(),
-            };
-            let iterating = Iterating {
-                load: leg.load(ends.measure(k)),
-                tolerance: self.problem.solver.tolerance.get(),
-                scales: progress.scales,
-                increment: Some(increment),
-            };
-            let contact = contact_solver();
-            let controls = self.problem.controls(&contact, iterating);
-            let coupling = coupling(self.problem.solver.coupling);
-            let answer = grid.solve(system, None, coupling, controls, run)?;
-            let Answer { system: same, mut outcome, design } = answer;
-            system = same;
-            let iterations = std::mem::take(&mut outcome.history);
-            let count = iterations.len();
-            records.iterations.extend(iterations);
-            let has_failed = outcome.status == SolveStatus::NotConverged;
-            if has_failed && ends.halve(k, progress.measure(load)) {
-                continue;
-            }
-            records.has_failed |= has_failed;
-            progress.after(&system, &outcome);
-            records.increments.push(increment_record(&system, &outcome, count));
-            let is_last = k + 1 == ends.count() || outcome.status.is_stopped();
-            let step =
-                is_last.then(|| raw_step(iterating, &system, &outcome, progress, &mut records, design));
-            system.commit(outcome.state.response.displacement);
-            if let Some(step) = step {
-                return Ok((step, system, design));
-            }
-            k += 1;
-        }
+        answer: &mut Answer,
+        load: ContactLoad,
+        memory: &mut Memory,
+        progress: &Progress,
+        _: &mut Run<'_>,
+    ) -> HalfSpaceStep {
+        let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
+        let mut step = answer.step(self, load, memory.peak, least);
+        let coarse = progress.number.load.checked_sub(1).and_then(|load| self.coarse.get(load));
+        step.errors = coarse.map(|coarse| step.errors_beside(coarse));
+        step
     }
 
-    fn leg(&self, load: ContactLoad, progress: &Progress) -> Leg {
-        let is_force = matches!(load, ContactLoad::Force(_));
-        let onset = self.onset_force();
-        let onset = if is_force { onset } else { onset.map(|force| self.problem.hertz(force).approach) };
-        Leg {
-            is_force,
-            from: progress.measure(load),
-            to: load.magnitude(),
-            reached: progress.reached[usize::from(!is_force)],
-            // Between the elastic and the fully plastic contact of a ball.
-            growth: Growth { onset, exponent: if is_force { 2.4 } else { 2.0 } },
-        }
-    }
-
-    /// A force below which no body yields, but where strength varies over so little depth that it hides it \[N\].
-    fn onset_force(&self) -> Option<f64> {
-        let weakest = |material: &crate::job::Deformable| {
-            let factor = material.strength().map_or(1.0, |strength| strength.range().0);
-            material.hardening_law().map(|law| factor * law.nominal_yield_stress())
-        };
-        let least = self.problem.materials.iter().flatten().filter_map(weakest).reduce(f64::min)?;
-        Some((ONSET * least / self.problem.hertz(1.0).peak_pressure).powi(3))
+    fn step_as_iterated(&self, answer: &Answer, load: ContactLoad) -> HalfSpaceStep {
+        answer.step_as_iterated(self, load, [0.0; 2])
     }
 }
 
-/// The step at the end of a load.
-fn raw_step(
-    iterating: Iterating,
-    system: &HalfSpaces,
-    outcome: &Outcome,
-    progress: &mut Progress,
-    records: &mut Records,
-    design: GridDesign,
-) -> RawStep {
-    let Iterating { load, tolerance, .. } = iterating;
-    let check = Check::of(system, outcome, load, progress.scales.force);
-    let status = check.verdict(outcome.status, tolerance);
-    let has_failed = records.has_failed && status == SolveStatus::Converged;
-    let measured = measure(system, outcome, progress.peak);
-    progress.peak = measured.peak_position;
-    RawStep {
-        load,
-        status: if has_failed { SolveStatus::NotConverged } else { status },
-        measured,
-        check,
-        history: std::mem::take(&mut records.iterations),
-        increments: std::mem::take(&mut records.increments),
-        enlargements: design.enlargements,
-    }
+/// A force below which no body yields \[N\].
+pub(super) fn onset_force(problem: &HalfSpaceProblem) -> Option<f64> {
+    Some((ONSET * problem.weakest()? / problem.hertz(1.0).peak_pressure).powi(3))
 }
 
-fn increment_record(system: &HalfSpaces, outcome: &Outcome, iterations: usize) -> IncrementRecord {
-    let contact = &outcome.state.response.contact;
-    let figures = system.figures(contact);
-    let [x, y] = semi_axes(system.grid(), &contact.force);
-    IncrementRecord {
-        force: figures.force,
-        approach: figures.approach,
-        peak_pressure: figures.peak_pressure,
-        half_width: x.min(y),
-        iterations,
-        plastic_points: system.yielded_cells(),
-        status: outcome.status,
+/// The bodies of a history on two grids.
+pub(super) struct OnTwoGrids<'a> {
+    pub problem: &'a HalfSpaceProblem,
+    pub loads: &'a [ContactLoad],
+}
+
+impl<'a> TwoDensities for OnTwoGrids<'a> {
+    type Engine = HalfSpaceEngine<'a>;
+
+    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, SolveError> {
+        let problem = self.problem;
+        let mut design: Option<GridDesign> = None;
+        for load in largest_loads(self.loads) {
+            let next = size(problem, load, run)?;
+            let is_wider = design.is_none_or(|design| next.semi_axes[0] > design.semi_axes[0]);
+            design = if is_wider { Some(next) } else { design };
+        }
+        let design = design.ok_or(SolveError::NoLoad)?;
+        let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
+        Ok((engine, design.with(design.semi_axes, 0.5 * problem.cells())))
+    }
+
+    fn fine(&self, found: &Memory) -> EngineAndDesign<Self::Engine> {
+        let problem = self.problem;
+        let mut engine = HalfSpaceEngine::new(problem, Theory::Flow);
+        engine.coarse.clone_from(&found.figures);
+        let axes = if found.semi_axes[0] > 0.0 { found.semi_axes } else { found.design.semi_axes };
+        (engine, found.design.with(axes, problem.cells()))
     }
 }

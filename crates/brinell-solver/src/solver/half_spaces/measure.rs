@@ -82,7 +82,8 @@ fn of_bodies(bodies: &[Option<Arc<HalfSpaceBody>>; 2], figure: impl Fn(&HalfSpac
     bodies.each_ref().map(|body| body.as_deref().map_or(0.0, &figure))
 }
 
-fn place(grid: &SurfaceGrid, cell: usize) -> [f64; 2] {
+/// Middle of a cell.
+pub(super) fn place(grid: &SurfaceGrid, cell: usize) -> [f64; 2] {
     [grid.x(cell / grid.ny()), grid.y(cell % grid.ny())]
 }
 

@@ -5,7 +5,7 @@
 //! Frame of all maps and fields: x along the shorter semi-axis of the contact, y along the longer one, z into the
 //! body. [`HalfSpaceProblem::orientation`] is the angle from the job's x to this x, towards the job's y.
 
-mod check;
+mod answer;
 mod engine;
 mod errors;
 mod estimate;
@@ -13,14 +13,13 @@ mod history;
 mod law;
 mod measure;
 mod problem;
-mod raw_step;
 mod run;
+mod search;
 mod step;
 mod system;
 
 pub use estimate::{HalfSpaceEstimate, estimate};
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
-pub use step::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceReceiver, HalfSpaceStep, LargestStrain, SurfaceMap,
-};
+pub use search::HighestUtilization;
+pub use step::{ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, LargestStrain, SurfaceMap};

@@ -49,6 +49,25 @@ impl HalfSpaceProblem {
         1.0 / self.materials.iter().flatten().map(plane_compliance).sum::<f64>()
     }
 
+    /// Whether a body has a hardening curve.
+    pub(super) fn can_yield(&self) -> bool {
+        self.materials.iter().flatten().any(|material| material.plasticity().is_some())
+    }
+
+    /// Lowest nominal yield stress of all depths \[MPa\].
+    pub(super) fn weakest(&self) -> Option<f64> {
+        let weakest = |material: &Deformable| {
+            let factor = material.strength().map_or(1.0, |strength| strength.range().0);
+            material.hardening_law().map(|law| factor * law.nominal_yield_stress())
+        };
+        self.materials.iter().flatten().filter_map(weakest).reduce(f64::min)
+    }
+
+    /// Cells over each semi-axis.
+    pub(super) fn cells(&self) -> f64 {
+        f64::from(self.cells_per_semi_axis)
+    }
+
     /// The contact of elastic bodies under a force above zero \[N\].
     pub fn hertz(&self, force: f64) -> EllipticContact {
         let [kx, ky] = self.principal_curvatures();

@@ -1,37 +1,26 @@
 //! From a problem to its steps: each load on a grid of half the cells and on the one that was asked for.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
-use super::errors;
-use super::history::{History, Recorder};
-use super::measure::measure;
+use super::history::OnTwoGrids;
 use super::problem::HalfSpaceProblem;
-use super::raw_step::RawStep;
-use super::step::{HalfSpaceReceiver, HalfSpaceStep};
-use crate::contact::{ConjugateGradientSolver, ContactLoad, ContactSolver};
-use crate::job::{Coupling, Theory};
-use crate::solver::half_spaces::check::Check;
-use crate::solver::loads::{Loads, largest_loads, loads};
-use crate::solver::method::couplings::iteration::{Controls, Scales};
-use crate::solver::method::increments::Division;
-use crate::solver::method::observer::{Interrupt, Observer, SolveStatus};
+use super::search;
+use super::step::HalfSpaceStep;
+use crate::contact::ContactLoad;
+use crate::job::Theory;
+use crate::solver::loads::{Loads, loads};
+use crate::solver::method::couplings::iteration::Controls;
+use crate::solver::method::final_check::LeastScales;
+use crate::solver::method::history;
+use crate::solver::method::observer::{Interrupt, Observer};
 use crate::solver::method::phases::PhaseTimes;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::solve;
-use crate::solver::{IncrementNumber, SolveError, strategy};
+use crate::solver::method::steps::{StepReceiver, each_load};
+use crate::solver::{SolveError, SolveStatus};
 
 /// Cells over a semi-axis of the grid that finds out how large the contact is, and its tolerance.
 const SIZING_CELLS: f64 = 4.0;
 const SIZING_TOLERANCE: f64 = 1e-3;
-/// How grids are iterated that nothing is reported of, whatever the job asks for.
-const AUXILIARY: Coupling = Coupling::Accelerated;
-
-/// Largest violation of a contact condition that the contact solver leaves: half of what the check lets pass.
-const CONTACT_TOLERANCE: f64 = 5e-9;
-
-/// The solver that applies flexibilities. One that needs their entries has nothing to work on.
-pub(super) fn contact_solver() -> ConjugateGradientSolver {
-    ConjugateGradientSolver::new(CONTACT_TOLERANCE)
-}
 
 /// What a run leaves beside its steps.
 #[derive(Debug, Clone, Default)]
@@ -42,202 +31,104 @@ pub struct HalfSpaceRun {
     pub grids: usize,
     /// Why loads at the end are missing.
     pub interrupted: Option<Interrupt>,
+    /// Of a force that was sought: relative change of the figure by which it was, over that of the force.
+    pub sensitivity: Option<f64>,
 }
 
-/// Solves the loads of a problem, each on what the one before has left under flow theory.
+/// Solves the loads of a problem, each on what the one before has left under flow theory; or the force that is sought.
 ///
 /// # Errors
 /// [`SolveError`]. An iteration that does not converge is no error: see [`SolveStatus`].
 pub fn run_each(
     problem: &HalfSpaceProblem,
     observer: &mut dyn Observer,
-    receiver: &mut dyn HalfSpaceReceiver,
+    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
 ) -> Result<HalfSpaceRun, SolveError> {
     let mut done = HalfSpaceRun::default();
     let mut run = Run { phases: &mut done.phases, passes: &mut done.grids, observer };
-    let solver = LoadSolver { problem };
-    let interrupted = match loads(&problem.load) {
-        Loads::Given(loads) if problem.solver.theory == Theory::Flow => {
-            solver.history(&loads, &mut run, receiver)?
+    match loads(&problem.load) {
+        Loads::Given(loads) => done.interrupted = given(problem, &loads, &mut run, receiver)?,
+        Loads::Sought(sought) => {
+            let (steps, sensitivity) = search::run(problem, sought, &mut run)?;
+            for step in steps {
+                receiver.step(step, run.observer);
+            }
+            done.sensitivity = Some(sensitivity);
         }
-        Loads::Given(loads) => solver.loads(&loads, &mut run, receiver)?,
-        Loads::Sought(_) => return Err(SolveError::NotInThreeDimensions),
-    };
-    done.interrupted = interrupted;
+    }
     Ok(done)
 }
 
-/// Solves loads of one problem.
-struct LoadSolver<'a> {
-    problem: &'a HalfSpaceProblem,
+/// Solves loads in order.
+pub(super) fn given(
+    problem: &HalfSpaceProblem,
+    loads: &[ContactLoad],
+    run: &mut Run<'_>,
+    receiver: &mut dyn StepReceiver<HalfSpaceStep>,
+) -> Result<Option<Interrupt>, SolveError> {
+    if problem.solver.theory == Theory::Flow {
+        let bodies = OnTwoGrids { problem, loads };
+        return history::run(&bodies, loads, problem.solver.increments, run, receiver);
+    }
+    each_load(loads, receiver, run, |load, _, run| step(problem, load, run))
 }
 
-/// How a load is iterated.
-#[derive(Clone, Copy)]
-pub(super) struct Iterating {
-    pub load: ContactLoad,
-    pub tolerance: f64,
-    pub scales: Scales,
-    pub increment: Option<IncrementNumber>,
+/// One load by deformation theory, with its errors.
+fn step(
+    problem: &HalfSpaceProblem,
+    load: ContactLoad,
+    run: &mut Run<'_>,
+) -> Result<HalfSpaceStep, SolveError> {
+    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
+    let design = size(problem, load, run)?;
+    let design = design.with(design.semi_axes, 0.5 * problem.cells());
+    let (coarse, design) = run.silently(|run| under(&engine, load, design, run))?;
+    interrupted(coarse.status)?;
+    let design = design.with(semi_axes_or(&coarse, design.semi_axes), problem.cells());
+    let engine = HalfSpaceEngine::new(problem, Theory::Deformation);
+    let (mut fine, _) = under(&engine, load, design, run)?;
+    let has_answer = coarse.status == SolveStatus::Converged;
+    fine.errors = has_answer.then(|| fine.errors_beside(&coarse.figures));
+    Ok(fine)
 }
 
-impl HalfSpaceProblem {
-    pub(super) fn controls<'a>(&self, contact: &'a dyn ContactSolver, iterating: Iterating) -> Controls<'a> {
-        Controls {
-            contact,
-            load: iterating.load,
-            tolerance: iterating.tolerance,
-            max_iterations: self.solver.max_iterations as usize,
-            renewable: false,
-            scales: iterating.scales,
-            increment: iterating.increment,
-        }
+/// A first grid, sized by elastic bodies or, where they can yield, by a grid of few cells.
+pub(super) fn size(
+    problem: &HalfSpaceProblem,
+    load: ContactLoad,
+    run: &mut Run<'_>,
+) -> Result<GridDesign, SolveError> {
+    let elastic = problem.elastic_contact(load).ok_or(SolveError::NoLoad)?;
+    let design = GridDesign::new([elastic.semi_axis_x, elastic.semi_axis_y], SIZING_CELLS);
+    if !problem.can_yield() {
+        return Ok(design);
     }
-
-    /// Whether a body has a hardening curve.
-    pub(super) fn can_yield(&self) -> bool {
-        self.materials.iter().flatten().any(|material| material.plasticity().is_some())
-    }
+    let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, SIZING_TOLERANCE);
+    let (found, design) = run.silently(|run| under(&engine, load, design, run))?;
+    interrupted(found.status)?;
+    Ok(design.with(semi_axes_or(&found, design.semi_axes), SIZING_CELLS))
 }
 
-impl LoadSolver<'_> {
-    /// Loads that know nothing of each other.
-    fn loads(
-        &self,
-        loads: &[ContactLoad],
-        run: &mut Run<'_>,
-        receiver: &mut dyn HalfSpaceReceiver,
-    ) -> Result<Option<Interrupt>, SolveError> {
-        for load in loads {
-            let step = self.step(*load, run)?;
-            let interrupt = step.status.interrupt();
-            receiver.step(step, run.observer);
-            if interrupt.is_some() {
-                return Ok(interrupt);
-            }
-        }
-        Ok(None)
-    }
+/// One load from rest, and the grid in the end.
+fn under(
+    engine: &HalfSpaceEngine<'_>,
+    load: ContactLoad,
+    design: GridDesign,
+    run: &mut Run<'_>,
+) -> Result<(HalfSpaceStep, GridDesign), SolveError> {
+    let answer: Answer = solve(engine, design, None, run, |grid, system, start, run| {
+        grid.solve(system, start, engine.coupling, Controls { load, ..engine.controls() }, run)
+    })?;
+    Ok((answer.step(engine, load, [0.0; 2], LeastScales::default()), answer.system.design))
+}
 
-    fn step(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<HalfSpaceStep, SolveError> {
-        let tolerance = self.problem.solver.tolerance.get();
-        let cells = f64::from(self.problem.cells_per_semi_axis);
-        let design = self.size(load, run)?;
-        let design = design.with(design.semi_axes, 0.5 * cells);
-        let (coarse, design) = run.silently(|run| self.under(load, design, tolerance, AUXILIARY, run))?;
-        interrupted(coarse.status)?;
-        let design = design.with(coarse.semi_axes_or(design.semi_axes), cells);
-        let (fine, _) = self.under(load, design, tolerance, self.problem.solver.coupling, run)?;
-        let errors = errors::of_grid(&fine, &coarse);
-        Ok(fine.into_step(self.problem, errors))
-    }
-
-    /// A first grid, sized by elastic bodies or, where they can yield, by a grid of few cells.
-    fn size(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<GridDesign, SolveError> {
-        let elastic = self.problem.elastic_contact(load).ok_or(SolveError::NoLoad)?;
-        let design = GridDesign::new([elastic.semi_axis_x, elastic.semi_axis_y], SIZING_CELLS);
-        if !self.problem.can_yield() {
-            return Ok(design);
-        }
-        let (found, design) =
-            run.silently(|run| self.under(load, design, SIZING_TOLERANCE, AUXILIARY, run))?;
-        interrupted(found.status)?;
-        Ok(design.with(found.semi_axes_or(design.semi_axes), SIZING_CELLS))
-    }
-
-    /// One load by deformation theory.
-    fn under(
-        &self,
-        load: ContactLoad,
-        design: GridDesign,
-        tolerance: f64,
-        coupling: Coupling,
-        run: &mut Run<'_>,
-    ) -> Result<(RawStep, GridDesign), SolveError> {
-        let engine = HalfSpaceEngine { problem: self.problem, theory: Theory::Deformation };
-        let iterating = Iterating { load, tolerance, scales: Scales::default(), increment: None };
-        let contact = contact_solver();
-        let controls = self.problem.controls(&contact, iterating);
-        let coupling = strategy::coupling(coupling);
-        let Answer { system, mut outcome, design } =
-            solve(&engine, design, None, run, |grid, system, start, run| {
-                grid.solve(system, start, coupling, controls, run)
-            })?;
-        let check = Check::of(&system, &outcome, load, 0.0);
-        let step = RawStep {
-            load,
-            status: check.verdict(outcome.status, tolerance),
-            measured: measure(&system, &outcome, [0.0; 2]),
-            check,
-            history: std::mem::take(&mut outcome.history),
-            increments: Vec::new(),
-            enlargements: design.enlargements,
-        };
-        Ok((step, design))
-    }
-
-    /// Loads of which each begins where the one before has ended.
-    fn history(
-        &self,
-        loads: &[ContactLoad],
-        run: &mut Run<'_>,
-        receiver: &mut dyn HalfSpaceReceiver,
-    ) -> Result<Option<Interrupt>, SolveError> {
-        let cells = f64::from(self.problem.cells_per_semi_axis);
-        let mut design: Option<GridDesign> = None;
-        for load in largest_loads(loads) {
-            let next = self.size(load, run)?;
-            let wider = design.is_none_or(|design| next.semi_axes[0] > design.semi_axes[0]);
-            design = if wider { Some(next) } else { design };
-        }
-        let design = design.ok_or(SolveError::NoLoad)?;
-        let (division, half) = match self.problem.solver.increments {
-            Some(count) => (Division::Fixed(count), Division::Fixed(count.div_ceil(2))),
-            None => (Division::Level(1), Division::Level(0)),
-        };
-        let history = |division| History { problem: self.problem, loads, division };
-        let design = design.with(design.semi_axes, 0.5 * cells);
-        let mut halved = Recorder::default();
-        let design = run.silently(|run| history(half).solve(design, run, &mut halved))?;
-        interrupted(halved.status())?;
-        let mut coarse = Recorder::default();
-        let design = run.silently(|run| history(division).solve(design, run, &mut coarse))?;
-        interrupted(coarse.status())?;
-        let design = design.with(coarse.semi_axes_or(design.semi_axes), cells);
-        let mut deliver =
-            Delivery { problem: self.problem, coarse, halved, receiver, delivered: 0, interrupt: None };
-        history(division).solve(design, run, &mut deliver)?;
-        Ok(deliver.interrupt)
-    }
+/// Semi-axes of the contact, or these where nothing touches.
+fn semi_axes_or(step: &HalfSpaceStep, other: [f64; 2]) -> [f64; 2] {
+    let axes = step.figures.semi_axes;
+    if axes[0] > 0.0 && axes[1] > 0.0 { axes } else { other }
 }
 
 /// Fails where a solve that nothing is reported of was stopped.
 fn interrupted(status: SolveStatus) -> Result<(), SolveError> {
     status.interrupt().map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
-}
-
-/// Hands over the steps of a history with their errors.
-struct Delivery<'a> {
-    problem: &'a HalfSpaceProblem,
-    coarse: Recorder,
-    halved: Recorder,
-    receiver: &'a mut dyn HalfSpaceReceiver,
-    delivered: usize,
-    interrupt: Option<Interrupt>,
-}
-
-impl super::history::Steps for Delivery<'_> {
-    fn begin(&mut self) {
-        if std::mem::take(&mut self.delivered) > 0 {
-            self.receiver.begin_anew();
-        }
-    }
-
-    fn step(&mut self, step: RawStep, run: &mut Run<'_>) {
-        let (coarse, halved) = (&self.coarse.steps[self.delivered], &self.halved.steps[self.delivered]);
-        let errors = errors::of_history(&step, coarse, halved);
-        self.interrupt = step.status.interrupt();
-        self.delivered += 1;
-        self.receiver.step(step.into_step(self.problem, errors), run.observer);
-    }
 }

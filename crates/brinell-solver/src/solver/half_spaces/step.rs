@@ -6,8 +6,8 @@ use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
 use crate::contact::ContactLoad;
-use crate::solver::method::observer::{IterationRecord, Observer, SolveStatus};
-use crate::solver::method::steps::IncrementRecord;
+use crate::solver::method::observer::{IterationRecord, SolveStatus};
+use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
 use crate::solver::solution::Energy;
 
 /// The answer to one load of a contact in three dimensions. Lengths in mm, forces in N, stresses in MPa.
@@ -37,12 +37,20 @@ pub struct HalfSpaceStep {
     pub history: Vec<IterationRecord>,
     /// The contact conditions, checked on the answer.
     pub contact_check: KktReport,
-    /// What the plastic law leaves of the plastic strains, `‖Δε(σ) - Δε‖` over the contact force, evaluated anew.
+    /// What the plastic law leaves of the plastic strains, `‖2μ(Δε(σ) - Δε)‖` over the contact force, evaluated anew.
     pub plastic_residual: f64,
     /// The increments of this load, under flow theory.
     pub increments: Vec<IncrementRecord>,
     /// How often the grid was enlarged.
     pub enlargements: usize,
+    /// Whether contact or plastic strain still reaches the end of the grid.
+    pub reaches_edge: bool,
+    /// Whether plastic strain is so large that the load is at or beyond what the bodies bear.
+    pub has_collapsed: bool,
+    /// Whether it is what the grid of half the cells has found, of a history that was stopped.
+    pub is_preliminary: bool,
+    /// The figure that is sought over its wanted value, where no force gave it.
+    pub missed: Option<f64>,
 }
 
 /// Scalar figures of a step, or their errors.
@@ -127,6 +135,14 @@ pub struct ColumnPoint {
 }
 
 impl HalfSpaceBody {
+    /// Von Mises stress of a cell \[MPa\].
+    pub fn von_mises(&self, layer: usize, cell: usize) -> f64 {
+        let [xx, yy, zz, xy, xz, yz]: [f64; 6] =
+            std::array::from_fn(|k| self.stress.component(layer, k)[cell]);
+        let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+        (0.5 * normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+    }
+
     /// The body below a place `[x, y]` of its grid, layer by layer, linear between the middles of cells.
     pub fn column(&self, position: [f64; 2]) -> Vec<ColumnPoint> {
         let corners = corners(&self.grid, position);
@@ -160,22 +176,37 @@ fn corners(grid: &SurfaceGrid, [x, y]: [f64; 2]) -> [(usize, f64); 4] {
     ]
 }
 
-/// Takes the steps of a solution, each as soon as it is finished.
-pub trait HalfSpaceReceiver {
-    /// Takes the next step.
-    fn step(&mut self, step: HalfSpaceStep, observer: &mut dyn Observer);
-
-    /// Gives up the steps so far: a history begins anew on a larger grid.
-    fn begin_anew(&mut self);
-}
-
-/// Keeps them.
-impl HalfSpaceReceiver for Vec<HalfSpaceStep> {
-    fn step(&mut self, step: HalfSpaceStep, _: &mut dyn Observer) {
-        self.push(step);
+impl Step for HalfSpaceStep {
+    fn status(&self) -> SolveStatus {
+        self.status
     }
 
-    fn begin_anew(&mut self) {
-        self.clear();
+    fn set_status(&mut self, status: SolveStatus) {
+        self.status = status;
+    }
+
+    fn reaches_edge(&self) -> bool {
+        self.reaches_edge
+    }
+
+    fn end_load(&mut self, end: LoadEnd) {
+        self.load = end.load;
+        self.increments = end.increments;
+    }
+
+    /// The coarse history's own figures are in [`errors`](Self::errors) already.
+    fn estimate(&mut self, _: Option<CoarseFigures>, increments: Option<CoarseFigures>) {
+        if let (Some(errors), Some(changes)) = (&mut self.errors, increments) {
+            errors.add_increments(&self.figures, changes);
+        }
+    }
+
+    fn make_preliminary(&mut self) {
+        self.is_preliminary = true;
+    }
+
+    fn miss(&mut self, ratio: f64) {
+        self.missed = Some(ratio);
+        self.status = SolveStatus::NotConverged;
     }
 }

@@ -14,6 +14,7 @@ use brinell_halfspace::{
     DEVIATOR_COMPONENTS, HalfSpace, SurfaceFlexibility, SurfaceGrid, YieldingBody, from_isometric, isometric,
 };
 
+use super::engine::GridDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::SolveError;
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
@@ -30,7 +31,8 @@ pub(super) struct ElasticBody {
 }
 
 /// Cells of the surface, and the bodies on both sides of it.
-pub(crate) struct HalfSpaces {
+pub(super) struct HalfSpaces {
+    pub design: GridDesign,
     pub surface: SurfaceFlexibility,
     /// δ0 \[mm\].
     pub initial_gap: Vec<f64>,
@@ -48,7 +50,7 @@ pub(crate) struct HalfSpaces {
 }
 
 /// What an evaluation changes.
-pub(crate) struct Yielding {
+pub(super) struct Yielding {
     pub bodies: Vec<YieldingBody>,
     /// Body and cell of what has flowed in this increment, in the order in which it began to.
     flowed: Vec<(usize, usize)>,
@@ -83,16 +85,6 @@ impl HalfSpaces {
     fn pressure<'a>(&self, force: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
         let area = self.grid().cell_area();
         force.iter().map(move |force| force / area)
-    }
-
-    /// Cells that count as yielded in the last evaluation.
-    pub fn yielded_cells(&self) -> usize {
-        let n_cells = self.grid().n_cells();
-        let of_body = |body: &YieldingBody| {
-            let cells = 0..body.space().layers().len() * n_cells;
-            cells.filter(|cell| body.law().has_yielded(cell / n_cells, *cell)).count()
-        };
-        self.yielding.borrow().bodies.iter().map(of_body).sum()
     }
 
     /// Largest pressure \[MPa\] and its cell.
@@ -174,16 +166,16 @@ impl ContactSystem for HalfSpaces {
     }
 
     fn initial_stress(&self, displacement: &BlockVector, into: &mut BlockVector) -> usize {
-        let Yielding { bodies, flowed, has_flowed, .. } = &mut *self.yielding.borrow_mut();
-        let mut yielded = 0;
+        let mut yielding = self.yielding.borrow_mut();
+        let Yielding { bodies, flowed, has_flowed, .. } = &mut *yielding;
         for (n, (body, (trial, into))) in bodies.iter_mut().zip(displacement.iter().zip(into)).enumerate() {
-            yielded += body.flow(trial, into, |cell| {
+            body.flow(trial, into, |cell| {
                 if !std::mem::replace(&mut has_flowed[n][cell], true) {
                     flowed.push((n, cell));
                 }
             });
         }
-        yielded
+        bodies.iter().map(yielded_cells).sum()
     }
 
     fn norm(&self, v: &BlockVector) -> f64 {
@@ -248,6 +240,12 @@ impl ContactSystem for HalfSpaces {
             pairs: contact.active_set.len(),
         }
     }
+}
+
+/// Cells that count as yielded after the last paths.
+fn yielded_cells(body: &YieldingBody) -> usize {
+    let n_cells = body.space().grid().n_cells();
+    (0..body.len() / DEVIATOR_COMPONENTS).filter(|cell| body.law().has_yielded(cell / n_cells, *cell)).count()
 }
 
 /// Layer of a cell, and where its first component is among those of a body.

@@ -1,0 +1,188 @@
+//! The force under which a figure of a contact in three dimensions has a value: the onset of yield, or a target.
+
+use super::history::onset_force;
+use super::problem::HalfSpaceProblem;
+use super::run::given;
+use super::step::{HalfSpaceBody, HalfSpaceStep};
+use crate::contact::ContactLoad;
+use crate::job::{Deformable, TargetFigure};
+use crate::solver::SolveError;
+use crate::solver::loads::Sought;
+use crate::solver::method::force_search::{self, Density, Terms, Trial, Tried, find};
+use crate::solver::method::run::Run;
+
+/// How much coarser than asked the grids are on which the force is looked for, and the fewest cells over a semi-axis.
+const COARSER: u32 = 2;
+const FEWEST_CELLS: u32 = 4;
+/// Deviation that ends the search, the most fine solves, and the deviation from which on the value counts as missed: of a target
+/// and of the onset of yield.
+const TARGET: (f64, usize, f64) = (1e-3, 4, 1e-2);
+const ONSET: (f64, usize, f64) = (2e-4, 8, 3e-3);
+/// Largest elastic pressure over the yield stress under which plastic strain is first looked for, and that a first trial does
+/// not exceed.
+const PLASTIC_START: f64 = 2.5;
+const HIGHEST_START: f64 = 4.0;
+
+/// Steps of the force that was found, and of the loads that follow it; relative change of the figure over that of the force.
+///
+/// # Errors
+/// [`SolveError::NoYieldPoint`], [`SolveError::Unreachable`], and those of a solve.
+pub(super) fn run(
+    problem: &HalfSpaceProblem,
+    sought: Sought,
+    run: &mut Run<'_>,
+) -> Result<(Vec<HalfSpaceStep>, f64), SolveError> {
+    let mut solved = problem.clone();
+    if sought == Sought::Onset {
+        let without = |material: &Deformable| material.without_plasticity();
+        solved.materials = problem.materials.each_ref().map(|material| material.as_ref().map(without));
+    }
+    let search = ForceSearch { problem, solved, sought };
+    let found = find(&search, search.terms()?, run)?;
+    Ok((found.trial.steps, found.sensitivity))
+}
+
+struct ForceSearch<'a> {
+    /// With the plasticity that the job gives.
+    problem: &'a HalfSpaceProblem,
+    /// Of the onset of yield: elastic.
+    solved: HalfSpaceProblem,
+    sought: Sought,
+}
+
+impl ForceSearch<'_> {
+    fn terms(&self) -> Result<Terms, SolveError> {
+        let (tolerance, most_fine, missed) = if self.sought == Sought::Onset { ONSET } else { TARGET };
+        let first_force = self.first_force()?;
+        Ok(Terms { first_force, expected_slope: self.expected_slope(), tolerance, most_fine, missed })
+    }
+
+    fn first_force(&self) -> Result<f64, SolveError> {
+        let weakest = self.problem.weakest();
+        let hertz = self.problem.hertz(1.0);
+        let under_peak = |peak: f64| (peak / hertz.peak_pressure).powi(3);
+        let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
+        match self.sought {
+            Sought::Onset => onset_force(self.problem).ok_or(SolveError::NoYieldPoint),
+            Sought::Target(target) => match target.figure {
+                TargetFigure::HalfWidth => {
+                    Ok((target.value.get() / hertz.semi_axis_x.min(hertz.semi_axis_y)).powi(3))
+                }
+                TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
+                TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value.get()).min(highest))),
+                TargetFigure::PermanentApproach
+                | TargetFigure::DentDepth
+                | TargetFigure::MaxPlasticStrain => {
+                    weakest.map(|weakest| under_peak(PLASTIC_START * weakest)).ok_or(SolveError::NoYieldPoint)
+                }
+            },
+        }
+    }
+
+    /// What is expected of `d ln figure / d ln force`.
+    fn expected_slope(&self) -> f64 {
+        match self.sought {
+            Sought::Onset => 1.0 / 3.0,
+            Sought::Target(target) => match target.figure {
+                TargetFigure::PeakPressure | TargetFigure::MeanPressure => 0.3,
+                TargetFigure::HalfWidth => 0.4,
+                TargetFigure::PermanentApproach
+                | TargetFigure::DentDepth
+                | TargetFigure::MaxPlasticStrain => 1.5,
+            },
+        }
+    }
+
+    /// The figure over its wanted value.
+    fn ratio(&self, step: &HalfSpaceStep) -> f64 {
+        match self.sought {
+            Sought::Onset => self.problem.highest_utilization(step).map_or(0.0, |highest| highest.ratio),
+            Sought::Target(target) => step.target_figure(target.figure) / target.value.get(),
+        }
+    }
+}
+
+impl force_search::Sought for ForceSearch<'_> {
+    type Step = HalfSpaceStep;
+
+    fn trial(
+        &self,
+        density: Density,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<HalfSpaceStep>, SolveError> {
+        let mut problem = self.solved.clone();
+        if density == Density::Coarse {
+            let cells = problem.cells_per_semi_axis;
+            problem.cells_per_semi_axis = (cells / COARSER).max(FEWEST_CELLS).min(cells);
+        }
+        let mut loads = vec![ContactLoad::Force(force)];
+        if matches!(self.sought, Sought::Target(target) if target.figure.is_permanent()) {
+            loads.push(ContactLoad::Force(0.0));
+        }
+        let mut steps: Vec<HalfSpaceStep> = Vec::new();
+        let interrupt = given(&problem, &loads, run, &mut steps)?;
+        if let Some(interrupt) = interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
+            return Err(SolveError::Interrupted(interrupt));
+        }
+        if steps.iter().any(|step| step.has_collapsed) {
+            return Ok(Err("a body collapses: its plastic strain is above 100 %".to_owned()));
+        }
+        let ratio = steps.last().map_or(0.0, |step| self.ratio(step));
+        Ok(Ok(Trial { ratio, steps }))
+    }
+}
+
+/// Where a body is nearest to yield, or farthest beyond.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HighestUtilization {
+    /// Von Mises stress over the nominal yield stress before any load.
+    pub ratio: f64,
+    /// 0 for the upper body, 1 for the lower one.
+    pub side: usize,
+    /// `[x, y, z]` of the middle of the cell \[mm\].
+    pub position: [f64; 3],
+}
+
+impl HalfSpaceProblem {
+    /// The highest utilization of bodies that have a hardening curve; `None` where none has.
+    pub fn highest_utilization(&self, step: &HalfSpaceStep) -> Option<HighestUtilization> {
+        let sides = self.materials.iter().zip(&step.bodies).enumerate();
+        let of_sides = sides
+            .filter_map(|(side, (material, body))| highest_in(side, material.as_ref()?, body.as_deref()?));
+        of_sides.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    }
+}
+
+fn highest_in(side: usize, material: &Deformable, body: &HalfSpaceBody) -> Option<HighestUtilization> {
+    let (law, strength) = (material.hardening_law()?, material.strength());
+    let (n_cells, ny) = (body.grid.n_cells(), body.grid.ny());
+    let of_layer = |layer: usize| {
+        let depth = body.layers.middle(layer);
+        let limit =
+            law.nominal_yield_stress() * strength.as_ref().map_or(1.0, |strength| strength.factor(depth));
+        (0..n_cells).map(move |cell| HighestUtilization {
+            ratio: body.von_mises(layer, cell) / limit,
+            side,
+            position: [body.grid.x(cell / ny), body.grid.y(cell % ny), depth],
+        })
+    };
+    (0..body.layers.len()).flat_map(of_layer).max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+}
+
+impl HalfSpaceStep {
+    /// A figure of the contact at the end of the loads by which it is found \[mm, MPa or 1\].
+    pub fn target_figure(&self, figure: TargetFigure) -> f64 {
+        let figures = &self.figures;
+        match figure {
+            TargetFigure::PermanentApproach => figures.approach,
+            TargetFigure::DentDepth => figures.dent[0].max(figures.dent[1]),
+            TargetFigure::PeakPressure => figures.peak_pressure,
+            TargetFigure::MeanPressure => figures.force / figures.area.max(f64::MIN_POSITIVE),
+            TargetFigure::HalfWidth => figures.semi_axes[0].min(figures.semi_axes[1]),
+            TargetFigure::MaxPlasticStrain => {
+                figures.max_plastic_strain[0].max(figures.max_plastic_strain[1])
+            }
+        }
+    }
+}
