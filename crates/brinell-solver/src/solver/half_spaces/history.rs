@@ -53,6 +53,10 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         Memory { design: system.design, semi_axes: [0.0; 2], peak: [0.0; 2], figures: Vec::new() }
     }
 
+    fn bytes(memory: &Memory) -> usize {
+        memory.figures.capacity() * size_of::<HalfSpaceFigures>()
+    }
+
     fn design_after(&self, memory: &Memory) -> GridDesign {
         memory.design
     }
