@@ -180,7 +180,8 @@
  * @typedef {object} PlasticZone
  * @property {number} area
  * @property {number} depth
- * @property {number} max_equivalent_plastic_strain
+ * @property {number | null} max_equivalent_plastic_strain
+ * @property {number} [mean_equivalent_plastic_strain]
  * @property {(([number, number])[])[]} outline
  * @property {number} position
  * @property {boolean} reached_surface
@@ -245,7 +246,7 @@
  * @property {SubsurfaceOfBodies} [subsurface]
  * @property {SubsurfaceOfBodies} [subsurface_below_peak]
  * @property {(ValidityNote)[]} validity
- * @property {YieldOnset} [yield_onset]
+ * @property {YieldOnset | null} yield_onset
  *
  * @typedef {object} Subsurface
  * @property {(number)[]} depth

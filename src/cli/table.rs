@@ -195,11 +195,6 @@ impl Page {
         let (contact, names) = (&step.contact, self.names);
         let error = step.estimated_error.as_ref();
         let hertz = step.hertz.as_ref();
-        let strain = [&step.plasticity.upper, &step.plasticity.lower]
-            .into_iter()
-            .flatten()
-            .map(|body| body.max_equivalent_plastic_strain)
-            .fold(0.0, f64::max);
         self.line(&self.style.dim(&format!("{:27}{:>13}{:>13}{:>9}", "", "this contact", "Hertz", "ratio")));
         self.figure(
             ("peak pressure", names.stress),
@@ -214,7 +209,9 @@ impl Page {
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
         let error_of_approach = error.map(|error| error.approach);
         self.figure(("approach", names.length), step.approach, None, error_of_approach);
-        self.figure(("max plastic strain", "%"), 100.0 * strain, hertz.map(|_| 0.0), None);
+        if let Some(strain) = step.max_plastic_strain() {
+            self.figure(("max plastic strain", "%"), 100.0 * strain, hertz.map(|_| 0.0), None);
+        }
         if let Some(angle) = contact.half_angle {
             self.line(&format!("it touches over {}° to each side, along the arc", significant(angle, 3)));
         }
@@ -291,10 +288,16 @@ impl Page {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
             Some(zone) => format!(
-                "plastic zone {} {}²; strain up to {} % at {} {}, depth {} {}",
+                "plastic zone {} {}²; strain {}, most at {} {}, depth {} {}",
                 significant(zone.area, 3),
                 self.names.length,
-                significant(100.0 * zone.max_equivalent_plastic_strain, 3),
+                match zone.max_equivalent_plastic_strain {
+                    Some(strain) => format!("up to {} %", significant(100.0 * strain, 3)),
+                    None => format!(
+                        "{} % on average",
+                        significant(100.0 * zone.mean_equivalent_plastic_strain, 3)
+                    ),
+                },
                 self.names.abscissa(),
                 significant(zone.position, 3),
                 significant(zone.depth, 3),

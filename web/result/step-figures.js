@@ -21,9 +21,11 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
  */
 export const barOf = ({ status, estimated_error: bars }, name) => (status === 'converged' && bars?.[name]) || undefined;
 
-/** Largest equivalent plastic strain of both bodies. @param {Step} step */
-export const strainOf = ({ plasticity }) =>
-  Math.max(plasticity.upper?.max_equivalent_plastic_strain ?? 0, plasticity.lower?.max_equivalent_plastic_strain ?? 0);
+/** Largest equivalent plastic strain of both bodies; none where one of them does not harden. @param {Step} step */
+export const strainOf = ({ plasticity: { upper, lower } }) =>
+  upper?.max_equivalent_plastic_strain === null || lower?.max_equivalent_plastic_strain === null
+    ? undefined
+    : Math.max(upper?.max_equivalent_plastic_strain ?? 0, lower?.max_equivalent_plastic_strain ?? 0);
 
 const length = (/** @type {Report} */ { units }) => unit('length', units);
 const stress = (/** @type {Report} */ { units }) => unit('stress', units);
@@ -63,7 +65,10 @@ export const STEP_FIGURES = {
   strain: {
     title: 'plastic strain',
     unit: () => '%',
-    value: (/** @type {Step} */ step) => 100 * strainOf(step),
+    value: (/** @type {Step} */ step) => {
+      const strain = strainOf(step);
+      return strain === undefined ? undefined : 100 * strain;
+    },
   },
   stiffness: {
     title: 'contact stiffness',

@@ -77,7 +77,7 @@ export class SweepPanel {
 const turnsBack = ({ job, report: { steps } }) =>
   job.solver?.theory === 'flow' &&
   steps.some((step, k) => k > 0 && step.approach < steps[k - 1].approach) &&
-  steps.some((step) => strainOf(step) > 0);
+  steps.some((step) => (strainOf(step) ?? 1) > 0);
 
 /** Part of the range of forces from which on a piece of a loop has nothing solved that is worth the name. */
 const FAR = 0.25;

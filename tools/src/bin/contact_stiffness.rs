@@ -76,7 +76,7 @@ fn compare(job: &Value) -> Option<Compared> {
         *slope = 2.0 * by * force / (solve(1.0 + by)?.approach - solve(1.0 - by)?.approach);
     }
     let bodies = [&step.plasticity.upper, &step.plasticity.lower];
-    let strains = bodies.into_iter().flatten().map(|body| body.max_equivalent_plastic_strain);
+    let strains = bodies.into_iter().flatten().map(|body| body.max_equivalent_plastic_strain.unwrap_or(1.0));
     let plastic = strains.fold(0.0, f64::max);
     let theory = if job["solver"]["theory"] == "flow" { "flow" } else { "deformation" };
     let analysis = job["analysis"].as_str().unwrap_or("plane_strain").replace('_', " ");

@@ -119,7 +119,7 @@ fn up_and_back(asked: &Value) -> String {
     }
     let increments = up.flow.as_ref().map_or(0, |flow| flow.increments.force.len());
     let dents = back.flow.as_ref().and_then(|flow| flow.surfaces.upper.as_ref());
-    let strain = up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.max_equivalent_plastic_strain);
+    let strain = up.plasticity.upper.as_ref().map_or(0.0, |zone| zone.mean_equivalent_plastic_strain);
     let differs = |a: f64, b: f64| 100.0 * (a / b - 1.0);
     format!(
         "{increments} | {} | {} | {:+.1} % | {:+.1} % | {:.1} % | {:.2} % | {}",

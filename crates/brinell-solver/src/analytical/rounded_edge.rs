@@ -2,6 +2,10 @@
 
 use std::f64::consts::PI;
 
+use nalgebra::Complex;
+
+use super::stress::von_mises;
+
 /// Largest pressure over that where the flat ends, `max ∫ √t / √(t - x) dt` from x to 1.
 const PEAK: f64 = 1.200;
 
@@ -45,6 +49,36 @@ impl RoundedEdge {
     pub fn peak_pressure(&self) -> f64 {
         PEAK * self.effective_modulus * self.width() / (PI * self.radius)
     }
+
+    /// Largest von Mises stress below the edge, over the largest pressure; `out_of_plane` is `σ_z / (σ_x + σ_y)`, Poisson's ratio in
+    /// plane strain and 0 in plane stress.
+    pub fn von_mises_over_peak(out_of_plane: f64) -> f64 {
+        let places = (0..WIDE * PLACES).flat_map(|i| (0..PLACES).map(move |j| (f64::from(i), f64::from(j))));
+        let part = f64::from(PLACES).recip();
+        let stresses =
+            places.map(|(i, j)| stress_of_widths([i * part - 1.0, (j + 1e-6) * part], out_of_plane));
+        stresses.map(von_mises).fold(0.0, f64::max) / PEAK
+    }
+}
+
+/// Places over the width and the depth of the contact on the arc at which stress is looked at, and its widths along the surface.
+const PLACES: u32 = 40;
+const WIDE: u32 = 2;
+
+/// Stress `[σ_x, σ_y, σ_z, τ_xy]` at a place `[x, y]` in widths d from the end of the flat, y into the body, over `E* d/(π ρ)`.
+///
+/// Each flat punch that ends at t has the potential `Z = -dK/√(t - w)` of `w = x + i y`, with `σ_x = Re Z - y Im Z'`,
+/// `σ_y = Re Z + y Im Z'`, `τ_xy = -y Re Z'`. Their sum is `-(s + w l)` with `s = √(1 - w)` and `l = ln((1 + s)/√-w)`.
+///
+/// # Reference
+/// H. M. Westergaard, *Bearing pressures and cracks*, J. Appl. Mech. 6 (1939) A49–A53.
+fn stress_of_widths([x, y]: [f64; 2], out_of_plane: f64) -> [f64; 4] {
+    let w = Complex::new(x, y);
+    let s = (Complex::new(1.0, 0.0) - w).sqrt();
+    let l = (s + 1.0).ln() - (-w).ln() * 0.5;
+    let (potential, slope) = (-(s + w * l), s.inv() - l);
+    let (along, normal) = (potential.re - y * slope.im, potential.re + y * slope.im);
+    [along, normal, out_of_plane * (along + normal), -y * slope.re]
 }
 
 #[cfg(test)]
@@ -72,5 +106,26 @@ mod tests {
         assert!((pressure(-far) * far.sqrt() / edge.intensity - 1.0).abs() < 1e-3);
         let largest = (0..100).map(|k| pressure(0.01 * f64::from(k) * d)).fold(0.0, f64::max);
         assert!((largest / edge.peak_pressure() - 1.0).abs() < 1e-3, "{largest}");
+    }
+
+    /// Where the surface yields first it is under `-p` in both directions of the section.
+    #[test]
+    fn stress_below_the_edge() {
+        for (out_of_plane, exact) in [(0.0, 1.0), (0.1, 0.8)] {
+            assert!((RoundedEdge::von_mises_over_peak(out_of_plane) - exact).abs() < 2e-3);
+        }
+        // Without shear at the surface, and none of the normal stress beyond the contact.
+        let at_surface = |x: f64| stress_of_widths([x, 1e-9], 0.3);
+        assert!(at_surface(0.5)[3].abs() < 1e-6 && at_surface(1.5)[1].abs() < 1e-6);
+    }
+
+    /// A rigid punch, 4 mm wide, on steel that yields at 500 MPa: P_Y of the exact pressure with Flamant's stresses.
+    #[test]
+    fn yield_of_a_block_begins_at_the_edge() {
+        for (radius, exact) in [(0.02, 50.4), (0.1, 110.3), (0.4, 202.5), (1.0, 253.7)] {
+            let edge = RoundedEdge::plane(radius, 2.0 - radius, exact, 210_000.0 / 0.91);
+            let utilization = edge.peak_pressure() * RoundedEdge::von_mises_over_peak(0.3) / 500.0;
+            assert!((utilization.powf(1.5) - 1.0).abs() < 0.015, "{radius}: {utilization}");
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! What only one of the two theories of plasticity can do.
 
 use super::{
-    Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Named, Target, Theory,
+    Coupling, Deformable, FaultCode, FieldError, HistoryLoad, Job, Load, Material, Named, Target,
+    TargetFigure, Theory,
 };
 
 impl Job {
@@ -56,6 +57,19 @@ impl Job {
             let detail = "neither body has a hardening law, so nothing yields under any force";
             fault(format!("/load/target/{}", figure.name()), detail);
         }
+        if let Load::Target(Target { figure: figure @ TargetFigure::MaxPlasticStrain, value }) = self.load
+            && [&self.upper, &self.lower].into_iter().any(|body| does_not_harden(&body.material, value.get()))
+        {
+            let detail = "the largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, \
+                          so that it tells no force; ask for a dent or a permanent approach, or give a curve that rises";
+            fault(format!("/load/target/{}", figure.name()), detail);
+        }
         faults
     }
+}
+
+/// Whether the curve of a material does not rise at a plastic strain.
+fn does_not_harden(material: &Material, strain: f64) -> bool {
+    let Material::Deformable(material) = material else { return false };
+    Deformable::hardening_law(material).is_some_and(|law| law.slope(strain) <= 0.0)
 }

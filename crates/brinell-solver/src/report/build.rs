@@ -6,8 +6,8 @@ use super::target::TargetSeen;
 use super::units::UnitConverter;
 use super::{
     FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport,
-    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, onset, plastic_zone,
-    subsurface, validity,
+    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, onset, plastic_strain,
+    plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
@@ -207,14 +207,14 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
 
 fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {
     let copies = if symmetric { 2.0 } else { 1.0 };
-    let (mut yielded, mut area, mut strain, mut position) = (false, 0.0, 0.0, [0.0; 2]);
+    let (mut yielded, mut area, mut highest, mut position) = (false, 0.0, 0.0, [0.0; 2]);
     for point in solution.stress.points.iter().flatten() {
         if plastic_zone::has_yielded(point) {
             yielded = true;
             area += point.area;
         }
-        if point.equivalent_plastic_strain > strain {
-            (strain, position) = (point.equivalent_plastic_strain, point.position);
+        if point.equivalent_plastic_strain > highest {
+            (highest, position) = (point.equivalent_plastic_strain, point.position);
         }
     }
     let [place, depth] = solution.mesh.frame.place(position);
@@ -222,7 +222,8 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
         yielded,
-        max_equivalent_plastic_strain: strain,
+        max_equivalent_plastic_strain: plastic_strain::largest(solution),
+        mean_equivalent_plastic_strain: plastic_strain::mean(solution),
         position: write.length(place),
         depth: write.length(depth),
         area: write.area(copies * area),

@@ -76,8 +76,9 @@ pub struct StepReport {
     /// The closed-form elastic contact of the same bodies, where there is one.
     #[cfg_attr(feature = "openapi", schema(required))]
     pub hertz: Option<HertzReport>,
-    /// The onset of yield; only of a job with `"load": {"onset": true}`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// The onset of yield, of a job with `"load": {"onset": true}`; `null` of other jobs, and where the remark `onset_unknown` says why.
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset: Option<YieldOnsetReport>,
     /// What to keep in mind about this answer.
     pub validity: Vec<ValidityNote>,
@@ -99,6 +100,14 @@ impl StepReport {
             let bodies = [("upper", &bodies.upper), ("lower", &bodies.lower)];
             bodies.into_iter().filter_map(|(name, body)| Some((name, body.as_ref()?)))
         })
+    }
+
+    /// The largest equivalent plastic strain of both bodies; `None` where one of them has no limit.
+    pub fn max_plastic_strain(&self) -> Option<f64> {
+        let zones = [&self.plasticity.upper, &self.plasticity.lower].into_iter().flatten();
+        zones
+            .map(|zone| zone.max_equivalent_plastic_strain)
+            .try_fold(0.0, |most, strain| Some(f64::max(most, strain?)))
     }
 
     /// x of a profile \[length\].
@@ -199,8 +208,13 @@ pub struct SubsurfaceReport {
 pub struct PlasticityReport {
     /// Whether any Gauss point is beyond yield.
     pub yielded: bool,
-    /// Largest equivalent plastic strain at a Gauss point \[1 >= 0\].
-    pub max_equivalent_plastic_strain: f64,
+    /// Largest equivalent plastic strain at a Gauss point; `null` of a material that does not harden, where it has no limit on smaller
+    /// and smaller elements \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub max_equivalent_plastic_strain: Option<f64>,
+    /// Mean equivalent plastic strain over the area of the section that has any \[1 >= 0\].
+    #[serde(default)]
+    pub mean_equivalent_plastic_strain: f64,
     /// x of that point \[length\].
     pub position: f64,
     /// Depth of that point \[length\].

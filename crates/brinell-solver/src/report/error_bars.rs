@@ -1,7 +1,7 @@
 //! Error bars: what the mesh may have done to the headline figures.
 //!
 //! ```text
-//! peak pressure   max(|Δ|, 0.25 (h/a)²), on a body of revolution at least 0.014 below 16 elements; on a rounded edge or tip
+//! peak pressure   max(|Δ|, 0.25 (h/a)²), on a body of revolution at least 0.021 below 16 elements; on a rounded edge or tip
 //!                 that is not resolved its distance from the closed form, of bodies that yield at most what flow leaves, of a power
 //!                 below 2 0.1 h/a more; 0.2 (h/d)² with the distance d of the peak from the nearer end, where it is not in the middle;
 //!                 0.25 (h/l)² with the distance l of points that a surface is given by; in plane strain with flow 0.03 h/a, of a body of revolution
@@ -38,9 +38,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::mesh_effects::{
-    clamped_end, flows, overshoot, peak_is_unbounded, plateau, rise_at_corners, size_beside_peak,
-    size_between_points,
+    clamped_end, flows, is_ring_on_few_elements, overshoot, peak_is_next_to_end, peak_is_unbounded, plateau,
+    rise_at_corners, size_beside_peak, size_between_points,
 };
+use super::onset::is_onset_unknown;
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
 use crate::job::Job;
@@ -51,7 +52,7 @@ use crate::solver::StepSolution;
 const PEAK_FLOOR: f64 = 0.25;
 /// Floor of the error of the peak pressure of a body of revolution whose contact has too few nodes for the pressure
 /// next to the axis to be recovered: the axis node is low by 1.2 % whatever the mesh.
-const AXIS_FLOOR: f64 = 0.014;
+const AXIS_FLOOR: f64 = 0.021;
 /// Elements over the contact radius from which that pressure is recovered.
 const RECOVERED: f64 = 16.5;
 /// Floor of the error of the half-width over h/a.
@@ -230,17 +231,18 @@ pub struct ErrorEstimate {
 /// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs grow at most: those of a line contact.
 const WITH_FORCE: f64 = 0.5;
 
-/// The bars of a step; `None` where nothing touches or the coarser mesh is missing.
+/// The bars of a step; `None` where nothing touches, the coarser mesh is missing, a ring touches on few elements, or the onset of
+/// yield is not known.
 pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let coarse = step.coarse?;
-    if step.has_collapsed {
+    if step.has_collapsed || is_onset_unknown(job, step) {
         return None;
     }
     let half_width = match step.patch {
         Some(patch) => patch.half_width(),
         None => return after_unloading(step, coarse),
     };
-    if half_width <= 0.0 {
+    if half_width <= 0.0 || is_ring_on_few_elements(step) {
         return None;
     }
     let size = step.spacing / half_width;
@@ -252,7 +254,8 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     let edge_floor = step.rounded_edge.map_or(0.0, |edge| edge.pressure_error / step.peak_pressure);
     let tip_floor = step.rounded_tip.map_or(0.0, |tip| tip.pressure_error / step.peak_pressure);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    let corner_floor = if peak_is_unbounded(step) { UNBOUNDED } else { rise_at_corners(step) };
+    let corner_floor =
+        if peak_is_unbounded(step) || peak_is_next_to_end(step) { UNBOUNDED } else { rise_at_corners(step) };
     let plateau_floor = if yields { overshoot(step) } else { 0.0 };
     let beside = if plateau_floor > 0.0 { 0.0 } else { BESIDE_PEAK_FLOOR * size_beside_peak(step).powi(2) };
     let flows = flows(step);

@@ -4,7 +4,7 @@ use crate::fem::element::StressState;
 use crate::fem::mesh::Outline;
 use crate::job::{Body, Job, Material, Shape, Support};
 use crate::material::von_mises;
-use crate::solver::{BodySolution, PairState, StepSolution};
+use crate::solver::{BodySolution, ContactPatch, PairState, StepSolution};
 
 /// Mean pressure over peak of an elastic line contact, and from which on it is that of a plateau.
 const HERTZ_MEAN: f64 = std::f64::consts::FRAC_PI_4;
@@ -27,6 +27,15 @@ const HIDDEN_END: f64 = 0.4;
 const CLAMPED_END: f64 = 0.5;
 /// Depth over width from which the column below a contact is meshed in rows that do not get smaller.
 const SHAFT: f64 = 4.0;
+
+/// Elements over a ring that are few.
+const RING_ELEMENTS: f64 = 6.0;
+/// Elements from an end of a contact that are next to it, of one that is wider to each side than the last, and of a circle or ring.
+const NEXT_TO_END: f64 = 4.0;
+const NEXT_TO_END_OF_CIRCLE: f64 = 5.0;
+const WIDE: f64 = 6.0;
+/// Elements from the middle of a contact within which the peak is in the middle.
+const PEAK_IN_MIDDLE: f64 = 1.5;
 
 /// Whether a body flows: its plastic strain is above the elastic one.
 pub(super) fn flows(step: &StepSolution) -> bool {
@@ -102,6 +111,33 @@ pub(super) fn size_between_points(job: &Job, step: &StepSolution) -> f64 {
         within.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>()
     });
     distances.reduce(f64::min).map_or(0.0, |least| (step.spacing / least).min(RESOLVED))
+}
+
+/// Whether a body of revolution touches on a ring of so few elements that coarser ones do not tell what finer ones change.
+pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
+    let is_few = |part: &ContactPatch| {
+        let holds_peak = (part.left..=part.right).contains(&step.peak_position);
+        holds_peak && part.left > 0.0 && part.right - part.left < RING_ELEMENTS * step.spacing
+    };
+    step.stress_state == StressState::Axisymmetric && step.parts.iter().any(is_few)
+}
+
+/// Whether the largest pressure lies beside the middle and next to an end of its part of the contact, as below a flat with rounded edges
+/// that is given by points: there pressure rises within elements.
+pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
+    let is_round = step.stress_state == StressState::Axisymmetric;
+    let next = if is_round { NEXT_TO_END_OF_CIRCLE } else { NEXT_TO_END };
+    let is_next = |part: &ContactPatch| {
+        let holds_peak = (part.left..=part.right).contains(&step.peak_position);
+        let is_on_axis = step.symmetric && part.left == 0.0;
+        let to_left = if is_on_axis { f64::INFINITY } else { step.peak_position - part.left };
+        let half_width = if is_on_axis { part.right } else { 0.5 * (part.right - part.left) };
+        let beside = to_left.min(part.right - step.peak_position);
+        holds_peak && beside < next * step.spacing && beside < half_width - PEAK_IN_MIDDLE * step.spacing
+    };
+    let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
+    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some();
+    !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
 }
 
 /// By what part of the peak the pressure at a sharp corner may be above it on smaller elements.

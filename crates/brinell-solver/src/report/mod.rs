@@ -11,6 +11,7 @@ mod flow;
 mod load_approach;
 mod mesh_effects;
 mod onset;
+mod plastic_strain;
 mod plastic_zone;
 mod run;
 mod strength;

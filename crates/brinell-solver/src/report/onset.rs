@@ -2,10 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::units::UnitConverter;
+use super::mesh_effects::peak_is_unbounded;
+use super::units::{UnitConverter, rounded};
 use crate::contact::ContactLoad;
-use crate::job::{Job, Load};
-use crate::solver::{Problem, StepSolution, highest_utilization};
+use crate::job::{Job, Load, Units};
+use crate::solver::{EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization};
 
 /// The onset of yield, found numerically for the job's own shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,9 +37,46 @@ pub enum Side {
     Lower,
 }
 
-/// The onset that a job asked for; `None` for any other job.
+/// Why elastic bodies yield under a smaller force than the mesh of a step shows, as the remark `onset_unknown`; `None` where they do not,
+/// and of bodies that have yielded.
+pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
+    if step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0) {
+        return None;
+    }
+    let unknown = if job.load == Load::Onset {
+        "The force under which yield begins is not known"
+    } else {
+        "That no body yields holds for this mesh only"
+    };
+    if let Some(edge) = &step.rounded_edge {
+        let utilization = at_narrow_edge(step, &Problem::of(job)).filter(|used| *used > 1.0)?;
+        let onset = step.force() / utilization.powf(EDGE_UTILIZATION.recip());
+        return Some(format!(
+            "{unknown}. The contact ends within {:.2e} mm on the rounded edges, which elements of {:.2e} mm leave out; in closed \
+             form elastic bodies yield there under {} {}.",
+            edge.elastic.width(),
+            step.spacing,
+            rounded(onset),
+            job.analysis.force().symbol(Units::MmNMpa),
+        ));
+    }
+    let is_at_corner = job.load == Load::Onset && peak_is_unbounded(step);
+    let x = step.loaded_corners.first().filter(|_| is_at_corner)?;
+    Some(format!(
+        "{unknown}. A sharp corner carries pressure at x = {} mm, where elastic stress has no bound: the force falls with the size of \
+         the elements.",
+        rounded(*x)
+    ))
+}
+
+/// Whether the job asks for an onset that the mesh does not tell.
+pub(super) fn is_onset_unknown(job: &Job, step: &StepSolution) -> bool {
+    job.load == Load::Onset && why_unknown(job, step).is_some()
+}
+
+/// The onset that a job asked for; `None` for any other job, and where the mesh does not tell it.
 pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Option<YieldOnsetReport> {
-    if job.load != Load::Onset {
+    if job.load != Load::Onset || is_onset_unknown(job, step) {
         return None;
     }
     let first = highest_utilization(step, &Problem::of(job))?;

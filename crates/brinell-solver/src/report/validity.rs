@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mesh_effects::peak_is_unbounded;
+use super::mesh_effects::{is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded};
+use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
-use super::strength;
+use super::{onset, plastic_strain, strength};
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Units};
@@ -37,6 +38,9 @@ pub const VALIDITY_CODES: &[&str] = &[
     "contact_at_edge",
     "coarse_mesh",
     "coarse_case",
+    "onset_unknown",
+    "unbounded_strain",
+    "bilinear_curve",
     "initial_yield",
     "yield_by_hardness",
     "near_support",
@@ -79,7 +83,7 @@ const POINTED_ERROR: f64 = 0.02;
 const NEAR_SUPPORT: f64 = 5.0;
 
 /// By what a mesh is too coarse for a contact.
-fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
+fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
     let mut messages = Vec::new();
     if step.patch.is_some() && half_width < COARSE_MESH * step.spacing {
         messages.push(format!(
@@ -95,6 +99,19 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             0.5 * (part.left + part.right)
         ));
     }
+    if is_ring_on_few_elements(step) {
+        messages.push(format!(
+            "The contact is a ring of few elements at r = {:.4} mm: its figures are those of the mesh, and their errors are not known. Ask \
+             for more elements (`mesh.elements_per_half_width`).",
+            step.peak_position
+        ));
+    } else if peak_is_next_to_end(step) {
+        messages.push(format!(
+            "The largest pressure is at {:.4} mm, next to an end of the contact, where it rises within elements of {:.2e} mm: it is \
+             that of the mesh. Ask for more elements (`mesh.elements_per_half_width`).",
+            step.peak_position, step.spacing
+        ));
+    }
     if let Some(edge) = &step.rounded_edge {
         messages.push(format!(
             "The contact ends within about {:.2e} mm on the rounded edges, where elastic bodies have a peak of about {:.0} MPa in \
@@ -104,7 +121,9 @@ fn coarse_mesh(step: &StepSolution, half_width: f64) -> Vec<String> {
             step.spacing
         ));
     }
-    if let Some(error) = step.onset_error.filter(|error| *error > UNCERTAIN_ONSET) {
+    if let Some(error) =
+        step.onset_error.filter(|error| *error > UNCERTAIN_ONSET && !is_onset_unknown(job, step))
+    {
         messages.push(format!(
             "The force under which yield begins is known to {:.0} % only: the strength of the material changes, or stress has a peak, \
              within few elements. More elements (`mesh.elements_per_half_width`) tell it better.",
@@ -204,9 +223,15 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
             },
         );
     }
-    let coarse = coarse_mesh(step, half_width);
+    let coarse = coarse_mesh(job, step, half_width);
     if !coarse.is_empty() && !step.is_preliminary() {
         say("coarse_mesh", coarse.join(" "));
+    }
+    for (code, message) in plastic_strain::remarks(job, step) {
+        say(code, message);
+    }
+    if let Some(message) = onset::why_unknown(job, step) {
+        say("onset_unknown", message);
     }
     for (code, message) in strength::remarks(job, step) {
         say(code, message);

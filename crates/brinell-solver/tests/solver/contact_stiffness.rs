@@ -131,7 +131,9 @@ fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
     ] {
         let (step, slope) = step_and_slope(&job, 0.01);
         assert_eq!(
-            step.plasticity.lower.is_some_and(|body| body.max_equivalent_plastic_strain > 0.0),
+            step.plasticity
+                .lower
+                .is_some_and(|body| body.max_equivalent_plastic_strain.is_none_or(|strain| strain > 0.0)),
             yields
         );
         assert_within(step.contact_stiffness, slope, 0.005);

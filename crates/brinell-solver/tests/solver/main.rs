@@ -21,6 +21,7 @@ mod factor_cache;
 mod flow_increments;
 mod flow_references;
 mod flow_theory;
+mod honesty;
 mod indenters;
 mod independent_program;
 mod initial_stress;

@@ -81,7 +81,7 @@ fn a_force_that_is_found_does_what_it_was_sought_for() {
                 "permanent_approach" => last.approach,
                 "dent_depth" => dents(last.flow.as_ref().unwrap()).into_iter().fold(0.0, f64::max),
                 _ => bodies
-                    .map(|b| b.as_ref().unwrap().max_equivalent_plastic_strain)
+                    .map(|b| b.as_ref().unwrap().max_equivalent_plastic_strain.unwrap())
                     .into_iter()
                     .fold(0.0, f64::max),
             };

@@ -122,9 +122,13 @@ class Step:
 
     @property
     def max_plastic_strain(self) -> float:
-        """The largest equivalent plastic strain of both bodies."""
+        """The largest equivalent plastic strain of both bodies; NaN where it has no limit.
+
+        That is so of a material that does not harden.
+        """
         zones = [zone for zone in (self.data.get("plasticity") or {}).values() if zone]
-        return max((number(zone["max_equivalent_plastic_strain"]) for zone in zones), default=NAN)
+        strains = [number(zone["max_equivalent_plastic_strain"]) for zone in zones]
+        return NAN if any(map(math.isnan, strains)) else max(strains, default=NAN)
 
     @property
     def dent_depth(self) -> float:

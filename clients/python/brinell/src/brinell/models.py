@@ -168,7 +168,7 @@ class ClosedFormStep(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='The force. Unit: N/mm (SI: N/m); N in axisymmetry.',
+            description='The force. Unit: N/mm (SI: N/m); N in axisymmetry and three dimensions.',
             examples=[612.6106],
             ge=0.0,
         ),
@@ -251,7 +251,7 @@ class ContactNodes(BaseModel):
     force: Annotated[
         list[float],
         Field(
-            description='Nodal force along the normal. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+            description='Nodal force along the normal. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
         ),
     ]
     gap: Annotated[
@@ -265,6 +265,45 @@ class ContactNodes(BaseModel):
         Field(
             description='Tangential position, along the arc for a pin in a hole. Unit: mm (SI: m).'
         ),
+    ]
+
+
+class Curved(BaseModel):
+    """
+    A half-space whose surface has a curvature along its x and one along its y: roller, raceway, crowned part; only in three dimensions.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    radius_x: Annotated[
+        float | None,
+        Field(
+            description='Radius of curvature along its x; negative is concave, left out is straight. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            examples=[10.0],
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ] = None
+    radius_y: Annotated[
+        float | None,
+        Field(
+            description='Radius of curvature along its y; negative is concave, left out is straight. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            examples=[50.0],
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ] = None
+    rotation: Annotated[
+        float | None,
+        Field(
+            description='Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out. Without unit.',
+            ge=-360.0,
+            le=360.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['curved'], Field(description='The word that names this kind.')
     ]
 
 
@@ -363,35 +402,35 @@ class Energy(BaseModel):
     dissipated: Annotated[
         float,
         Field(
-            description='The rest of it. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            description='The rest of it. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
     elastic: Annotated[
         float,
         Field(
-            description='Elastic energy. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            description='Elastic energy. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
     plastic: Annotated[
         float,
         Field(
-            description='Work of the stresses on plastic strain. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            description='Work of the stresses on plastic strain. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
     stored: Annotated[
         float,
         Field(
-            description='The part of that which the backstress stores. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            description='The part of that which the backstress stores. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
     work: Annotated[
         float,
         Field(
-            description='Work of the contact force, the sum of the next two. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry.',
+            description='Work of the contact force, the sum of the next two. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -555,6 +594,27 @@ class FieldsOfBodies(BaseModel):
     ]
 
 
+class Flat(BaseModel):
+    """
+    A plane half-space; only in three dimensions.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    rotation: Annotated[
+        float | None,
+        Field(
+            description='Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out. Without unit.',
+            ge=-360.0,
+            le=360.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['flat'], Field(description='The word that names this kind.')
+    ]
+
+
 class ForceLoad(BaseModel):
     """
     A force; the approach is an output.
@@ -572,7 +632,7 @@ class ForceLoad(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry and three dimensions in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
             examples=[612.6106],
             ge=1e-09,
             le=1000000000000.0,
@@ -596,7 +656,7 @@ class Force(RootModel[float]):
     root: Annotated[
         float,
         Field(
-            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry and three dimensions in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
             ge=1e-09,
             le=1000000000000.0,
         ),
@@ -682,7 +742,7 @@ class Groove(BaseModel):
 
 class HalfWidthTarget(BaseModel):
     """
-    Half-width of the contact; its radius in axisymmetry.
+    Half-width of the contact; its radius in axisymmetry, its shorter semi-axis in three dimensions.
     """
 
     model_config = ConfigDict(
@@ -694,7 +754,7 @@ class HalfWidthTarget(BaseModel):
     half_width: Annotated[
         float,
         Field(
-            description='Half-width of the contact; its radius in axisymmetry. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            description='Half-width of the contact; its radius in axisymmetry, its shorter semi-axis in three dimensions. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
             examples=[0.3],
             ge=1e-09,
             le=1000000.0,
@@ -837,7 +897,7 @@ class Hertz(BaseModel):
     yield_onset_force: Annotated[
         float | None,
         Field(
-            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -854,7 +914,7 @@ class History(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
+            description='Force of the whole contact, both sides of the axis: on unit thickness, in axisymmetry and three dimensions in all. Range: 1e-9 to 1e9 N/mm or 1e-9 to 1e9 N or 1e-6 to 1e12 N/m.',
             ge=0.0,
             le=1000000000000.0,
         ),
@@ -981,7 +1041,7 @@ class Increments(BaseModel):
     force: Annotated[
         list[float],
         Field(
-            description='Contact force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+            description='Contact force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
         ),
     ]
     half_width: Annotated[
@@ -1013,7 +1073,7 @@ class InitialStress(BaseModel):
     sigma_x: Annotated[
         float,
         Field(
-            description='Stress along the surface in the plane of the section, tension positive. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            description='Stress along the surface in the plane of the section, in three dimensions along x; tension positive. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
             examples=[-600.0],
             ge=-10000000000000.0,
             le=10000000000000.0,
@@ -1022,7 +1082,7 @@ class InitialStress(BaseModel):
     sigma_z: Annotated[
         float,
         Field(
-            description='Stress along the surface out of that plane, in axisymmetry equal to `sigma_x`, in plane stress zero. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
+            description='Stress along the surface out of that plane, in three dimensions along y, in axisymmetry equal to `sigma_x`, in plane stress zero. Range: -1e7 to 1e7 MPa or -1e13 to 1e13 Pa.',
             examples=[-600.0],
             ge=-10000000000000.0,
             le=10000000000000.0,
@@ -1201,13 +1261,13 @@ class LoadApproach(BaseModel):
     force: Annotated[
         list[float],
         Field(
-            description='Contact force P. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.'
+            description='Contact force P. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
         ),
     ]
     stiffness: Annotated[
         list[float],
         Field(
-            description='dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between the ends of the loads of a history it is the slope of the parabola through a point and its neighbours. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).'
+            description='dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between the ends of the loads of a history it is the slope of the parabola through a point and its neighbours. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
         ),
     ]
 
@@ -1248,7 +1308,7 @@ class MaxPlasticStrainTarget(BaseModel):
 
 class MeanPressureTarget(BaseModel):
     """
-    Force over the width of the contact or, in axisymmetry, over its area.
+    Force over the width of the contact or, in axisymmetry and three dimensions, over its area.
     """
 
     model_config = ConfigDict(
@@ -1266,7 +1326,7 @@ class MeanPressureTarget(BaseModel):
     mean_pressure: Annotated[
         float,
         Field(
-            description='Force over the width of the contact or, in axisymmetry, over its area. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
+            description='Force over the width of the contact or, in axisymmetry and three dimensions, over its area. Range: 1e-6 to 1e7 MPa or 1e0 to 1e13 Pa.',
             examples=[1200.0],
             ge=1e-06,
             le=10000000000000.0,
@@ -1335,7 +1395,7 @@ class MeshSettings(BaseModel):
     elements_per_half_width: Annotated[
         int | None,
         Field(
-            description='Elements over one contact half-width. Default: `20`.',
+            description='Elements over one contact half-width; in three dimensions cells over each semi-axis, 10 of them if it is left out. Default: `20`.',
             ge=4,
             le=320,
         ),
@@ -1526,12 +1586,19 @@ class PlasticZone(BaseModel):
     ]
     depth: Annotated[float, Field(description='Depth of that point. Unit: mm (SI: m).')]
     max_equivalent_plastic_strain: Annotated[
-        float,
+        float | None,
         Field(
-            description='Largest equivalent plastic strain at a Gauss point. Without unit.',
+            description='Largest equivalent plastic strain at a Gauss point; `null` of a material that does not harden, where it has no limit on smaller and smaller elements. Without unit.',
             ge=0.0,
         ),
     ]
+    mean_equivalent_plastic_strain: Annotated[
+        float | None,
+        Field(
+            description='Mean equivalent plastic strain over the area of the section that has any. Without unit.',
+            ge=0.0,
+        ),
+    ] = None
     outline: Annotated[
         list[list[OutlineItem]],
         Field(
@@ -1628,13 +1695,13 @@ class PrescribedApproach(BaseModel):
 
 class PrescribedForce(BaseModel):
     """
-    Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.
+    Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.
     """
 
     force: Annotated[
         float,
         Field(
-            description='Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            description='Total force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -1860,6 +1927,36 @@ class Rigid(BaseModel):
     young_modulus: Annotated[
         None, Field(description='Belongs to another kind of object; not given here.')
     ] = None
+
+
+class Sphere(BaseModel):
+    """
+    A ball on a half-space; only in three dimensions.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[20.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    rotation: Annotated[
+        float | None,
+        Field(
+            description='Angle of the body about the normal, in degrees, from x towards y; 0 if it is left out. Without unit.',
+            ge=-360.0,
+            le=360.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['sphere'], Field(description='The word that names this kind.')
+    ]
 
 
 class StrengthFactorItem(RootModel[float]):
@@ -2169,7 +2266,7 @@ class TargetResult(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='The force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            description='The force. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -2263,7 +2360,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -2335,7 +2432,7 @@ class YieldOnset(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='Force P_Y. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            description='Force P_Y. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -2441,7 +2538,7 @@ class ClosedForm(BaseModel):
     yield_onset_force: Annotated[
         float | None,
         Field(
-            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in axisymmetry.',
+            description='Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in axisymmetry and three dimensions.',
             examples=[218.99],
             ge=0.0,
         ),
@@ -2456,7 +2553,7 @@ class Contact(BaseModel):
     force: Annotated[
         float,
         Field(
-            description='Sum of the nodal forces along the approach. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry.',
+            description='Sum of the nodal forces along the approach. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.',
             ge=0.0,
         ),
     ]
@@ -2520,7 +2617,7 @@ class Flow(BaseModel):
     unloading_stiffness: Annotated[
         float,
         Field(
-            description='dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).',
+            description='dP/dα where the load begins to fall: that of the elastic bodies with the pairs in contact. 0 where nothing touches. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).',
             ge=0.0,
         ),
     ]
@@ -2606,7 +2703,7 @@ class Step(BaseModel):
     contact_stiffness: Annotated[
         float,
         Field(
-            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped and where the bodies do not bear the load. Unit: N/mm² (SI: N/m²); in axisymmetry N/mm (SI: N/m).'
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped and where the bodies do not bear the load. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
         ),
     ]
     estimated_error: ErrorEstimate | None
@@ -2651,12 +2748,7 @@ class Step(BaseModel):
     validity: Annotated[
         list[ValidityNote], Field(description='What to keep in mind about this answer.')
     ]
-    yield_onset: Annotated[
-        YieldOnset | None,
-        Field(
-            description='The onset of yield; only of a job with `"load": {"onset": true}`.'
-        ),
-    ] = None
+    yield_onset: YieldOnset | None
 
 
 class Swift(BaseModel):
@@ -2915,9 +3007,9 @@ class Report(BaseModel):
     """
 
     analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric'],
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
         Field(
-            description='Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line of approach.'
+            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
         ),
     ]
     load_approach: Annotated[
@@ -3126,7 +3218,7 @@ class ContactBody(BaseModel):
         Deformable | Rigid, Field(description='What a body is made of.')
     ]
     shape: Annotated[
-        Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power,
+        Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power | Sphere | Curved | Flat,
         Field(description='The undeformed outline of a body.', discriminator='type'),
     ]
     support: Annotated[
@@ -3144,9 +3236,9 @@ class ContactJob(BaseModel):
         extra='forbid',
     )
     analysis: Annotated[
-        Literal['plane_strain', 'plane_stress', 'axisymmetric'],
+        Literal['plane_strain', 'plane_stress', 'axisymmetric', 'three_dimensional'],
         Field(
-            description='Plane strain (long bodies), plane stress (thin discs), or bodies of revolution about the line of approach.'
+            description='Plane strain (long bodies), plane stress (thin discs), bodies of revolution about the line of approach, or half-spaces in three dimensions.'
         ),
     ]
     load: Annotated[

@@ -108,9 +108,7 @@ impl Table {
     /// One row of figures, as a spreadsheet wants them; of a history by flow theory with its dents and energies.
     fn summary(&self, text: &mut String, number: usize, step: &StepReport) {
         let status = Named::name(step.status);
-        let zones = [&step.plasticity.upper, &step.plasticity.lower];
-        let strain =
-            zones.into_iter().flatten().map(|zone| zone.max_equivalent_plastic_strain).fold(0.0, f64::max);
+        let strain = step.max_plastic_strain().map_or_else(String::new, |strain| strain.to_string());
         let contact = &step.contact;
         let _ = write!(
             text,

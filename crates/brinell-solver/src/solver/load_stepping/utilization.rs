@@ -1,8 +1,9 @@
 //! How near a contact is to yield.
 
 use super::surface_stress::{SurfacePoint, at_contact_circle, beyond_given, surface_points, with_given};
+use crate::analytical::RoundedEdge;
 use crate::fem::assembly::GaussPoint;
-use crate::fem::element::shape_functions;
+use crate::fem::element::{StressState, shape_functions};
 use crate::material::von_mises;
 use crate::solver::problem::{GivenStress, Problem, ProblemBody};
 use crate::solver::recovery::Recovery;
@@ -35,6 +36,26 @@ pub(crate) fn highest_at_ends(step: &StepSolution, problem: &Problem) -> Option<
     let reach = AROUND_ENDS * patch.half_width();
     let is_near = |x: f64| [patch.left, patch.right].iter().any(|end| (x - end).abs() < reach);
     highest_within(step, problem, &|[x, depth]| depth < reach && is_near(x))
+}
+
+/// Exponent of the force with which the utilization at a rounded edge grows.
+pub(crate) const EDGE_UTILIZATION: f64 = 2.0 / 3.0;
+
+/// The utilization at a rounded edge that elements leave out, of elastic bodies in closed form; `None` without such an edge, and
+/// where no body can yield.
+pub(crate) fn at_narrow_edge(step: &StepSolution, problem: &Problem) -> Option<f64> {
+    let edge = step.rounded_edge?;
+    let utilizations = problem.bodies.iter().filter_map(|body| {
+        let out_of_plane = match step.stress_state {
+            StressState::PlaneStress => 0.0,
+            StressState::PlaneStrain | StressState::Axisymmetric => {
+                body.material.as_ref()?.elastic().poisson_ratio.get()
+            }
+        };
+        let limit = body.yield_stress_at([edge.half_width, body.outline.height(edge.half_width)])?;
+        Some(edge.elastic.peak_pressure() * RoundedEdge::von_mises_over_peak(out_of_plane) / limit)
+    });
+    utilizations.reduce(f64::max)
 }
 
 /// The same of the elements with their middle at certain places `[x, depth]` \[mm\].

@@ -1,0 +1,55 @@
+//! The largest plastic strain: whether it has a limit, and whether the curve of the material tells how large it is.
+
+use crate::job::{Deformable, Hardening, HardeningLaw, Job, Load, Material, TargetFigure};
+use crate::solver::{BodySolution, StepSolution};
+
+/// Plastic strain below which a bilinear curve says little of a real material.
+const SMALL_STRAIN: f64 = 0.01;
+
+/// The largest equivalent plastic strain of a body; `None` where its material does not harden any more: flow gathers in bands as narrow
+/// as elements, so that the strain in them grows with the density of the mesh.
+pub(super) fn largest(body: &BodySolution) -> Option<f64> {
+    let strain = body.max_plastic_strain();
+    let hardens = |law: &dyn HardeningLaw| law.slope(strain) > 0.0;
+    (strain == 0.0 || body.model.hardening().is_none_or(hardens)).then_some(strain)
+}
+
+/// Mean equivalent plastic strain over the area that has it.
+pub(super) fn mean(body: &BodySolution) -> f64 {
+    let points = body.stress.points.iter().flatten().filter(|point| point.equivalent_plastic_strain > 0.0);
+    let sums = points.fold([0.0; 2], |[area, sum], point| {
+        [area + point.area, sum + point.area * point.equivalent_plastic_strain]
+    });
+    if sums[0] > 0.0 { sums[1] / sums[0] } else { 0.0 }
+}
+
+/// Codes and messages.
+pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
+    let mut remarks = Vec::new();
+    if step.bodies.iter().flatten().any(|body| largest(body).is_none()) {
+        let message = "The largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, and is \
+                       not given. The plastic area and the mean plastic strain in it do not depend on the mesh.";
+        remarks.push(("unbounded_strain", message.to_owned()));
+    }
+    let is_permanent = match &job.load {
+        Load::Target(target) => {
+            target.figure.is_permanent() || target.figure == TargetFigure::MaxPlasticStrain
+        }
+        _ => false,
+    };
+    let is_bilinear = |material: &Material| match material {
+        Material::Deformable(material) => {
+            matches!(Deformable::plasticity(material), Some(Hardening::Bilinear(_)))
+        }
+        Material::Rigid => false,
+    };
+    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    let has_bilinear = [&job.upper, &job.lower].into_iter().any(|body| is_bilinear(&body.material));
+    if is_permanent && has_bilinear && strain < SMALL_STRAIN {
+        let message = "A bilinear curve is elastic up to its yield stress; steels begin to flow below that, little by little. Forces of a \
+                       permanent deformation below 1 % strain differ by up to a factor of two from those of a measured curve: take the \
+                       law `swift` or `table` (api/materials.json has 100Cr6).";
+        remarks.push(("bilinear_curve", message.to_owned()));
+    }
+    remarks
+}
