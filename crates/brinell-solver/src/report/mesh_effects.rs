@@ -136,7 +136,9 @@ pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
         holds_peak && beside < next * step.spacing && beside < half_width - PEAK_IN_MIDDLE * step.spacing
     };
     let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
-    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some();
+    let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
+    let is_plateau = yields && overshoot(step) > 0.0;
+    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_plateau;
     !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
 }
 
