@@ -49,6 +49,18 @@ fn stderr(output: &Output) -> String {
 }
 
 #[test]
+fn three_dimensions_have_two_semi_axes_and_two_pictures() {
+    let raceway = concat!(env!("CARGO_MANIFEST_DIR"), "/api/examples/ball_in_raceway.json");
+    let output = brinell(&["solve", raceway, "--format", "table"], "");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = stdout(&output);
+    for part in ["force 500.0000 N", "semi-axis a, along x", "semi-axis b, along y", "x = 0 mm", "y = 0 mm"] {
+        assert!(text.contains(part), "{part} is missing in\n{text}");
+    }
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+}
+
+#[test]
 fn solve_writes_json_into_a_pipe() {
     let output = brinell(&["solve", EXAMPLE], "");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));

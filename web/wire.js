@@ -4,6 +4,16 @@
  *
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
+ * @typedef {object} BodyErrors
+ * @property {number} depth
+ * @property {number} least_stress
+ * @property {number} max_equivalent_plastic_strain
+ * @property {number} pile_up
+ *
+ * @typedef {object} BodyErrorsOfBodies
+ * @property {BodyErrors | null} lower
+ * @property {BodyErrors | null} upper
+ *
  * @typedef {object} Callback
  * @property {number} attempts
  * @property {string} [delivered_at]
@@ -25,11 +35,32 @@
  * @property {number} peak_position
  * @property {number} peak_pressure
  *
+ * @typedef {object} ContactMaps
+ * @property {(number)[]} gap
+ * @property {(number)[]} pressure
+ * @property {(number)[]} x
+ * @property {(number)[]} y
+ *
  * @typedef {object} ContactNodes
  * @property {(number)[]} force
  * @property {(number)[]} gap
  * @property {(number)[]} pressure
  * @property {(number)[]} x
+ *
+ * @typedef {object} ContactSection
+ * @property {(number)[]} gap
+ * @property {(number)[]} pressure
+ * @property {(number)[]} y
+ *
+ * @typedef {object} EllipseErrors
+ * @property {number} area
+ * @property {number} b
+ * @property {BodyErrorsOfBodies} bodies
+ *
+ * @typedef {object} EllipticHertz
+ * @property {number} a
+ * @property {number} approach
+ * @property {number} b
  *
  * @typedef {object} Energy
  * @property {number} dissipated
@@ -184,7 +215,9 @@
  * @property {number} [mean_equivalent_plastic_strain]
  * @property {(([number, number])[])[]} outline
  * @property {number} position
+ * @property {number} [position_y]
  * @property {boolean} reached_surface
+ * @property {number} [volume]
  * @property {boolean} yielded
  *
  * @typedef {object} PlasticZoneOfBodies
@@ -245,6 +278,7 @@
  * @property {SolveStatus} status
  * @property {SubsurfaceOfBodies} [subsurface]
  * @property {SubsurfaceOfBodies} [subsurface_below_peak]
+ * @property {ThreeDimensional} [three_dimensional]
  * @property {(ValidityNote)[]} validity
  * @property {YieldOnset | null} yield_onset
  *
@@ -255,9 +289,16 @@
  * @property {(number)[]} [initial_sigma_y]
  * @property {(number)[]} [initial_sigma_z]
  * @property {number} [position]
+ * @property {number} [position_y]
  * @property {(number)[]} sigma_x
+ * @property {(number)[]} [sigma_xx]
+ * @property {(number)[]} [sigma_xy]
+ * @property {(number)[]} [sigma_xz]
  * @property {(number)[]} sigma_y
+ * @property {(number)[]} [sigma_yy]
+ * @property {(number)[]} [sigma_yz]
  * @property {(number)[]} sigma_z
+ * @property {(number)[]} [sigma_zz]
  * @property {(number)[]} tau_max
  * @property {(number)[]} [utilization]
  * @property {(number)[]} von_mises
@@ -290,6 +331,18 @@
  * @property {number | null} relative_error
  * @property {number} sensitivity
  * @property {number} wanted
+ *
+ * @typedef {object} ThreeDimensional
+ * @property {number} a
+ * @property {number} area
+ * @property {number} b
+ * @property {EllipseErrors} [estimated_error]
+ * @property {EllipticHertz} [hertz]
+ * @property {number} largest_cell_pressure
+ * @property {ContactMaps} [maps]
+ * @property {number} orientation
+ * @property {number} peak_position_y
+ * @property {ContactSection} section
  *
  * @typedef {object} Timings
  * @property {number} assembly

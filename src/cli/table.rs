@@ -33,19 +33,24 @@ struct Names {
     stress: &'static str,
     force: &'static str,
     is_round: bool,
+    is_three_dimensional: bool,
 }
 
 impl Names {
     fn of(job: &Job) -> Self {
         let is_round = job.analysis == Analysis::Axisymmetric;
-        let force = if is_round { Quantity::Force } else { Quantity::LineForce };
+        let is_three_dimensional = job.analysis == Analysis::ThreeDimensional;
         let [length, stress, force] =
-            [Quantity::Length, Quantity::Stress, force].map(|q| q.symbol(job.units));
-        Self { length, stress, force, is_round }
+            [Quantity::Length, Quantity::Stress, job.analysis.force()].map(|q| q.symbol(job.units));
+        Self { length, stress, force, is_round, is_three_dimensional }
     }
 
     fn width(self) -> &'static str {
-        if self.is_round { "contact radius" } else { "half-width" }
+        match (self.is_round, self.is_three_dimensional) {
+            (true, _) => "contact radius",
+            (_, true) => "semi-axis a, along x",
+            _ => "half-width",
+        }
     }
 
     /// Places along the surface.
@@ -55,7 +60,7 @@ impl Names {
 
     /// Where piled up material is, on both sides of the axis.
     fn pile_up_abscissa(self) -> &'static str {
-        if self.is_round { "r" } else { "|x|" }
+        if self.is_round || self.is_three_dimensional { "r" } else { "|x|" }
     }
 
     /// Of a plane body for each length of its thickness, which cancels with the length of the way.
@@ -67,17 +72,26 @@ impl Names {
     }
 
     fn stiffness(self) -> String {
-        if self.is_round { format!("{}/{}", self.force, self.length) } else { format!("{}²", self.force) }
+        if self.is_whole() { format!("{}/{}", self.force, self.length) } else { format!("{}²", self.force) }
     }
 
     /// Hertz's mean pressure over its peak: an ellipse over a line, an ellipsoid over a circle.
     fn mean_of_peak(self) -> f64 {
-        if self.is_round { 2.0 / 3.0 } else { std::f64::consts::FRAC_PI_4 }
+        if self.is_whole() { 2.0 / 3.0 } else { std::f64::consts::FRAC_PI_4 }
     }
 
     /// Stresses along the surface and across the section.
     fn tangential(self) -> [&'static str; 2] {
-        if self.is_round { ["σ_r", "σ_θ"] } else { ["σ_x", "σ_z"] }
+        match (self.is_round, self.is_three_dimensional) {
+            (true, _) => ["σ_r", "σ_θ"],
+            (_, true) => ["σ_xx", "σ_yy"],
+            _ => ["σ_x", "σ_z"],
+        }
+    }
+
+    /// Whether a force is that of the whole contact and not of a length of it.
+    fn is_whole(self) -> bool {
+        self.is_round || self.is_three_dimensional
     }
 }
 
@@ -109,8 +123,9 @@ impl Page {
         self.line("");
         let mesh = &report.mesh;
         let half = if mesh.symmetric { " of one half" } else { "" };
+        let elements = if self.names.is_three_dimensional { "cells" } else { "elements" };
         self.line(&format!(
-            "mesh   {} elements, {} equations{half}, spacing {} {}, {} solves",
+            "mesh   {} {elements}, {} equations{half}, spacing {} {}, {} solves",
             mesh.elements,
             mesh.equations,
             significant(mesh.spacing, 3),
@@ -164,7 +179,7 @@ impl Page {
         } else {
             self.figures(step);
         }
-        let picture = plot::pressure(&step.contact, step.hertz.as_ref(), self.names, style);
+        let picture = plot::pressure(step, self.names, style);
         if !picture.is_empty() {
             self.line("");
             self.text.push_str(&picture);
@@ -205,12 +220,26 @@ impl Page {
         let half_widths = hertz.map(|hertz| hertz.half_width);
         let error_of_width = error.map(|error| error.half_width);
         self.figure((names.width(), names.length), contact.half_width, half_widths, error_of_width);
+        if let Some(whole) = &step.three_dimensional {
+            let errors = whole.estimated_error.as_ref();
+            let longer = whole.hertz.map(|hertz| hertz.b);
+            let error = errors.map(|errors| errors.b);
+            self.figure(("semi-axis b, along y", names.length), whole.b, longer, error);
+        }
         let mean = hertz.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
         let error_of_approach = error.map(|error| error.approach);
-        self.figure(("approach", names.length), step.approach, None, error_of_approach);
+        let elastic = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
+        let elastic = elastic.map(|hertz| hertz.approach);
+        self.figure(("approach", names.length), step.approach, elastic, error_of_approach);
         if let Some(strain) = step.max_plastic_strain() {
             self.figure(("max plastic strain", "%"), 100.0 * strain, hertz.map(|_| 0.0), None);
+        }
+        if let Some(whole) = &step.three_dimensional
+            && whole.orientation != 0.0
+        {
+            let angle = significant(whole.orientation, 4);
+            self.line(&format!("the x of these figures is the x of the job turned by {angle}° towards its y"));
         }
         if let Some(angle) = contact.half_angle {
             self.line(&format!("it touches over {}° to each side, along the arc", significant(angle, 3)));
@@ -287,6 +316,16 @@ impl Page {
         let text = match zone {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
+            Some(PlasticityReport { volume: Some(volume), position_y: Some(y), .. }) => format!(
+                "plastic zone {} {}³; strain up to {} % at x {}, y {}, depth {} {}",
+                significant(*volume, 3),
+                self.names.length,
+                significant(100.0 * zone.and_then(|zone| zone.max_equivalent_plastic_strain).unwrap_or(0.0), 3),
+                significant(zone.map_or(0.0, |zone| zone.position), 3),
+                significant(*y, 3),
+                significant(zone.map_or(0.0, |zone| zone.depth), 3),
+                self.names.length
+            ),
             Some(zone) => format!(
                 "plastic zone {} {}²; strain {}, most at {} {}, depth {} {}",
                 significant(zone.area, 3),

@@ -1,7 +1,7 @@
 //! Jobs to begin with.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 8] = [
+pub(super) const EXAMPLES: [(&str, &str); 10] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
@@ -10,4 +10,6 @@ pub(super) const EXAMPLES: [(&str, &str); 8] = [
     ("pin_in_hole", include_str!("../../api/examples/pin_in_hole.json")),
     ("static_rating_roller", include_str!("../../api/examples/static_rating_roller.json")),
     ("static_rating_ball", include_str!("../../api/examples/static_rating_ball.json")),
+    ("ball_in_raceway", include_str!("../../api/examples/ball_in_raceway.json")),
+    ("ellipse_dent", include_str!("../../api/examples/ellipse_dent.json")),
 ];

@@ -84,6 +84,7 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     }
     if drops(StepPart::Fields) {
         remove(step, "fields");
+        remove(&mut step["three_dimensional"], "maps");
     }
 }
 

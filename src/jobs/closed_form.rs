@@ -3,7 +3,8 @@
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use brinell_solver::job::{FieldError, Job, Load, Quantity, Units};
+use brinell_solver::job::{FieldError, Job, Load, Quantity, Sweep, Units};
+use brinell_solver::report::EllipticReference;
 use brinell_solver::solver::ElasticReference;
 
 /// Hertz's contact of the bodies of a job, in the units of the job.
@@ -12,7 +13,7 @@ pub struct ClosedForm {
     /// Units of all figures: `mm_N_MPa` or `SI`.
     #[schema(example = "mm_N_MPa")]
     pub units: &'static str,
-    /// Effective radius of the two surfaces. Unit: mm (SI: m).
+    /// Effective radius of the two surfaces, in three dimensions that of their mean curvature. Unit: mm (SI: m).
     #[schema(exclusive_minimum = 0, example = 10.0)]
     pub effective_radius: f64,
     /// Force at which the first body begins to yield; `null` if none can. Unit: N/mm (SI: N/m); N in
@@ -29,7 +30,7 @@ pub struct ClosedFormStep {
     /// The force. Unit: N/mm (SI: N/m); N in axisymmetry and three dimensions.
     #[schema(minimum = 0, example = 612.6106)]
     pub force: f64,
-    /// Half-width of the strip, or radius of the circle. Unit: mm (SI: m).
+    /// Half-width of the strip, radius of the circle or shorter semi-axis of the ellipse. Unit: mm (SI: m).
     #[schema(minimum = 0, example = 0.26)]
     pub half_width: f64,
     /// Peak pressure. Unit: MPa (SI: Pa).
@@ -50,6 +51,9 @@ impl ClosedForm {
             return Err(vec![FieldError::not_solvable("/load", detail)]);
         };
         let (units, force_unit) = (job.units, job.analysis.force());
+        if let Some(reference) = EllipticReference::of(job) {
+            return Ok(Self::of_ellipse(job.units, &reference, forces));
+        }
         let mut whole = None;
         let mut steps = Vec::with_capacity(forces.len());
         for force in forces.iter().map(|force| force.get()) {
@@ -69,6 +73,27 @@ impl ClosedForm {
             yield_onset_force: whole.yield_onset_force.map(|force| force_unit.to_wire(units, force)),
             steps,
         })
+    }
+}
+
+impl ClosedForm {
+    /// Of half-spaces in three dimensions.
+    fn of_ellipse(units: Units, reference: &EllipticReference, forces: &Sweep) -> Self {
+        let step = |force: f64| {
+            let hertz = reference.under(force);
+            ClosedFormStep {
+                force: Quantity::Force.to_wire(units, force),
+                half_width: Quantity::Length.to_wire(units, hertz.semi_axis_x.min(hertz.semi_axis_y)),
+                peak_pressure: Quantity::Stress.to_wire(units, hertz.peak_pressure),
+                yields: reference.onset_force().is_some_and(|onset| force > onset),
+            }
+        };
+        Self {
+            units: Units::name(units),
+            effective_radius: Quantity::Length.to_wire(units, reference.effective_radius()),
+            yield_onset_force: reference.onset_force(),
+            steps: forces.iter().map(|force| step(force.get())).collect(),
+        }
     }
 }
 

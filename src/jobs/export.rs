@@ -10,7 +10,7 @@ use tokio::sync::mpsc::Sender;
 use tokio::task::spawn_blocking;
 
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
-use brinell_solver::job::Job;
+use brinell_solver::job::{Analysis, Job};
 use brinell_solver::report::export::{Export, ExportError, Table, VtuFile};
 use brinell_solver::report::{Report, StepReport};
 
@@ -89,7 +89,7 @@ impl JobService {
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
             Form::Table(Table::new(form, &job, &shown)?, steps)
-        } else if form == Export::FieldVtu {
+        } else if form == Export::FieldVtu && job.analysis != Analysis::ThreeDimensional {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
             Form::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
         } else {

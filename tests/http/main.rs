@@ -25,6 +25,7 @@ mod shutdown;
 mod solvers;
 mod storage;
 mod submission;
+mod three_dimensions;
 mod tls;
 mod traces;
 mod troubled;

@@ -13,6 +13,8 @@ const TITLES = /** @type {Record<string, string>} */ ({
   pin_in_hole: 'Pin in a hole',
   static_rating_roller: 'Static rating of a roller (ISO 76)',
   static_rating_ball: 'Static rating of a ball (ISO 76)',
+  ball_in_raceway: 'Ball in a raceway, in three dimensions',
+  ellipse_dent: 'Dent of an ellipsoid, in three dimensions',
 });
 
 const HARD = { young_modulus: 207000, poisson_ratio: 0.3 };

@@ -43,7 +43,7 @@ const PLANE_ONLY = named({ wedge: 'cone' });
 /** @type {Record<string, string | undefined>} */
 const TURNED_ONLY = named({ cone: 'wedge' });
 
-/** Shapes of half-spaces, which the form does not edit. */
+/** Shapes of half-spaces, which are of three dimensions only. */
 const OF_HALF_SPACES = new Set(['sphere', 'curved', 'flat']);
 
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
@@ -53,7 +53,11 @@ export const shapeIn = (type, analysis) => (analysis === 'axisymmetric' ? PLANE_
 export const shapesFor = (analysis, own) =>
   Object.fromEntries(
     Object.keys(SHAPES)
-      .filter((type) => type === own || (!OF_HALF_SPACES.has(type) && shapeIn(type, analysis) === type))
+      .filter(
+        (type) =>
+          type === own ||
+          (OF_HALF_SPACES.has(type) === (analysis === 'three_dimensional') && shapeIn(type, analysis) === type),
+      )
       .map((type) => [type, shapeLabel(type, analysis)]),
   );
 
@@ -204,6 +208,9 @@ function target(key, label, symbol, quantity, example) {
 
 /** @type {Record<string, string>} */
 export const ANALYSES = { plane_strain: 'Plane strain', plane_stress: 'Plane stress', axisymmetric: 'Axisymmetric' };
+/** @param {unknown} own analysis of the draft @returns {Record<string, string>} to choose from: three dimensions come as JSON, and are not begun here */
+export const analysesFor = (own) => (own === 'three_dimensional' ? { [own]: 'Three dimensions', ...ANALYSES } : ANALYSES);
+
 /** @type {Record<string, string>} */
 export const UNIT_SYSTEMS = { mm_N_MPa: 'mm, N, MPa', SI: 'm, N, Pa' };
 /** @type {Record<string, string>} */

@@ -7,7 +7,6 @@ import { convert, forceOf, unit, unitsOf } from '../lib/units.js';
 import { jobFor } from './draft.js';
 import { entry } from './entry.js';
 import {
-  ANALYSES,
   BACKSTRESS,
   DEFAULTS,
   ELASTIC,
@@ -21,6 +20,7 @@ import {
   TARGETS,
   THEORIES,
   UNIT_SYSTEMS,
+  analysesFor,
   hasInitialStress,
   initialStressOf,
   lawOf,
@@ -151,6 +151,7 @@ export class Form {
       job.upper?.shape?.type,
       job.lower?.shape?.type,
       job.analysis === 'axisymmetric',
+      job.analysis === 'three_dimensional',
     ]);
     if (shape !== this.#shape) this.#build();
     this.#shape = shape;
@@ -187,7 +188,9 @@ export class Form {
   #build() {
     [this.#before, this.#fields] = [this.#fields, new Map()];
     arrange(this.parts.general, [
-      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
+      this.#choice('/analysis', 'Analysis', analysesFor(this.draft.job.analysis), (analysis) =>
+        this.#useAnalysis(String(analysis)),
+      ),
       this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
         this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
         this.#readAgain();
@@ -267,7 +270,8 @@ export class Form {
   #rare(body) {
     const law = lawOf(this.draft.job[body]?.material);
     return [
-      this.#choice(`/${body}/support`, 'Support', SUPPORTS),
+      // A half-space has no far boundary.
+      ...(this.draft.job.analysis === 'three_dimensional' ? [] : [this.#choice(`/${body}/support`, 'Support', SUPPORTS)]),
       ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
       ...(law === 'rigid' ? [] : this.#initialStress(body)),
       this.previews[body].stress,

@@ -17,10 +17,12 @@ pub(super) fn describe(body: &Body, job: &Job) -> Vec<String> {
         Material::Rigid => items.push("rigid".to_owned()),
         Material::Deformable(material) => {
             items.extend(describe_material(material, job));
-            items.push(match body.support {
-                Support::Clamped => "clamped".to_owned(),
-                Support::Roller => "on rollers".to_owned(),
-            });
+            if job.analysis != Analysis::ThreeDimensional {
+                items.push(match body.support {
+                    Support::Clamped => "clamped".to_owned(),
+                    Support::Roller => "on rollers".to_owned(),
+                });
+            }
         }
     }
     items

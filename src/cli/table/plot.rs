@@ -1,12 +1,12 @@
 //! The contact pressure drawn with characters: this contact as a line, Hertz as dots. That of a body of revolution is drawn over
-//! the radius, from the axis on.
+//! the radius, from the axis on; that in three dimensions over x and over y.
 
 use std::fmt::Write;
 
 use super::Names;
 use super::number::{round_up, short};
 use crate::cli::style::Style;
-use brinell_solver::report::{ContactNodes, ContactReport, HertzReport};
+use brinell_solver::report::StepReport;
 
 /// Size of the picture in characters; each is 2 × 4 dots.
 const COLUMNS: usize = 64;
@@ -25,15 +25,48 @@ struct Cell {
     hertz: u8,
 }
 
-/// The picture with its axes; empty when there is nothing to draw.
-pub(super) fn pressure(
-    contact: &ContactReport,
-    hertz: Option<&HertzReport>,
-    names: Names,
-    style: Style,
-) -> String {
-    let peak = contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
-    let pressed = contact.nodes.x.iter().zip(&contact.nodes.pressure).filter(|(_, p)| **p > 0.0);
+/// A line across the contact: places, pressures, and what Hertz says of it.
+struct Section<'a> {
+    x: &'a [f64],
+    pressure: &'a [f64],
+    hertz: Option<Ellipse>,
+    abscissa: &'static str,
+}
+
+/// Hertz's pressure along a section.
+#[derive(Debug, Clone, Copy)]
+struct Ellipse {
+    half_width: f64,
+    peak_pressure: f64,
+}
+
+/// The pictures of a step with their axes, one below the other; empty when there is nothing to draw.
+pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String {
+    let hertz = step
+        .hertz
+        .as_ref()
+        .map(|hertz| Ellipse { half_width: hertz.half_width, peak_pressure: hertz.peak_pressure });
+    let nodes = &step.contact.nodes;
+    let mut sections =
+        vec![Section { x: &nodes.x, pressure: &nodes.pressure, hertz, abscissa: names.abscissa() }];
+    if let Some(whole) = &step.three_dimensional {
+        let longer = whole.hertz.map(|ellipse| ellipse.b);
+        let hertz = hertz.zip(longer).map(|(hertz, half_width)| Ellipse { half_width, ..hertz });
+        let section = &whole.section;
+        sections.push(Section { x: &section.y, pressure: &section.pressure, hertz, abscissa: "y" });
+    }
+    let peak = step.contact.peak_pressure.max(hertz.map_or(0.0, |hertz| hertz.peak_pressure));
+    let pictures: Vec<String> = sections
+        .iter()
+        .map(|section| picture(section, peak, names, style))
+        .filter(|picture| !picture.is_empty())
+        .collect();
+    pictures.join("\n")
+}
+
+fn picture(section: &Section<'_>, peak: f64, names: Names, style: Style) -> String {
+    let hertz = section.hertz;
+    let pressed = section.x.iter().zip(section.pressure).filter(|(_, p)| **p > 0.0);
     let reach = pressed.map(|(x, _)| x.abs()).fold(hertz.map_or(0.0, |hertz| hertz.half_width), f64::max);
     if peak <= 0.0 || reach <= 0.0 {
         return String::new();
@@ -45,16 +78,16 @@ pub(super) fn pressure(
         dot_ellipse(&mut cells, hertz, scale);
     }
     // Of a body of revolution the curve goes on beyond the axis.
-    let mut before = if names.is_round { level(interpolated(&contact.nodes, scale.x(0)), top) } else { None };
+    let mut before = if names.is_round { level(interpolated(section, scale.x(0)), top) } else { None };
     for column in 0..DOTS_X {
-        let here = level(interpolated(&contact.nodes, scale.x(column)), top);
+        let here = level(interpolated(section, scale.x(column)), top);
         for level in stroke(before, here) {
             let (row, bit) = dot(column, level);
             cells[row][column / 2].contact |= bit;
         }
         before = here;
     }
-    framed(&cells, scale, hertz.is_some(), names, style)
+    framed(&cells, scale, section, names, style)
 }
 
 /// What the picture shows.
@@ -78,7 +111,7 @@ impl Scale {
 }
 
 /// Hertz's ellipse, `p = p0 sin θ` at `x = -a cos θ`, dotted evenly along the curve.
-fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, scale: Scale) {
+fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: Ellipse, scale: Scale) {
     let scale_y = DOTS_Y as f64 / scale.top;
     let mut angle = if scale.left < 0.0 { 0.0 } else { std::f64::consts::FRAC_PI_2 };
     while angle < std::f64::consts::PI {
@@ -101,7 +134,7 @@ fn dot_ellipse(cells: &mut [[Cell; COLUMNS]; ROWS], hertz: &HertzReport, scale: 
 }
 
 /// Pressure at x, linear between nodes and zero beyond them.
-fn interpolated(nodes: &ContactNodes, x: f64) -> f64 {
+fn interpolated(nodes: &Section<'_>, x: f64) -> f64 {
     let right = nodes.x.partition_point(|node| *node < x);
     let (Some(&x_right), Some(&p_right)) = (nodes.x.get(right), nodes.pressure.get(right)) else {
         return 0.0;
@@ -140,11 +173,11 @@ fn dot(column: usize, level: usize) -> (usize, u8) {
 fn framed(
     cells: &[[Cell; COLUMNS]; ROWS],
     scale: Scale,
-    has_hertz: bool,
+    section: &Section<'_>,
     names: Names,
     style: Style,
 ) -> String {
-    let legend = if has_hertz { "line: this contact, dots: Hertz" } else { "" };
+    let legend = if section.hertz.is_some() { "line: this contact, dots: Hertz" } else { "" };
     let head = format!("[{}] {legend}", names.stress);
     let mut text = format!("{:>LABEL$}  {}\n", "pressure", style.dim(head.trim_end()));
     for (row, cells) in cells.iter().enumerate() {
@@ -161,16 +194,16 @@ fn framed(
     let quarter = "─".repeat(COLUMNS / 4 - 1);
     let axis = format!("└{quarter}┴{quarter}┴{quarter}┴{quarter}┴");
     let _ = writeln!(text, "{:>LABEL$} {axis}", "0");
-    text.push_str(&x_labels(scale, names));
+    text.push_str(&x_labels(scale, section.abscissa, names));
     text
 }
 
-fn x_labels(scale: Scale, names: Names) -> String {
+fn x_labels(scale: Scale, abscissa: &str, names: Names) -> String {
     let mut text = " ".repeat(LABEL + 1);
     for quarter in 0..=4 {
         let x = scale.left + 0.25 * f64::from(quarter) * (scale.right - scale.left);
         let label = short(x);
-        let label = if x == 0.0 { format!("{} = 0 {}", names.abscissa(), names.length) } else { label };
+        let label = if x == 0.0 { format!("{abscissa} = 0 {}", names.length) } else { label };
         let middle = LABEL + 1 + COLUMNS / 4 * usize::try_from(quarter).unwrap_or(0);
         let start = middle.saturating_sub(label.len() / 2).min(super::WIDTH - label.len());
         let pad = start.saturating_sub(text.len());

@@ -8,9 +8,10 @@ use serde_json::{Map, Value, json};
 use super::BASE;
 
 /// What a figure of a result is, and its unit in words.
-const UNITS: [(&str, &str); 11] = [
+const UNITS: [(&str, &str); 12] = [
     ("length", "Unit: mm (SI: m)."),
     ("area", "Unit: mm² (SI: m²)."),
+    ("volume", "Unit: mm³ (SI: m³)."),
     ("stress", "Unit: MPa (SI: Pa)."),
     ("force", "Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions."),
     ("stiffness", "Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m)."),

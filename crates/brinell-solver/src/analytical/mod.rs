@@ -10,6 +10,7 @@
 
 mod approach;
 mod effective;
+mod hertz_ellipse;
 mod hertz_line;
 mod hertz_point;
 mod indentation;
@@ -25,6 +26,7 @@ mod yield_onset;
 
 pub use approach::{disc_approach, layer_approach};
 pub use effective::{ElasticConstants, effective_modulus, effective_modulus_plane_stress, effective_radius};
+pub use hertz_ellipse::HertzEllipse;
 pub use hertz_line::HertzLine;
 pub use hertz_point::HertzPoint;
 pub use indentation::{PowerIndenter, circular_punch_pressure, flat_punch_pressure};

@@ -9,7 +9,7 @@
 
 use std::sync::LazyLock;
 
-use super::{HertzLine, HertzPoint, shear_yield_von_mises};
+use super::{HertzEllipse, HertzLine, HertzPoint, shear_yield_von_mises};
 
 /// The first depth at which a limit is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,6 +51,19 @@ impl DepthLimit {
             let on_axis = hertz.stress_on_axis(z, poisson_ratio).von_mises();
             if z == 0.0 { on_axis.max(edge) } else { on_axis }
         })
+    }
+
+    /// Onset of yield on the axis of an elliptic contact; `half_width` is the shorter semi-axis of a unit peak pressure \[mm/MPa\].
+    ///
+    /// # Reference
+    /// Stresses: H. R. Thomas, V. A. Hoersch (1930), as in [`HertzEllipse::stress_on_axis`].
+    pub fn ellipse_onset(
+        ellipse: HertzEllipse,
+        poisson_ratio: f64,
+        half_width: f64,
+        yield_stress: impl Fn(f64) -> f64,
+    ) -> Self {
+        Self::first(half_width, yield_stress, |z| ellipse.stress_on_axis(z, poisson_ratio).von_mises())
     }
 
     /// Elastic shakedown limit of a line contact that rolls freely, for a yield stress over depth \[MPa\].

@@ -1,6 +1,6 @@
 //! The load at which a contact first yields below the surface.
 
-use super::{HertzLine, HertzPoint};
+use super::{HertzEllipse, HertzLine, HertzPoint};
 
 /// Depth, in half-widths, down to which the maximum is sought.
 const DEEPEST: f64 = 3.0;
@@ -43,6 +43,11 @@ impl YieldOnset {
         let (modulus, radius) = (std::f64::consts::FRAC_PI_2, 1.0);
         let hertz = HertzPoint::from_peak_pressure(1.0, radius, modulus);
         Self::of(|depth| hertz.stress_on_axis(depth, poisson_ratio).von_mises())
+    }
+
+    /// Elliptic contact, von Mises criterion on the axis; the depth is in shorter semi-axes.
+    pub fn ellipse(ellipse: HertzEllipse, poisson_ratio: f64) -> Self {
+        Self::of(|depth| ellipse.stress_on_axis(depth, poisson_ratio).von_mises())
     }
 
     /// Force per length at first yield of a line contact, `P = π R p0² / E* [N/mm]`.

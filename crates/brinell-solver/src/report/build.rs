@@ -11,7 +11,7 @@ use super::{
 };
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
-use crate::job::{Analysis, Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
+use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::observer::ask;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
@@ -111,7 +111,7 @@ impl<'a> ReportBuilder<'a> {
 }
 
 /// The less good of two statuses.
-fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
+pub(super) fn worse(one: Option<SolveStatus>, other: SolveStatus) -> Option<SolveStatus> {
     let rank = |status: &SolveStatus| match status {
         SolveStatus::Converged => 0,
         SolveStatus::NotConverged => 1,
@@ -201,6 +201,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
         yield_onset: onset::onset(job, step, write),
         estimated_error: error_bars::estimate(job, step),
         fields,
+        three_dimensional: None,
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }
 }
@@ -229,18 +230,17 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
         area: write.area(copies * area),
         reached_surface: zone.reached_surface,
         outline: zone.outline.iter().map(written).collect(),
+        position_y: None,
+        volume: None,
     }
 }
 
 /// A half-space has no end that could be held.
-const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; bodies of finite size give way by something else \
+pub(super) const HALF_SPACE_DATUM: &str = "points of both half-spaces far from the contact; bodies of finite size give way by something else \
                                 in their bulk and at their supports";
 
 fn approach_datum(job: &Job, write: UnitConverter) -> String {
     let in_hole = matches!((&job.upper.shape, &job.lower.shape), (Shape::Hole(_), _) | (_, Shape::Hole(_)));
-    if job.analysis == Analysis::ThreeDimensional {
-        return HALF_SPACE_DATUM.to_owned();
-    }
     let support = |side: &str, body: &Body| match (&body.material, &body.shape) {
         (Material::Rigid, _) => format!("the rigid {side} body"),
         (_, Shape::Cylinder(_)) if in_hole => format!("the mean displacement of the {side} body"),
@@ -297,7 +297,7 @@ fn mesh_report(step: &StepSolution, write: UnitConverter) -> MeshReport {
     }
 }
 
-fn timings(phases: &PhaseTimes, total: Duration, report: Duration) -> Timings {
+pub(super) fn timings(phases: &PhaseTimes, total: Duration, report: Duration) -> Timings {
     let ms = |duration: Duration| 1e3 * duration.as_secs_f64();
     Timings {
         total: ms(total),

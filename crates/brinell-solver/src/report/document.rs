@@ -10,8 +10,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, TargetReport, ValidityNote,
-    YieldOnsetReport,
+    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, TargetReport,
+    ThreeDimensionalReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
 
@@ -59,7 +59,8 @@ pub struct StepReport {
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
     /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
-    /// 0 where nothing touches, where the step was stopped and where the bodies do not bear the load \[stiffness\].
+    /// 0 where nothing touches, where the step was stopped, where the bodies do not bear the load, and where bodies yield in three
+    /// dimensions, of which it is not known \[stiffness\].
     pub contact_stiffness: f64,
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -88,6 +89,9 @@ pub struct StepReport {
     /// Mesh and nodal fields; absent unless asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<PerBody<Option<FieldsReport>>>,
+    /// What only a contact in three dimensions has; absent in other analyses.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub three_dimensional: Option<ThreeDimensionalReport>,
     /// Every outer iteration.
     pub history: Vec<IterationRecord>,
 }
@@ -200,6 +204,28 @@ pub struct SubsurfaceReport {
     /// Out-of-plane stress before the load \[stress\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_sigma_z: Option<Vec<f64>>,
+    /// y of the normal; of this and the following only in three dimensions, where `sigma_x` is `sigma_xx`, the normal stress
+    /// `sigma_y` is `sigma_zz`, and `sigma_z` is `sigma_yy` \[length\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position_y: Option<f64>,
+    /// Stress along x, the shorter semi-axis of the contact \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_xx: Option<Vec<f64>>,
+    /// Stress along y, the longer semi-axis \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_yy: Option<Vec<f64>>,
+    /// Stress along z, the normal into the body \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_zz: Option<Vec<f64>>,
+    /// Shear stress between x and y \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_xy: Option<Vec<f64>>,
+    /// Shear stress between x and z \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_xz: Option<Vec<f64>>,
+    /// Shear stress between y and z \[stress\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sigma_yz: Option<Vec<f64>>,
 }
 
 /// Extent of plastic flow in one body.
@@ -227,6 +253,13 @@ pub struct PlasticityReport {
     /// the axis. Depth is counted downward from the plane in which the bodies first touch, into the material of either
     /// body. Counter-clockwise in the axes `(x, depth)`; holes clockwise \[length\].
     pub outline: Vec<Vec<[f64; 2]>>,
+    /// y of the point with the largest plastic strain; of this and the next only in three dimensions, where there is no outline and
+    /// `area` is that of the cells beside y = 0 \[length\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position_y: Option<f64>,
+    /// Volume of the cells that have yielded \[volume >= 0\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume: Option<f64>,
 }
 
 /// Hertz's elastic contact under the same force.

@@ -8,6 +8,7 @@ pub mod export;
 mod field_arrays;
 mod fields;
 mod flow;
+mod half_spaces;
 mod load_approach;
 mod mesh_effects;
 mod onset;
@@ -28,6 +29,10 @@ pub use field_arrays::{
 };
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
+pub use half_spaces::{
+    BodyErrors, EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, SectionReport,
+    ThreeDimensionalReport,
+};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
 use super::units::UnitConverter;
-use super::{Report, StepReport, target};
+use super::{Report, StepReport, half_spaces, target};
 use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
@@ -127,21 +127,13 @@ pub struct JobEstimate {
 /// The fields that describe a contact which is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     if job.analysis == Analysis::ThreeDimensional {
-        return Err(vec![no_engine()]);
+        return half_spaces::preflight(job);
     }
     match solver::estimate(job).map_err(|error| RunError::of(job, &error)) {
         Ok(estimate) => Ok(with_result(job, estimate)),
         Err(RunError::Input(errors)) => Err(errors),
         Err(other) => Err(vec![FieldError::not_solvable("", other.to_string())]),
     }
-}
-
-/// The refusal of jobs that are read and not solved.
-fn no_engine() -> FieldError {
-    FieldError::not_solvable(
-        "/analysis",
-        "this version reads jobs in three dimensions and does not solve them yet",
-    )
 }
 
 /// Bytes that solving takes whatever the job: the heap of a thread, in pages of 2 MiB, and steps on their way into a result.
@@ -258,10 +250,10 @@ pub fn run_each(
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
-    if job.analysis == Analysis::ThreeDimensional {
-        return Err(RunError::Input(vec![no_engine()]));
-    }
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
+    if job.analysis == Analysis::ThreeDimensional {
+        return half_spaces::run_each(job, observer, on_step);
+    }
     let mut reports = Reports { builder: ReportBuilder::new(job), number: 0, on_step };
     let solution =
         solver::run_each(job, options, observer, &mut reports).map_err(|error| RunError::of(job, &error))?;

@@ -43,6 +43,13 @@ pub(super) fn profile(
         initial_sigma_x: None,
         initial_sigma_y: None,
         initial_sigma_z: None,
+        position_y: None,
+        sigma_xx: None,
+        sigma_yy: None,
+        sigma_zz: None,
+        sigma_xy: None,
+        sigma_xz: None,
+        sigma_yz: None,
     };
     let at_rest = body.at_rest();
     let mut recovery_at_rest = at_rest.as_ref().map(|at_rest| Recovery::new(at_rest, symmetric));

@@ -46,6 +46,7 @@ pub const VALIDITY_CODES: &[&str] = &[
     "near_support",
     "sharp_corner",
     "suspicious_units",
+    "half_spaces",
 ];
 
 /// Radius \[mm\] and half-width over it of a job in SI whose figures look like millimetres.

@@ -185,7 +185,7 @@ mod refused {
         assert_snapshot!(faults_of(&with("/upper/shape", json!(null))), @"/upper/shape: must be an object, got null");
         assert_snapshot!(faults_of(&with("/solver", json!([]))), @"/solver: must be an object, got an array");
         assert_snapshot!(faults_of(&with("/output/fields", json!(1))), @"/output/fields: must be true or false, got a number");
-        assert_snapshot!(faults_of(&with("/analysis", json!("plane-strain"))), @r#"/analysis: must be one of: plane_strain, plane_stress, axisymmetric, got "plane-strain"; did you mean `plane_strain`?"#);
+        assert_snapshot!(faults_of(&with("/analysis", json!("plane-strain"))), @r#"/analysis: must be one of: plane_strain, plane_stress, axisymmetric, three_dimensional, got "plane-strain"; did you mean `plane_strain`?"#);
         assert_snapshot!(faults_of(&with("/solver/coupling", json!("fast"))), @r#"/solver/coupling: must be one of: accelerated, strong, weak, secant_stiffness, got "fast""#);
     }
 
@@ -342,7 +342,7 @@ mod refused {
         /lower/shape/radius: must be a number, got a string
         /lower/shape/colour: unknown key "colour"; expected one of: type, radius
         /mesh/elements_per_half_width: must be a whole number between 4 and 320, got 1000000
-        /upper/shape/type: must be one of: cylinder, block, groove, hole, profile, wedge, cone, punch, parabola, ellipse, power, got "ball"
+        /upper/shape/type: must be one of: cylinder, block, groove, hole, profile, wedge, cone, punch, parabola, ellipse, power, sphere, curved, flat, got "ball"
         /upper/support: must be one of: clamped, roller, got "welded"
         /units: must be one of: mm_N_MPa, SI, got "inch"
         /analysis: is required

@@ -141,8 +141,8 @@ def job(
         lower: the body below it.
         analysis: "plane_strain" for long bodies, "plane_stress" for thin discs,
             "axisymmetric" for bodies of revolution
-            (a cylinder is a sphere there).
-        force: the force [N/mm of thickness; N in axisymmetry].
+            (a cylinder is a sphere there), "three_dimensional" for `sphere`, `curved` and `flat`.
+        force: the force [N/mm of thickness; N in axisymmetry and three dimensions].
         forces: several of them, a step each.
         approach: how far the supports come together [mm]; the force is an output.
         approaches: several of them, a step each.

@@ -25,7 +25,7 @@ SHOWN = 12
 
 def unit_of_force(result: Result) -> str:
     """The unit of the contact force."""
-    if result.analysis == "axisymmetric":
+    if result.analysis in ("axisymmetric", "three_dimensional"):
         return "N"
     return "N/m" if result.units == "SI" else "N/mm"
 

@@ -90,7 +90,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
 def unit_of(kind: str, document: Mapping[str, Any]) -> str:
     """The unit of a kind of figure in this job."""
     si = document.get("units") == "SI"
-    per_length = document.get("analysis") != "axisymmetric"
+    per_length = document.get("analysis") not in ("axisymmetric", "three_dimensional")
     return {
         LENGTH: "m" if si else "mm",
         STRESS: "Pa" if si else "MPa",

@@ -7,7 +7,7 @@ use super::ExportError;
 
 /// Width and height of a figure \[px\].
 const SIZE: (u32, u32) = (760, 460);
-const FONT: &str = "Helvetica, Arial, sans-serif";
+pub(super) const FONT: &str = "Helvetica, Arial, sans-serif";
 
 /// How a curve is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +49,7 @@ impl Chart {
         Ok(text)
     }
 
-    fn draw(
+    pub(super) fn draw(
         &self,
         root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
     ) -> Result<(), DrawingAreaErrorKind<std::io::Error>> {
@@ -115,7 +115,7 @@ impl Chart {
 }
 
 /// A tick label without the tail that binary fractions grow.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let rounded = (value * 1e6).round() / 1e6;
     format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
 }

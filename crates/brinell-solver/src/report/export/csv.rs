@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Export, ExportError};
 use crate::job::{Analysis, Job, Named, Quantity, Units};
-use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport};
+use crate::report::{FlowReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport};
 
 /// A table of all steps, written step by step.
 #[derive(Debug, Clone, Copy)]
@@ -19,6 +19,7 @@ pub struct Table {
     has_flow: bool,
     is_graded: bool,
     is_stressed: bool,
+    is_three_dimensional: bool,
 }
 
 impl Table {
@@ -34,16 +35,20 @@ impl Table {
             }
             _ => {}
         }
-        let is_round = job.analysis == Analysis::Axisymmetric;
         let profiles = || first.profiles().map(|(_, body)| body);
         Ok(Self {
             form,
             units: job.units,
-            force: if is_round { Quantity::Force } else { Quantity::LineForce },
-            directions: if is_round { ["r", "z", "theta"] } else { ["x", "y", "z"] },
+            force: job.analysis.force(),
+            directions: match job.analysis {
+                Analysis::Axisymmetric => ["r", "z", "theta"],
+                Analysis::ThreeDimensional => ["xx", "zz", "yy"],
+                Analysis::PlaneStrain | Analysis::PlaneStress => ["x", "y", "z"],
+            },
             has_flow: first.flow.is_some(),
             is_graded: profiles().any(|body| body.yield_stress.is_some()),
             is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
+            is_three_dimensional: job.analysis == Analysis::ThreeDimensional,
         })
     }
 
@@ -53,6 +58,9 @@ impl Table {
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
+            Export::PressureCsv if self.is_three_dimensional => {
+                format!("step,x [{length}],y [{length}],pressure [{stress}],gap [{length}]\n")
+            }
             Export::PressureCsv => {
                 format!("step,x [{length}],pressure [{stress}],force [{force}],gap [{length}]\n")
             }
@@ -62,13 +70,16 @@ impl Table {
                     self.directions.map(|direction| format!(",{prefix}sigma_{direction} [{stress}]")).concat()
                 };
                 let initial = of("initial_");
+                let across =
+                    format!(",y [{length}],sigma_xy [{stress}],sigma_xz [{stress}],sigma_yz [{stress}]");
                 format!(
                     "step,body,depth [{length}]{},tau_max [{stress}],von_mises [{stress}],\
-                     equivalent_plastic_strain{}{},{} [{length}]\n",
+                     equivalent_plastic_strain{}{},{} [{length}]{}\n",
                     of(""),
                     if self.is_graded { strength.as_str() } else { "" },
                     if self.is_stressed { initial.as_str() } else { "" },
-                    self.directions[0],
+                    if self.directions[0] == "r" { "r" } else { "x" },
+                    if self.is_three_dimensional { across.as_str() } else { "" },
                 )
             }
             Export::IncrementsCsv => format!(
@@ -77,6 +88,9 @@ impl Table {
             ),
             Export::SurfaceCsv => format!("step,body,x [{length}],height [{length}]\n"),
             _ => {
+                let ellipse = format!(
+                    ",semi_axis_b [{length}],area [{length}2],orientation [degree],plastic_volume [{length}3]"
+                );
                 let flow = format!(
                     ",unloading_stiffness [{force}/{length}],upper_dent [{length}],upper_pile_up [{length}],\
                      lower_dent [{length}],lower_pile_up [{length}],work [{force} {length}],\
@@ -85,8 +99,9 @@ impl Table {
                 format!(
                     "step,status,force [{force}],approach [{length}],peak_pressure [{stress}],\
                      mean_pressure [{stress}],half_width [{length}],contact_stiffness [{force}/{length}],\
-                     max_equivalent_plastic_strain{}\n",
+                     max_equivalent_plastic_strain{}{}\n",
                     if self.has_flow { flow.as_str() } else { "" },
+                    if self.is_three_dimensional { ellipse.as_str() } else { "" },
                 )
             }
         }
@@ -96,7 +111,10 @@ impl Table {
     pub fn rows(&self, number: usize, step: &StepReport) -> String {
         let mut text = String::new();
         match self.form {
-            Export::PressureCsv => pressure(&mut text, number, step),
+            Export::PressureCsv => match &step.three_dimensional {
+                Some(whole) => cells(&mut text, number, step, whole),
+                None => pressure(&mut text, number, step),
+            },
             Export::SubsurfaceCsv => self.subsurface(&mut text, number, step),
             Export::IncrementsCsv => increments(&mut text, number, step),
             Export::SurfaceCsv => surfaces(&mut text, number, step),
@@ -122,6 +140,11 @@ impl Table {
         );
         if self.has_flow {
             write_flow(text, step.flow.as_ref());
+        }
+        if let Some(whole) = &step.three_dimensional {
+            let zones = [&step.plasticity.upper, &step.plasticity.lower];
+            let volume: f64 = zones.into_iter().flatten().filter_map(|zone| zone.volume).sum();
+            let _ = write!(text, ",{},{},{},{volume}", whole.b, whole.area, whole.orientation);
         }
         text.push('\n');
     }
@@ -154,6 +177,27 @@ fn pressure(text: &mut String, number: usize, step: &StepReport) {
     let columns = nodes.x.iter().zip(&nodes.pressure).zip(&nodes.force).zip(&nodes.gap);
     for (((x, pressure), force), gap) in columns {
         let _ = writeln!(text, "{number},{x},{pressure},{force},{gap}");
+    }
+}
+
+/// `step, x, y, pressure, gap` of cells: of all of them where a job asks for fields, else of the sections y = 0 and x = 0.
+fn cells(text: &mut String, number: usize, step: &StepReport, whole: &ThreeDimensionalReport) {
+    let mut row = |x: f64, y: f64, pressure: f64, gap: f64| {
+        let _ = writeln!(text, "{number},{x},{y},{pressure},{gap}");
+    };
+    if let Some(maps) = &whole.maps {
+        let places = maps.x.iter().flat_map(|x| maps.y.iter().map(move |y| (*x, *y)));
+        for ((x, y), (pressure, gap)) in places.zip(maps.pressure.iter().zip(&maps.gap)) {
+            row(x, y, *pressure, *gap);
+        }
+        return;
+    }
+    let (nodes, section) = (&step.contact.nodes, &whole.section);
+    for (x, (pressure, gap)) in nodes.x.iter().zip(nodes.pressure.iter().zip(&nodes.gap)) {
+        row(*x, 0.0, *pressure, *gap);
+    }
+    for (y, (pressure, gap)) in section.y.iter().zip(section.pressure.iter().zip(&section.gap)) {
+        row(0.0, *y, *pressure, *gap);
     }
 }
 
@@ -222,6 +266,13 @@ fn write_profile(
             let value = column.as_ref().and_then(|column| column.get(k));
             let _ = write!(text, ",{}", value.map_or_else(String::new, f64::to_string));
         }
-        let _ = writeln!(text, ",{place}");
+        let _ = write!(text, ",{place}");
+        if let Some(y) = body.position_y {
+            let _ = write!(text, ",{y}");
+            for column in [&body.sigma_xy, &body.sigma_xz, &body.sigma_yz].into_iter().flatten() {
+                let _ = write!(text, ",{}", column.get(k).copied().unwrap_or(0.0));
+            }
+        }
+        text.push('\n');
     }
 }

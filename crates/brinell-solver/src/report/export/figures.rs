@@ -4,9 +4,10 @@ use plotters::style::RGBColor;
 
 use super::ExportError;
 use super::chart::{Chart, Curve, Stroke};
+use super::map;
 use crate::analytical::HertzLine;
 use crate::job::{Analysis, Body, Job, Material, Quantity};
-use crate::report::{HertzReport, Report, StepReport, SubsurfaceReport};
+use crate::report::{HertzReport, Report, StepReport, SubsurfaceReport, ThreeDimensionalReport};
 
 // Okabe and Ito's palette, distinguishable with every kind of colour vision.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -32,10 +33,15 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         stroke: Stroke::Solid,
     }];
     curves.extend(step.hertz.as_ref().map(|hertz| hertz_curve(job, hertz)));
+    curves.extend(step.three_dimensional.iter().flat_map(|whole| sections_along_y(job, step, whole)));
+    if step.three_dimensional.is_some() {
+        "this contact, over x at y = 0".clone_into(&mut curves[0].name);
+    }
     let highest = curves.iter().flat_map(|curve| &curve.points).map(|p| p.1).fold(0.0, f64::max);
-    let left = nodes.x.first().copied().unwrap_or(-1.0);
-    let right = nodes.x.last().copied().unwrap_or(1.0);
-    Chart {
+    let places = || curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
+    let ends = (places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max));
+    let (left, right) = if ends.0 < ends.1 { ends } else { (-1.0, 1.0) };
+    let chart = Chart {
         title: "Contact pressure".to_owned(),
         x_label: format!("{} [{length}]", abscissa(job)),
         y_label: format!("pressure [{stress}]"),
@@ -44,13 +50,34 @@ pub fn pressure_svg(job: &Job, report: &Report, step: usize) -> Result<String, E
         curves,
         legend_below: false,
         band: None,
-    }
-    .svg()
+    };
+    let maps = step.three_dimensional.as_ref().and_then(|whole| whole.maps.as_ref());
+    maps.map_or_else(|| chart.svg(), |maps| map::svg(maps, "Contact pressure", length, &chart))
 }
 
 /// Places along the surface.
 fn abscissa(job: &Job) -> &'static str {
-    if job.analysis == Analysis::Axisymmetric { "radius r" } else { "x" }
+    match job.analysis {
+        Analysis::Axisymmetric => "radius r",
+        Analysis::ThreeDimensional => "x or y",
+        Analysis::PlaneStrain | Analysis::PlaneStress => "x",
+    }
+}
+
+/// The pressure over y at x = 0, and Hertz's.
+fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport) -> Vec<Curve> {
+    let section = &whole.section;
+    let mut curves = vec![Curve {
+        name: "over y at x = 0".to_owned(),
+        points: section.y.iter().copied().zip(section.pressure.iter().copied()).collect(),
+        colour: VERMILION,
+        stroke: Stroke::Solid,
+    }];
+    if let Some((ellipse, hertz)) = whole.hertz.zip(step.hertz.as_ref()) {
+        let longer = HertzReport { half_width: ellipse.b, ..hertz.clone() };
+        curves.push(Curve { name: String::new(), ..hertz_curve(job, &longer) });
+    }
+    curves
 }
 
 fn hertz_curve(job: &Job, hertz: &HertzReport) -> Curve {
@@ -82,10 +109,10 @@ pub fn depth_svg(job: &Job, report: &Report, step: usize) -> Result<String, Expo
         .ok_or(ExportError::NoSubsurface)?;
     let reach = shown_depth(step, profile);
     let mut curves = Vec::new();
-    let (abscissa, names) = if job.analysis == Analysis::Axisymmetric {
-        ("r", ["σ_r", "σ_z", "σ_θ"])
-    } else {
-        ("x", ["σ_x", "σ_y", "σ_z"])
+    let (abscissa, names) = match job.analysis {
+        Analysis::Axisymmetric => ("r", ["σ_r", "σ_z", "σ_θ"]),
+        Analysis::ThreeDimensional => ("x", ["σ_xx", "σ_zz", "σ_yy"]),
+        Analysis::PlaneStrain | Analysis::PlaneStress => ("x", ["σ_x", "σ_y", "σ_z"]),
     };
     let stresses = [(&profile.sigma_x, BLUE), (&profile.sigma_y, VERMILION), (&profile.sigma_z, GREEN)];
     for (name, (values, colour)) in names.into_iter().zip(stresses) {

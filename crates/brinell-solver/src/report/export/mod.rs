@@ -4,6 +4,8 @@ mod chart;
 mod csv;
 mod figures;
 mod format;
+mod map;
+mod surface_vtu;
 mod vtu;
 
 pub use csv::Table;

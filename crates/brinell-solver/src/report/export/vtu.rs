@@ -19,6 +19,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::ExportError;
+use super::surface_vtu::surface_vtu;
 use crate::job::{Analysis, Named};
 use crate::report::{FieldArrays, FieldArraysError, FieldLayout, FieldSide, Report};
 
@@ -37,6 +38,10 @@ const CHUNK: usize = 4096;
 /// [`ExportError::NoStep`]; [`ExportError::NoFields`] where the job did not ask for them.
 pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
+    if let Some(whole) = &shown.three_dimensional {
+        let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
+        return Ok(surface_vtu(report, [step, report.steps.len()], maps));
+    }
     let bytes = FieldArrays::encode(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
     let mut file = VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?;

@@ -1,0 +1,15 @@
+//! Jobs in three dimensions: from the job to the engine of half-spaces, and from its steps to the report.
+
+mod document;
+mod elastic;
+mod estimate;
+mod flow;
+mod notes;
+mod run;
+mod step;
+
+pub use document::{
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+};
+pub use elastic::EllipticReference;
+pub(super) use run::{preflight, run_each};

@@ -1,0 +1,355 @@
+//! The report of one load.
+
+use super::document::{
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+};
+use super::elastic::EllipticReference;
+use crate::contact::ContactLoad;
+use crate::job::{Deformable, InitialStressProfile, Job, Material, Quantity};
+use crate::report::build::{HALF_SPACE_DATUM, in_units};
+use crate::report::units::UnitConverter;
+use crate::report::{
+    ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch, PerBody,
+    PlasticityReport, StepReport, SubsurfaceReport, ValidityNote,
+};
+use crate::solver::half_spaces::{ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, SurfaceMap};
+
+/// Writes the reports of the steps of one job.
+pub(super) struct StepWriter<'a> {
+    pub job: &'a Job,
+    pub write: UnitConverter,
+    pub reference: &'a EllipticReference,
+    /// From the job's x to that of the fields \[rad\].
+    pub orientation: f64,
+}
+
+impl StepWriter<'_> {
+    /// The report of a step beside what flow theory and the remarks say of it.
+    pub fn report(
+        &self,
+        step: &HalfSpaceStep,
+        flow: Option<FlowReport>,
+        validity: Vec<ValidityNote>,
+    ) -> StepReport {
+        let write = self.write;
+        let is_stopped = step.status.is_stopped();
+        let [subsurface, below_peak] = self.subsurface(step);
+        StepReport {
+            load: match step.load {
+                ContactLoad::Force(force) => LoadReport::Force(write.force(force)),
+                ContactLoad::Approach(approach) => LoadReport::Approach(write.length(approach)),
+            },
+            status: step.status,
+            approach: write.length(step.figures.approach),
+            approach_datum: HALF_SPACE_DATUM.to_owned(),
+            contact: self.contact(step),
+            contact_stiffness: write.stiffness(self.contact_stiffness(step)),
+            flow,
+            subsurface,
+            subsurface_below_peak: below_peak,
+            plasticity: if is_stopped {
+                PerBody { upper: None, lower: None }
+            } else {
+                of_bodies(step, |body, _| self.plasticity(body))
+            },
+            hertz: step.hertz.map(|hertz| HertzReport {
+                half_width: write.length(hertz.semi_axis_x),
+                peak_pressure: write.stress(hertz.peak_pressure),
+                yield_onset_force: self.reference.onset_force().map(|force| write.force(force)),
+                yield_onset_depth: self.reference.onset_depth().map(|depth| write.length(depth)),
+                shakedown_pressure: None,
+                shakedown_depth: None,
+            }),
+            yield_onset: None,
+            validity,
+            estimated_error: self.estimated_error(step),
+            fields: None,
+            three_dimensional: Some(self.three_dimensional(step)),
+            history: step.history.iter().map(|record| in_units(record, write)).collect(),
+        }
+    }
+
+    fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
+        let (write, figures, map) = (self.write, &step.figures, &step.surface);
+        let [a, _] = figures.semi_axes;
+        let touches = figures.force > 0.0;
+        let pressure = section_along_x(map, &map.pressure);
+        let cell = map.grid.cell_area();
+        let places = (0..map.grid.nx()).map(|i| write.length(map.grid.x(i)));
+        ContactReport {
+            force: write.force(figures.force),
+            half_width: write.length(a),
+            half_angle: None,
+            peak_pressure: write.stress(figures.peak_pressure),
+            peak_position: write.length(step.peak_position[0]),
+            mean_pressure: if touches { write.stress(figures.force / figures.area) } else { 0.0 },
+            patches: touches
+                .then(|| Patch { left: write.length(-a), right: write.length(a) })
+                .into_iter()
+                .collect(),
+            nodes: ContactNodes {
+                x: places.collect(),
+                force: pressure.iter().map(|pressure| write.force(pressure * cell)).collect(),
+                pressure: pressure.iter().map(|pressure| write.stress(*pressure)).collect(),
+                gap: section_along_x(map, &map.gap).iter().map(|gap| write.length(*gap)).collect(),
+            },
+        }
+    }
+
+    /// Of elastic bodies the slope of Hertz's curve; of bodies that yield it is not known.
+    fn contact_stiffness(&self, step: &HalfSpaceStep) -> f64 {
+        let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
+        if yields || step.status.is_stopped() {
+            0.0
+        } else {
+            self.reference.stiffness(step.figures.semi_axes)
+        }
+    }
+
+    fn three_dimensional(&self, step: &HalfSpaceStep) -> ThreeDimensionalReport {
+        let (write, figures, map) = (self.write, &step.figures, &step.surface);
+        let lengths = |values: &[f64]| -> Vec<f64> { values.iter().map(|x| write.length(*x)).collect() };
+        let stresses = |values: &[f64]| -> Vec<f64> { values.iter().map(|p| write.stress(*p)).collect() };
+        let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
+        ThreeDimensionalReport {
+            orientation: self.orientation.to_degrees(),
+            a: write.length(figures.semi_axes[0]),
+            b: write.length(figures.semi_axes[1]),
+            area: write.area(figures.area),
+            largest_cell_pressure: write.stress(step.largest_cell_pressure),
+            peak_position_y: write.length(step.peak_position[1]),
+            hertz: step.hertz.map(|hertz| EllipticHertzReport {
+                a: write.length(hertz.semi_axis_x),
+                b: write.length(hertz.semi_axis_y),
+                approach: write.length(hertz.approach),
+            }),
+            section: SectionReport {
+                y: y.clone(),
+                pressure: stresses(&section_along_y(map, &map.pressure)),
+                gap: lengths(&section_along_y(map, &map.gap)),
+            },
+            maps: (self.job.output.fields && !step.status.is_stopped()).then(|| MapsReport {
+                x: (0..map.grid.nx()).map(|i| write.length(map.grid.x(i))).collect(),
+                y,
+                pressure: stresses(&map.pressure),
+                gap: lengths(&map.gap),
+            }),
+            estimated_error: ellipse_errors(step),
+        }
+    }
+
+    fn plasticity(&self, body: &HalfSpaceBody) -> PlasticityReport {
+        let write = self.write;
+        let most = body.largest_strain;
+        let [x, y, depth] = most.map_or([0.0; 3], |most| most.position);
+        let layers = (0..body.layers.len()).filter(|_| most.is_some());
+        // Area and the integral of the strain over it.
+        let (yielded_area, weighted) = layers.fold((0.0, 0.0), |(area, sum), layer| {
+            let cell = body.grid.hx() * body.layers.thickness(layer);
+            let strains = section_of_layer(body, layer);
+            let yielded = strains.iter().filter(|strain| **strain > 0.0).count();
+            (area + cell * yielded as f64, sum + cell * strains.iter().sum::<f64>())
+        });
+        let n_cells = body.grid.n_cells();
+        let at_surface = body.equivalent_plastic_strain.iter().take(n_cells);
+        PlasticityReport {
+            yielded: most.is_some(),
+            max_equivalent_plastic_strain: Some(most.map_or(0.0, |most| most.value)),
+            mean_equivalent_plastic_strain: if yielded_area > 0.0 { weighted / yielded_area } else { 0.0 },
+            position: write.length(x),
+            depth: write.length(depth),
+            area: write.area(yielded_area),
+            reached_surface: most.is_some() && at_surface.into_iter().any(|strain| *strain > 0.0),
+            outline: Vec::new(),
+            position_y: Some(write.length(y)),
+            volume: Some(write.length(write.area(body.plastic_volume))),
+        }
+    }
+
+    /// Below the middle and, where that is elsewhere, below the largest pressure.
+    fn subsurface(&self, step: &HalfSpaceStep) -> [Option<PerBody<Option<SubsurfaceReport>>>; 2] {
+        if !self.job.output.subsurface || step.status.is_stopped() {
+            return [None, None];
+        }
+        let below = |place: [f64; 2]| of_bodies(step, |body, side| self.profile(body, side, place));
+        let is_beside = step.peak_position.iter().zip([step.surface.grid.hx(), step.surface.grid.hy()]);
+        let is_beside = is_beside.into_iter().any(|(x, side)| x.abs() > side);
+        [Some(below([0.0; 2])), is_beside.then(|| below(step.peak_position))]
+    }
+
+    fn profile(&self, body: &HalfSpaceBody, side: usize, place: [f64; 2]) -> SubsurfaceReport {
+        let write = self.write;
+        let points = body.column(place);
+        let column = |of: &dyn Fn(&ColumnPoint) -> f64| -> Vec<f64> {
+            points.iter().map(|point| write.figure(Quantity::Stress, of(point))).collect()
+        };
+        let component = |k: usize| column(&|point: &ColumnPoint| point.stress[k]);
+        let material = match &[&self.job.upper, &self.job.lower][side].material {
+            Material::Deformable(material) => Some(material),
+            Material::Rigid => None,
+        };
+        let limits = material.and_then(|material| strengths(material, &points));
+        let initial = material.filter(|material| !material.initial_stress().is_empty());
+        let initial = initial.map(|material| self.initial_stress(material, &points));
+        let of_initial = |k: usize| initial.as_ref().map(|columns| columns[k].clone());
+        SubsurfaceReport {
+            position: Some(write.length(place[0])),
+            position_y: Some(write.length(place[1])),
+            depth: points.iter().map(|point| write.length(point.depth)).collect(),
+            sigma_x: component(0),
+            sigma_y: component(2),
+            sigma_z: component(1),
+            sigma_xx: Some(component(0)),
+            sigma_yy: Some(component(1)),
+            sigma_zz: Some(component(2)),
+            sigma_xy: Some(component(3)),
+            sigma_xz: Some(component(4)),
+            sigma_yz: Some(component(5)),
+            tau_max: column(&|point| largest_shear(point.stress)),
+            von_mises: column(&|point| von_mises(point.stress)),
+            equivalent_plastic_strain: points.iter().map(|point| point.equivalent_plastic_strain).collect(),
+            utilization: limits.as_ref().map(|limits| {
+                points.iter().zip(limits).map(|(point, limit)| von_mises(point.stress) / limit).collect()
+            }),
+            yield_stress: limits.map(|limits| limits.iter().map(|limit| write.stress(*limit)).collect()),
+            initial_sigma_x: of_initial(0),
+            initial_sigma_y: of_initial(1),
+            initial_sigma_z: of_initial(2),
+        }
+    }
+
+    /// `[along x, normal, along y]` before the load.
+    fn initial_stress(&self, material: &Deformable, points: &[ColumnPoint]) -> [Vec<f64>; 3] {
+        let profile = InitialStressProfile::new(material.initial_stress());
+        let (sine, cosine) = self.orientation.sin_cos();
+        let at = |depth: f64| {
+            let [x, y] = profile.at(depth);
+            [cosine * cosine * x + sine * sine * y, 0.0, sine * sine * x + cosine * cosine * y]
+        };
+        let column = |k: usize| points.iter().map(|point| self.write.stress(at(point.depth)[k])).collect();
+        std::array::from_fn(column)
+    }
+
+    fn estimated_error(&self, step: &HalfSpaceStep) -> Option<ErrorEstimate> {
+        let (figures, errors) = (&step.figures, step.errors.as_ref()?);
+        let elastic = self.contact_stiffness(step) > 0.0;
+        Some(ErrorEstimate {
+            peak_pressure: relative(errors.peak_pressure, figures.peak_pressure),
+            half_width: relative(errors.semi_axes[0], figures.semi_axes[0]),
+            approach: relative(errors.approach, figures.approach),
+            force: relative(errors.force, figures.force),
+            // The stiffness of elastic bodies goes with the size of the contact.
+            contact_stiffness: if elastic { 0.5 * relative(errors.area, figures.area) } else { 0.0 },
+        })
+    }
+}
+
+/// What there is to say of each deformable body; said once where one answer stands for both.
+pub(super) fn of_bodies<T: Clone>(
+    step: &HalfSpaceStep,
+    say: impl Fn(&HalfSpaceBody, usize) -> T,
+) -> PerBody<Option<T>> {
+    let [upper, lower] = &step.bodies;
+    let is_shared = matches!((upper, lower), (Some(a), Some(b)) if std::sync::Arc::ptr_eq(a, b));
+    let of_upper = upper.as_ref().map(|body| say(body, 0));
+    let of_lower = if is_shared { of_upper.clone() } else { lower.as_ref().map(|body| say(body, 1)) };
+    PerBody { upper: of_upper, lower: of_lower }
+}
+
+fn relative(error: f64, figure: f64) -> f64 {
+    if figure == 0.0 { 0.0 } else { (error / figure).abs() }
+}
+
+fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
+    let (figures, errors) = (&step.figures, step.errors.as_ref()?);
+    let of = |side: usize| {
+        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| relative(of(errors)[side], of(figures)[side]);
+        step.bodies[side].as_ref().map(|_| BodyErrors {
+            max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
+            depth: part(|figures| figures.dent),
+            pile_up: part(|figures| figures.pile_up),
+            least_stress: part(|figures| figures.least_stress),
+        })
+    };
+    Some(EllipseErrors {
+        b: relative(errors.semi_axes[1], figures.semi_axes[1]),
+        area: relative(errors.area, figures.area),
+        bodies: PerBody { upper: of(0), lower: of(1) },
+    })
+}
+
+/// The mean of the two rows beside y = 0, or the row there.
+pub(super) fn section_along_x(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
+    let (nx, ny) = (map.grid.nx(), map.grid.ny());
+    let [low, high] = middle(ny);
+    (0..nx).map(|i| 0.5 * (values[i * ny + low] + values[i * ny + high])).collect()
+}
+
+/// The mean of the two rows beside x = 0, or the row there.
+fn section_along_y(map: &SurfaceMap, values: &[f64]) -> Vec<f64> {
+    let (nx, ny) = (map.grid.nx(), map.grid.ny());
+    let [low, high] = middle(nx);
+    (0..ny).map(|j| 0.5 * (values[low * ny + j] + values[high * ny + j])).collect()
+}
+
+const fn middle(count: usize) -> [usize; 2] {
+    [(count - 1) / 2, count / 2]
+}
+
+/// Equivalent plastic strain of the cells of a layer beside y = 0.
+fn section_of_layer(body: &HalfSpaceBody, layer: usize) -> Vec<f64> {
+    let (nx, ny) = (body.grid.nx(), body.grid.ny());
+    let first = layer * body.grid.n_cells();
+    let [row, _] = middle(ny);
+    let at = |i: usize| body.equivalent_plastic_strain.get(first + i * ny + row).copied().unwrap_or(0.0);
+    (0..nx).map(at).collect()
+}
+
+/// Yield stresses at the depths of points where strength varies with depth.
+fn strengths(material: &Deformable, points: &[ColumnPoint]) -> Option<Vec<f64>> {
+    let (strength, nominal) = (material.strength()?, material.hardening_law()?.nominal_yield_stress());
+    Some(points.iter().map(|point| nominal * strength.factor(point.depth)).collect())
+}
+
+/// Von Mises stress of `xx yy zz xy xz yz`.
+pub(super) fn von_mises([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> f64 {
+    let normal = 0.5 * ((xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2));
+    (normal + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+}
+
+/// Half the difference of the extreme principal stresses, by the angle of Lode.
+fn largest_shear(stress: [f64; 6]) -> f64 {
+    let [xx, yy, zz, xy, xz, yz] = stress;
+    let equivalent = von_mises(stress);
+    if equivalent == 0.0 {
+        return 0.0;
+    }
+    let mean = (xx + yy + zz) / 3.0;
+    let [x, y, z] = [xx - mean, yy - mean, zz - mean];
+    let third = x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz);
+    let angle = (13.5 * third / equivalent.powi(3)).clamp(-1.0, 1.0).acos() / 3.0;
+    // Principal deviators are 2/3 q cos θ and its turns by 120°.
+    let turn = 2.0 * std::f64::consts::FRAC_PI_3;
+    (equivalent / 3.0) * (angle.cos() - (angle + turn).cos().min((angle - turn).cos()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_shear_is_half_the_difference_of_principal_stresses() {
+        for (stress, expected) in [
+            ([300.0, 100.0, -500.0, 0.0, 0.0, 0.0], 400.0),
+            ([0.0, 0.0, 0.0, 70.0, 0.0, 0.0], 70.0),
+            ([0.0, 0.0, 0.0, 0.0, -70.0, 0.0], 70.0),
+            ([0.0; 6], 0.0),
+            ([100.0, 40.0, 40.0, 0.0, 0.0, 0.0], 30.0),
+            // Principal stresses 100, 40 and -150.
+            ([40.0, -60.0, 10.0, 0.0, 0.0, 120.0], 125.0),
+        ] {
+            let found = largest_shear(stress);
+            assert!((found - expected).abs() < 1e-6, "{stress:?} {found}");
+        }
+    }
+}
