@@ -239,7 +239,9 @@ impl Page {
             && whole.orientation != 0.0
         {
             let angle = significant(whole.orientation, 4);
-            self.line(&format!("the x of these figures is the x of the job turned by {angle}° towards its y"));
+            self.line(&format!(
+                "the x of these figures is the x of the job turned by {angle}° towards its y"
+            ));
         }
         if let Some(angle) = contact.half_angle {
             self.line(&format!("it touches over {}° to each side, along the arc", significant(angle, 3)));
@@ -320,7 +322,10 @@ impl Page {
                 "plastic zone {} {}³; strain up to {} % at x {}, y {}, depth {} {}",
                 significant(*volume, 3),
                 self.names.length,
-                significant(100.0 * zone.and_then(|zone| zone.max_equivalent_plastic_strain).unwrap_or(0.0), 3),
+                significant(
+                    100.0 * zone.and_then(|zone| zone.max_equivalent_plastic_strain).unwrap_or(0.0),
+                    3
+                ),
                 significant(zone.map_or(0.0, |zone| zone.position), 3),
                 significant(*y, 3),
                 significant(zone.map_or(0.0, |zone| zone.depth), 3),

@@ -123,8 +123,8 @@ fn a_large_job_is_cancelled_at_once() {
     let job = server.target.submit(&large);
     server.target.wait_for(&job, &["running"]);
     let asked = Instant::now();
-    assert_eq!(server.target.post(&format!("{job}/cancel"), "").status, 202);
+    assert_eq!(server.target.post(&format!("{job}/cancel"), "").status, 200);
     server.target.wait_for(&job, &["cancelled"]);
     let waited = asked.elapsed();
-    assert!(waited < Duration::from_millis(2500), "{waited:?} in a debug build");
+    assert!(waited < Duration::from_millis(1500), "{waited:?} in a debug build");
 }

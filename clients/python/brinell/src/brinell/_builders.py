@@ -12,8 +12,10 @@ from .models import (
     Block,
     Cone,
     ContactBody,
+    Curved,
     Cylinder,
     Ellipse,
+    Flat,
     Groove,
     Hole,
     Ludwik,
@@ -22,6 +24,7 @@ from .models import (
     Profile,
     Punch,
     RambergOsgood,
+    Sphere,
     Swift,
     Table,
     Voce,
@@ -32,8 +35,10 @@ __all__ = [
     "bilinear",
     "block",
     "cone",
+    "curved",
     "cylinder",
     "ellipse",
+    "flat",
     "groove",
     "hole",
     "ludwik",
@@ -42,6 +47,7 @@ __all__ = [
     "profile",
     "punch",
     "ramberg_osgood",
+    "sphere",
     "swift",
     "table",
     "voce",
@@ -89,6 +95,28 @@ def cone(
     return build_body(Cone, material, support, angle=angle, depth=depth, width=width, tip_radius=tip_radius)
 
 
+def curved(
+    *,
+    material: Material,
+    radius_x: Number | None = None,
+    radius_y: Number | None = None,
+    rotation: Number | None = None,
+    support: Support | None = None,
+) -> ContactBody:
+    """A half-space whose surface has a curvature along its x and one along its y: roller, raceway,
+    crowned part; only in three dimensions.
+
+    Args:
+        radius_x: Radius of curvature along its x; negative is concave, left out is straight.
+        radius_y: Radius of curvature along its y; negative is concave, left out is straight.
+        rotation: Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is
+            left out. Without unit.
+        material: a name among `materials`, `material(...)` or `rigid`.
+        support: how its far boundary is held: "clamped" (default) or "roller".
+    """
+    return build_body(Curved, material, support, radius_x=radius_x, radius_y=radius_y, rotation=rotation)
+
+
 def cylinder(
     *,
     radius: Number,
@@ -121,6 +149,23 @@ def ellipse(
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Ellipse, material, support, semi_axis_x=semi_axis_x, semi_axis_y=semi_axis_y)
+
+
+def flat(
+    *,
+    material: Material,
+    rotation: Number | None = None,
+    support: Support | None = None,
+) -> ContactBody:
+    """A plane half-space; only in three dimensions.
+
+    Args:
+        rotation: Angle of the body about the normal, in degrees, from x towards y; 0 if it is left
+            out. Without unit.
+        material: a name among `materials`, `material(...)` or `rigid`.
+        support: how its far boundary is held: "clamped" (default) or "roller".
+    """
+    return build_body(Flat, material, support, rotation=rotation)
 
 
 def groove(
@@ -247,6 +292,25 @@ def punch(
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Punch, material, support, depth=depth, width=width, edge_radius=edge_radius)
+
+
+def sphere(
+    *,
+    radius: Number,
+    material: Material,
+    rotation: Number | None = None,
+    support: Support | None = None,
+) -> ContactBody:
+    """A ball on a half-space; only in three dimensions.
+
+    Args:
+        radius: Radius.
+        rotation: Angle of the body about the normal, in degrees, from x towards y; 0 if it is left
+            out. Without unit.
+        material: a name among `materials`, `material(...)` or `rigid`.
+        support: how its far boundary is held: "clamped" (default) or "roller".
+    """
+    return build_body(Sphere, material, support, radius=radius, rotation=rotation)
 
 
 def wedge(

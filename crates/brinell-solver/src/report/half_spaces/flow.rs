@@ -11,18 +11,12 @@ use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep, SurfaceMap};
 
 /// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
 const NOTICEABLE: f64 = 1e-6;
-/// Power of the approach with which the force of elastic bodies grows.
-const HERTZ_POWER: f64 = 1.5;
 
 /// What a history has done so far.
 #[derive(Debug, Default)]
 pub(super) struct FlowState {
-    /// Force and approach at the end of the last increment.
-    last: [f64; 2],
-    /// Work of the force since rest \[N mm\].
-    work: f64,
-    /// Elastic energy at the end of the last load \[N mm\].
-    elastic: f64,
+    /// Force at the end of the last load.
+    force: f64,
     /// Plastic strains where the load last began to fall.
     before_unloading: Option<[Option<Arc<HalfSpaceBody>>; 2]>,
     bodies: [Option<Arc<HalfSpaceBody>>; 2],
@@ -40,24 +34,25 @@ impl FlowState {
         if job.solver.theory != Theory::Flow {
             return None;
         }
-        let falls = step.figures.force < self.last[0];
+        let falls = step.figures.force < self.force;
         if falls && self.before_unloading.is_none() {
             self.before_unloading = Some(self.bodies.clone());
         } else if !falls {
             self.before_unloading = None;
         }
-        let energy = self.energy(job, step);
+        self.force = step.figures.force;
+        let energy = step.energy;
         self.bodies.clone_from(&step.bodies);
         let in_units = |energy: f64| write.force(write.length(energy));
         let increments = &step.increments;
         Some(FlowReport {
             unloading_stiffness: write.stiffness(reference.stiffness(step.figures.semi_axes)),
             energy: EnergyReport {
-                work: in_units(energy.work),
+                work: in_units(energy.work()),
                 elastic: in_units(energy.elastic),
-                plastic: in_units(energy.work - energy.elastic),
-                stored: 0.0,
-                dissipated: in_units(energy.work - energy.elastic),
+                plastic: in_units(energy.plastic_work),
+                stored: in_units(energy.backstress),
+                dissipated: in_units(energy.dissipated()),
             },
             increments: IncrementsReport {
                 force: increments.iter().map(|end| write.force(end.force)).collect(),
@@ -73,23 +68,6 @@ impl FlowState {
                 of_bodies(step, |body, side| self.surface(job, step, (body, side), &deflection, write))
             },
         })
-    }
-
-    /// Work since rest and elastic energy \[N mm\].
-    ///
-    /// The force follows a power of the approach within an increment of loading, as Hertz's does from rest. While the load falls and
-    /// nothing yields, its work is what the elastic energy loses.
-    fn energy(&mut self, job: &Job, step: &HalfSpaceStep) -> Energies {
-        let elastic = elastic_energy(job, step);
-        let first = self.last;
-        let mut rising = 0.0;
-        for end in &step.increments {
-            rising += work_between(self.last, [end.force, end.approach]);
-            self.last = [end.force, end.approach];
-        }
-        self.work += if step.figures.force < first[0] { elastic - self.elastic } else { rising };
-        self.elastic = elastic;
-        Energies { work: self.work, elastic }
     }
 
     fn surface(
@@ -125,64 +103,6 @@ impl FlowState {
             max_reverse_strain: if has_reversed { most } else { 0.0 },
         }
     }
-}
-
-struct Energies {
-    work: f64,
-    elastic: f64,
-}
-
-/// `∫P dα` between two points `[force, approach]` of a loading.
-fn work_between([from, start]: [f64; 2], [to, end]: [f64; 2]) -> f64 {
-    let trapezoid = 0.5 * (from + to) * (end - start);
-    if from <= 0.0 && start.abs() <= 1e-9 * end.abs() {
-        return to * end / (HERTZ_POWER + 1.0);
-    }
-    if from <= 0.0 || to <= from || start <= 0.0 || end <= start {
-        return trapezoid;
-    }
-    let power = (to / from).ln() / (end / start).ln();
-    (to * end - from * start) / (power + 1.0)
-}
-
-/// By Clapeyron and reciprocity, `½ ∫p (α - δ0) dA - ½ ∫ε_p:(σ - σ_0) dV - ∫ε_p:σ_0 dV` with the stress σ_0 before the load.
-fn elastic_energy(job: &Job, step: &HalfSpaceStep) -> f64 {
-    let map = &step.surface;
-    let gap = initial_gap(job, map);
-    let forces = map.pressure.iter().zip(&gap).filter(|(pressure, _)| **pressure > 0.0);
-    let by_contact: f64 = forces.map(|(pressure, gap)| pressure * (step.figures.approach - gap)).sum();
-    let materials = [&job.upper.material, &job.lower.material];
-    let of_plastic: f64 = step
-        .bodies
-        .iter()
-        .zip(materials)
-        .filter_map(|(body, material)| Some(plastic_part(body.as_deref()?, material)))
-        .sum();
-    (0.5 * by_contact * map.grid.cell_area() + of_plastic).max(0.0)
-}
-
-/// `-½ ∫ε_p:(σ + σ_0) dV` of one body.
-fn plastic_part(body: &HalfSpaceBody, material: &Material) -> f64 {
-    let Some(strain) = &body.plastic_strain else { return 0.0 };
-    let profile = match material {
-        Material::Deformable(material) => crate::job::InitialStressProfile::new(material.initial_stress()),
-        Material::Rigid => return 0.0,
-    };
-    let of_layer = |layer: usize| {
-        // The mean of both stresses along the surface stands for them in axes that are turned.
-        let [x, y] = profile.at(body.layers.middle(layer));
-        let initial = 0.5 * (x + y);
-        let [xx, yy, xy, xz, yz] = std::array::from_fn(|k| strain.component(layer, k));
-        let stress: [&[f64]; 6] = std::array::from_fn(|k| body.stress.component(layer, k));
-        let at = |cell: usize| {
-            let normal = xx[cell] * (stress[0][cell] + initial) + yy[cell] * (stress[1][cell] + initial)
-                - (xx[cell] + yy[cell]) * stress[2][cell];
-            let shear = xy[cell] * stress[3][cell] + xz[cell] * stress[4][cell] + yz[cell] * stress[5][cell];
-            normal + 2.0 * shear
-        };
-        body.layers.thickness(layer) * (0..body.grid.n_cells()).map(at).sum::<f64>()
-    };
-    -0.5 * body.grid.cell_area() * (0..body.layers.len()).map(of_layer).sum::<f64>()
 }
 
 /// Elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`; none where nothing touches.
@@ -230,23 +150,4 @@ fn reverse_area(body: &HalfSpaceBody, gains: &[f64]) -> f64 {
     let reversed =
         gains.iter().enumerate().filter(|(cell, gain)| **gain > NOTICEABLE && is_in_section(*cell));
     reversed.map(|(cell, _)| area(cell)).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_work_of_hertz_is_exact_in_any_increments() {
-        let force = |approach: f64| 7.0 * approach.powf(1.5);
-        let ends = [0.3, 0.35, 1.0];
-        let mut last = [0.0, 0.0];
-        let mut work = 0.0;
-        for end in ends {
-            let next = [force(end), end];
-            work += work_between(last, next);
-            last = next;
-        }
-        assert!((work / (7.0 / 2.5) - 1.0).abs() < 1e-14);
-    }
 }

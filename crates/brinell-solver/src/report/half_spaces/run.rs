@@ -12,8 +12,8 @@ use crate::report::build::{timings, worse};
 use crate::report::run::RunError;
 use crate::report::units::UnitConverter;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
-use crate::solver::half_spaces::{self, HalfSpaceReceiver, HalfSpaceStep};
-use crate::solver::{Observer, SolveError, SolveStatus};
+use crate::solver::half_spaces::{self, HalfSpaceStep};
+use crate::solver::{Observer, SolveError, SolveStatus, StepReceiver};
 
 /// What a job will cost.
 ///
@@ -21,7 +21,8 @@ use crate::solver::{Observer, SolveError, SolveStatus};
 /// The fields that describe what is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
     refuse(job).map_err(|fault| vec![fault])?;
-    Ok(estimate(job))
+    let problem = problem_of(job).ok_or_else(Vec::new)?;
+    estimate(job, &problem).map_err(|error| vec![FieldError::not_solvable("/mesh", error.to_string())])
 }
 
 /// Solves a job and hands over the report of each step; the report that is returned has no steps.
@@ -108,7 +109,7 @@ struct Steps<'a> {
     time: Duration,
 }
 
-impl HalfSpaceReceiver for Steps<'_> {
+impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     fn step(&mut self, step: HalfSpaceStep, observer: &mut dyn Observer) {
         let start = observer.elapsed();
         let StepWriter { job, write, reference, .. } = self.writer;
