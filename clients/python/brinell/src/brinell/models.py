@@ -160,6 +160,53 @@ class Block(BaseModel):
     ]
 
 
+class BodyErrors(BaseModel):
+    """
+    Estimated relative errors of figures of one body; 0 of a figure that is 0.
+    """
+
+    depth: Annotated[
+        float,
+        Field(
+            description='Of the depth by which plastic strain lowers the surface. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    least_stress: Annotated[
+        float,
+        Field(
+            description='Of the least stress along the surface below the largest pressure, without load the residual stress. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    max_equivalent_plastic_strain: Annotated[
+        float, Field(description='Of the largest plastic strain. Without unit.', ge=0.0)
+    ]
+    pile_up: Annotated[
+        float,
+        Field(description='Of the height by which it raises it. Without unit.', ge=0.0),
+    ]
+
+
+class BodyErrorsOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        BodyErrors | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        BodyErrors | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
 class ClosedFormStep(BaseModel):
     """
     Hertz's contact under one force.
@@ -176,7 +223,7 @@ class ClosedFormStep(BaseModel):
     half_width: Annotated[
         float,
         Field(
-            description='Half-width of the strip, or radius of the circle. Unit: mm (SI: m).',
+            description='Half-width of the strip, radius of the circle or shorter semi-axis of the ellipse. Unit: mm (SI: m).',
             examples=[0.26],
             ge=0.0,
         ),
@@ -243,6 +290,27 @@ class Cone(BaseModel):
     ]
 
 
+class ContactMaps(BaseModel):
+    """
+    Cells of the surface. The cell at `x[i]`, `y[j]` stands at the place `i * y.length + j` of a map, counted from 0.
+    """
+
+    gap: Annotated[
+        list[float], Field(description='Gap after loading. Unit: mm (SI: m).')
+    ]
+    pressure: Annotated[
+        list[float], Field(description='Contact pressure. Unit: MPa (SI: Pa).')
+    ]
+    x: Annotated[
+        list[float],
+        Field(description='Middles of the cells along x. Unit: mm (SI: m).'),
+    ]
+    y: Annotated[
+        list[float],
+        Field(description='Middles of the cells along y. Unit: mm (SI: m).'),
+    ]
+
+
 class ContactNodes(BaseModel):
     """
     Values at the candidate pairs.
@@ -265,6 +333,22 @@ class ContactNodes(BaseModel):
         Field(
             description='Tangential position, along the arc for a pin in a hole. Unit: mm (SI: m).'
         ),
+    ]
+
+
+class ContactSection(BaseModel):
+    """
+    Cells along y, the mean of the two rows beside x = 0.
+    """
+
+    gap: Annotated[
+        list[float], Field(description='Gap after loading. Unit: mm (SI: m).')
+    ]
+    pressure: Annotated[
+        list[float], Field(description='Contact pressure. Unit: MPa (SI: Pa).')
+    ]
+    y: Annotated[
+        list[float], Field(description='Middle of the cell. Unit: mm (SI: m).')
     ]
 
 
@@ -391,6 +475,40 @@ class Ellipse(BaseModel):
     ]
     type: Annotated[
         Literal['ellipse'], Field(description='The word that names this kind.')
+    ]
+
+
+class EllipseErrors(BaseModel):
+    """
+    Estimated relative errors of figures of the contact and of each body.
+    """
+
+    area: Annotated[float, Field(description='Of the area. Without unit.', ge=0.0)]
+    b: Annotated[
+        float, Field(description='Of the longer semi-axis. Without unit.', ge=0.0)
+    ]
+    bodies: Annotated[
+        BodyErrorsOfBodies, Field(description='Of each body; `null` of a rigid one.')
+    ]
+
+
+class EllipticHertz(BaseModel):
+    """
+    Hertz's ellipse.
+    """
+
+    a: Annotated[
+        float, Field(description='Shorter semi-axis. Unit: mm (SI: m).', ge=0.0)
+    ]
+    approach: Annotated[
+        float,
+        Field(
+            description='Approach of points far from the contact. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    b: Annotated[
+        float, Field(description='Longer semi-axis. Unit: mm (SI: m).', ge=0.0)
     ]
 
 
@@ -1606,12 +1724,25 @@ class PlasticZone(BaseModel):
         ),
     ]
     position: Annotated[float, Field(description='x of that point. Unit: mm (SI: m).')]
+    position_y: Annotated[
+        float | None,
+        Field(
+            description='y of the point with the largest plastic strain; of this and the next only in three dimensions, where there is no outline and `area` is that of the cells beside y = 0. Unit: mm (SI: m).'
+        ),
+    ] = None
     reached_surface: Annotated[
         bool,
         Field(
             description='Whether the plastic zone includes a part of the free surface.'
         ),
     ]
+    volume: Annotated[
+        float | None,
+        Field(
+            description='Volume of the cells that have yielded. Unit: mm³ (SI: m³).',
+            ge=0.0,
+        ),
+    ] = None
     yielded: Annotated[
         bool, Field(description='Whether any Gauss point is beyond yield.')
     ]
@@ -2036,22 +2167,56 @@ class Subsurface(BaseModel):
             description='x of the normal, along the arc for a pin in a hole. Results of 0.2 do not have it: their normal is at `contact.peak_position`. Unit: mm (SI: m).'
         ),
     ] = None
+    position_y: Annotated[
+        float | None,
+        Field(
+            description='y of the normal; of this and the following only in three dimensions, where `sigma_x` is `sigma_xx`, the normal stress `sigma_y` is `sigma_zz`, and `sigma_z` is `sigma_yy`. Unit: mm (SI: m).'
+        ),
+    ] = None
     sigma_x: Annotated[
         list[float],
         Field(
             description='Tangential stress; radial in axisymmetry. Unit: MPa (SI: Pa).'
         ),
     ]
+    sigma_xx: Annotated[
+        list[float] | None,
+        Field(
+            description='Stress along x, the shorter semi-axis of the contact. Unit: MPa (SI: Pa).'
+        ),
+    ] = None
+    sigma_xy: Annotated[
+        list[float] | None,
+        Field(description='Shear stress between x and y. Unit: MPa (SI: Pa).'),
+    ] = None
+    sigma_xz: Annotated[
+        list[float] | None,
+        Field(description='Shear stress between x and z. Unit: MPa (SI: Pa).'),
+    ] = None
     sigma_y: Annotated[
         list[float],
         Field(description='Normal stress; axial in axisymmetry. Unit: MPa (SI: Pa).'),
     ]
+    sigma_yy: Annotated[
+        list[float] | None,
+        Field(description='Stress along y, the longer semi-axis. Unit: MPa (SI: Pa).'),
+    ] = None
+    sigma_yz: Annotated[
+        list[float] | None,
+        Field(description='Shear stress between y and z. Unit: MPa (SI: Pa).'),
+    ] = None
     sigma_z: Annotated[
         list[float],
         Field(
             description='Out-of-plane stress; hoop stress in axisymmetry. Unit: MPa (SI: Pa).'
         ),
     ]
+    sigma_zz: Annotated[
+        list[float] | None,
+        Field(
+            description='Stress along z, the normal into the body. Unit: MPa (SI: Pa).'
+        ),
+    ] = None
     tau_max: Annotated[
         list[float],
         Field(
@@ -2297,6 +2462,73 @@ class TargetResult(BaseModel):
     ]
 
 
+class ThreeDimensional(BaseModel):
+    """
+    What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact, y along the longer one, z into the body; every place, map and stress of this step is in these axes.
+    """
+
+    a: Annotated[
+        float,
+        Field(
+            description='Shorter semi-axis; 0 where nothing touches. Unit: mm (SI: m).',
+            ge=0.0,
+        ),
+    ]
+    area: Annotated[
+        float,
+        Field(
+            description='Area of the ellipse of these semi-axes. Unit: mm² (SI: m²).',
+            ge=0.0,
+        ),
+    ]
+    b: Annotated[
+        float, Field(description='Longer semi-axis. Unit: mm (SI: m).', ge=0.0)
+    ]
+    estimated_error: Annotated[
+        EllipseErrors | None,
+        Field(
+            description='Estimated relative errors of further figures; absent where `estimated_error` is `null`.'
+        ),
+    ] = None
+    hertz: Annotated[
+        EllipticHertz | None,
+        Field(
+            description='The elastic contact of the same bodies under the same force; absent where nothing touches.'
+        ),
+    ] = None
+    largest_cell_pressure: Annotated[
+        float,
+        Field(
+            description='Largest pressure of one cell. `contact.peak_pressure` is a mean over neighbours, weights 1-2-1 each way, where bodies yield, because the pressure of single cells is jagged near the edge. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    maps: Annotated[
+        ContactMaps | None,
+        Field(
+            description='Pressure and gap of all cells; absent unless `output.fields` asks for them.'
+        ),
+    ] = None
+    orientation: Annotated[
+        float,
+        Field(
+            description='Angle from the x of the job to this x, towards the y of the job; 0 of a circle. Unit: degree.'
+        ),
+    ]
+    peak_position_y: Annotated[
+        float,
+        Field(
+            description='y of the largest pressure; its x is `contact.peak_position`. Unit: mm (SI: m).'
+        ),
+    ]
+    section: Annotated[
+        ContactSection,
+        Field(
+            description='The cells of the section x = 0; those of the section y = 0 are `contact.nodes`.'
+        ),
+    ]
+
+
 class Timings(BaseModel):
     """
     Wall time by phase, all passes and steps together. Unit: ms.
@@ -2360,7 +2592,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'half_spaces'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -2520,7 +2752,7 @@ class ClosedForm(BaseModel):
     effective_radius: Annotated[
         float,
         Field(
-            description='Effective radius of the two surfaces. Unit: mm (SI: m).',
+            description='Effective radius of the two surfaces, in three dimensions that of their mean curvature. Unit: mm (SI: m).',
             examples=[10.0],
             gt=0.0,
         ),
@@ -2703,7 +2935,7 @@ class Step(BaseModel):
     contact_stiffness: Annotated[
         float,
         Field(
-            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped and where the bodies do not bear the load. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped, where the bodies do not bear the load, and where bodies yield in three dimensions, of which it is not known. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
         ),
     ]
     estimated_error: ErrorEstimate | None
@@ -2743,6 +2975,12 @@ class Step(BaseModel):
         SubsurfaceOfBodies | None,
         Field(
             description='The same below the largest pressure; absent where that is in the middle.'
+        ),
+    ] = None
+    three_dimensional: Annotated[
+        ThreeDimensional | None,
+        Field(
+            description='What only a contact in three dimensions has; absent in other analyses.'
         ),
     ] = None
     validity: Annotated[
