@@ -21,7 +21,7 @@ fn steel(yield_stress: Option<f64>) -> Value {
 }
 
 /// A rigid ellipsoid on steel.
-fn ellipsoid(rotation: f64, yield_stress: Option<f64>, load: Value) -> Value {
+fn ellipsoid(rotation: f64, yield_stress: Option<f64>, load: &Value) -> Value {
     json!({
         "analysis": "three_dimensional",
         "upper": {
@@ -47,8 +47,8 @@ fn pressed(step: &StepReport) -> f64 {
 
 #[test]
 fn a_turned_body_has_the_same_contact_at_another_angle() {
-    let straight = solve(&ellipsoid(0.0, None, json!({"force": 100})));
-    let turned = solve(&ellipsoid(30.0, None, json!({"force": 100})));
+    let straight = solve(&ellipsoid(0.0, None, &json!({"force": 100})));
+    let turned = solve(&ellipsoid(30.0, None, &json!({"force": 100})));
     let [straight, turned] = [&straight.steps[0], &turned.steps[0]];
     let angles = [straight, turned].map(|step| step.three_dimensional.as_ref().unwrap().orientation);
     assert!(angles[0].abs() < 1e-9 && (angles[1] - 30.0).abs() < 1e-9, "{angles:?}");
@@ -58,7 +58,7 @@ fn a_turned_body_has_the_same_contact_at_another_angle() {
 
 #[test]
 fn figures_are_in_the_units_of_the_job() {
-    let mut job = ellipsoid(0.0, None, json!({"force": 100}));
+    let mut job = ellipsoid(0.0, None, &json!({"force": 100}));
     job["output"] = json!({"fields": true});
     let millimetres = solve(&job);
     let [one, whole] = [&millimetres.steps[0], &millimetres.steps[0]];
@@ -82,7 +82,7 @@ fn figures_are_in_the_units_of_the_job() {
 /// Of Hertz's contact the work is 2/5 P α, all of it elastic.
 #[test]
 fn a_history_of_elastic_bodies_keeps_its_work() {
-    let mut job = ellipsoid(0.0, Some(5000.0), json!({"history": [{"force": 100}, {"force": 0}]}));
+    let mut job = ellipsoid(0.0, Some(5000.0), &json!({"history": [{"force": 100}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     let [loaded, unloaded] = [0, 1].map(|k| report.steps[k].flow.as_ref().unwrap());
@@ -97,7 +97,7 @@ fn a_history_of_elastic_bodies_keeps_its_work() {
 /// HALF-SPACE prototype: dent 1.008 µm, residual stress along the short axis -230 MPa, within the error that is told.
 #[test]
 fn an_ellipsoid_leaves_a_dent() {
-    let mut job = ellipsoid(0.0, Some(500.0), json!({"history": [{"force": 317.1424}, {"force": 0}]}));
+    let mut job = ellipsoid(0.0, Some(500.0), &json!({"history": [{"force": 317.1424}, {"force": 0}]}));
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     assert_eq!(report.status, SolveStatus::Converged);
@@ -117,7 +117,7 @@ fn an_ellipsoid_leaves_a_dent() {
     assert!(energy.dissipated > 0.0 && energy.elastic > 0.0 && energy.elastic < energy.work, "{energy:?}");
     let zone = unloaded.plasticity.lower.as_ref().unwrap();
     assert!(zone.volume.unwrap() > 0.0 && zone.area > 0.0);
-    assert_eq!(unloaded.contact.force, 0.0);
+    assert!(unloaded.contact.force.abs() < 1e-12);
 }
 
 /// What must hold of any answer.

@@ -19,7 +19,6 @@ pub struct Table {
     has_flow: bool,
     is_graded: bool,
     is_stressed: bool,
-    is_three_dimensional: bool,
 }
 
 impl Table {
@@ -48,8 +47,11 @@ impl Table {
             has_flow: first.flow.is_some(),
             is_graded: profiles().any(|body| body.yield_stress.is_some()),
             is_stressed: profiles().any(|body| body.initial_sigma_x.is_some()),
-            is_three_dimensional: job.analysis == Analysis::ThreeDimensional,
         })
+    }
+
+    fn is_three_dimensional(&self) -> bool {
+        self.directions[0] == "xx"
     }
 
     /// Its first line, which names columns and units.
@@ -58,7 +60,7 @@ impl Table {
         let (force, length, stress) =
             (symbol(self.force), symbol(Quantity::Length), symbol(Quantity::Stress));
         match self.form {
-            Export::PressureCsv if self.is_three_dimensional => {
+            Export::PressureCsv if self.is_three_dimensional() => {
                 format!("step,x [{length}],y [{length}],pressure [{stress}],gap [{length}]\n")
             }
             Export::PressureCsv => {
@@ -79,7 +81,7 @@ impl Table {
                     if self.is_graded { strength.as_str() } else { "" },
                     if self.is_stressed { initial.as_str() } else { "" },
                     if self.directions[0] == "r" { "r" } else { "x" },
-                    if self.is_three_dimensional { across.as_str() } else { "" },
+                    if self.is_three_dimensional() { across.as_str() } else { "" },
                 )
             }
             Export::IncrementsCsv => format!(
@@ -101,7 +103,7 @@ impl Table {
                      mean_pressure [{stress}],half_width [{length}],contact_stiffness [{force}/{length}],\
                      max_equivalent_plastic_strain{}{}\n",
                     if self.has_flow { flow.as_str() } else { "" },
-                    if self.is_three_dimensional { ellipse.as_str() } else { "" },
+                    if self.is_three_dimensional() { ellipse.as_str() } else { "" },
                 )
             }
         }
