@@ -74,9 +74,7 @@ impl ClosedForm {
             steps,
         })
     }
-}
 
-impl ClosedForm {
     /// Of half-spaces in three dimensions.
     fn of_ellipse(units: Units, reference: &EllipticReference, forces: &Sweep) -> Self {
         let step = |force: f64| {
