@@ -318,37 +318,29 @@ impl Page {
         let text = match zone {
             None => "rigid".to_owned(),
             Some(zone) if !zone.yielded => "elastic throughout".to_owned(),
-            Some(PlasticityReport { volume: Some(volume), position_y: Some(y), .. }) => format!(
-                "plastic zone {} {}³; strain up to {} % at x {}, y {}, depth {} {}",
-                significant(*volume, 3),
-                self.names.length,
-                significant(
-                    100.0 * zone.and_then(|zone| zone.max_equivalent_plastic_strain).unwrap_or(0.0),
-                    3
-                ),
-                significant(zone.map_or(0.0, |zone| zone.position), 3),
-                significant(*y, 3),
-                significant(zone.map_or(0.0, |zone| zone.depth), 3),
-                self.names.length
-            ),
-            Some(zone) => format!(
-                "plastic zone {} {}²; strain {}, most at {} {}, depth {} {}",
-                significant(zone.area, 3),
-                self.names.length,
-                match zone.max_equivalent_plastic_strain {
-                    Some(strain) => format!("up to {} %", significant(100.0 * strain, 3)),
-                    None => format!(
-                        "{} % on average",
-                        significant(100.0 * zone.mean_equivalent_plastic_strain, 3)
-                    ),
-                },
-                self.names.abscissa(),
-                significant(zone.position, 3),
-                significant(zone.depth, 3),
-                self.names.length
-            ),
+            Some(zone) => self.yielded(zone),
         };
         self.line(&format!("{name}  {text}"));
+    }
+
+    /// How much has yielded, and where most; a strain without a limit has no place.
+    fn yielded(&self, zone: &PlasticityReport) -> String {
+        let length = self.names.length;
+        let size = zone.volume.map_or_else(
+            || format!("{} {length}²", significant(zone.area, 3)),
+            |volume| format!("{} {length}³", significant(volume, 3)),
+        );
+        let Some(strain) = zone.max_equivalent_plastic_strain else {
+            let mean = significant(100.0 * zone.mean_equivalent_plastic_strain, 3);
+            return format!("plastic zone {size}; mean strain {mean} %");
+        };
+        let [strain, x, depth] =
+            [100.0 * strain, zone.position, zone.depth].map(|figure| significant(figure, 3));
+        let place = match zone.position_y {
+            Some(y) => format!("x {x}, y {}", significant(y, 3)),
+            None => format!("{} {x}", self.names.abscissa()),
+        };
+        format!("plastic zone {size}; strain up to {strain} % at {place}, depth {depth} {length}")
     }
 
     /// How much of its strength a body uses that is not equally strong everywhere, where that is most.

@@ -84,7 +84,9 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     }
     if drops(StepPart::Fields) {
         remove(step, "fields");
-        remove(&mut step["three_dimensional"], "maps");
+        if let Some(half_spaces) = step.get_mut("three_dimensional") {
+            remove(half_spaces, "maps");
+        }
     }
 }
 

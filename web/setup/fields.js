@@ -209,7 +209,8 @@ function target(key, label, symbol, quantity, example) {
 /** @type {Record<string, string>} */
 export const ANALYSES = { plane_strain: 'Plane strain', plane_stress: 'Plane stress', axisymmetric: 'Axisymmetric' };
 /** @param {unknown} own analysis of the draft @returns {Record<string, string>} to choose from: three dimensions come as JSON, and are not begun here */
-export const analysesFor = (own) => (own === 'three_dimensional' ? { [own]: 'Three dimensions', ...ANALYSES } : ANALYSES);
+export const analysesFor = (own) =>
+  own === 'three_dimensional' ? { [own]: 'Three dimensions', ...ANALYSES } : ANALYSES;
 
 /** @type {Record<string, string>} */
 export const UNIT_SYSTEMS = { mm_N_MPa: 'mm, N, MPa', SI: 'm, N, Pa' };

@@ -271,7 +271,9 @@ export class Form {
     const law = lawOf(this.draft.job[body]?.material);
     return [
       // A half-space has no far boundary.
-      ...(this.draft.job.analysis === 'three_dimensional' ? [] : [this.#choice(`/${body}/support`, 'Support', SUPPORTS)]),
+      ...(this.draft.job.analysis === 'three_dimensional'
+        ? []
+        : [this.#choice(`/${body}/support`, 'Support', SUPPORTS)]),
       ...(LAWS[law]?.fields.length ? this.#overDepth(body) : []),
       ...(law === 'rigid' ? [] : this.#initialStress(body)),
       this.previews[body].stress,

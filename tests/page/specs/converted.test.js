@@ -15,7 +15,7 @@ const SAID = [
   [/Unit: mm \(SI: m\)/, 'length'],
   [/Unit: MPa \(SI: Pa\)/, 'stress'],
   [/Unit: N\/mm \(SI: N\/m\) of thickness; N in axisymmetry/, 'load'],
-  [/Unit: N\/mm² \(SI: N\/m²\); in axisymmetry N\/mm/, 'slope'],
+  [/Unit: N\/mm² \(SI: N\/m²\); in axisymmetry and three dimensions N\/mm/, 'slope'],
   [/Unit: mm² \(SI: m²\)/, 'area'],
   [/Unit: N \(SI: N\) of thickness, force times length/, 'energy'],
   // By the name of the figure that was looked for.

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use brinell_solver::job::{Job, Load, Theory};
+use brinell_solver::job::{Job, JobError, Load, Theory};
 use brinell_solver::report::{self, Report, RunError, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::Value;
@@ -18,7 +18,7 @@ use random_job::Random;
 const ELEMENTS: [u32; 3] = [4, 5, 6];
 
 /// What a report leaves empty where there is nothing to say.
-const MAY_BE_NULL: [&str; 9] = [
+const MAY_BE_NULL: [&str; 11] = [
     "hertz",
     "estimated_error",
     "relative_error",
@@ -28,7 +28,12 @@ const MAY_BE_NULL: [&str; 9] = [
     "shakedown_depth",
     "upper",
     "lower",
+    "yield_onset",
+    "max_equivalent_plastic_strain",
 ];
+
+/// A figure that some jobs here ask for and that their materials do not have.
+const NO_TARGET: &str = "/load/target/max_plastic_strain";
 
 fn assert_finite(value: &Value, path: &str) {
     match value {
@@ -60,7 +65,14 @@ fn is_solved(text: &str) -> Option<bool> {
 
 /// Whether it converged; `None` where it is refused before it is solved.
 fn solve_and_check(text: &str) -> Option<bool> {
-    let job = Job::from_json(text.as_bytes()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
+    let job = match Job::from_json(text.as_bytes()) {
+        Ok(job) => job,
+        // The largest plastic strain of a material that does not harden tells no force.
+        Err(JobError::Fields(faults)) if faults.iter().all(|fault| fault.pointer == NO_TARGET) => {
+            return None;
+        }
+        Err(errors) => panic!("{errors:?}\n{text}"),
+    };
     if report::preflight(&job).is_err() {
         return None;
     }
@@ -178,7 +190,7 @@ fn outcomes(folder: &str) -> [Vec<String>; 2] {
 #[ignore = "full"]
 fn jobs_that_once_failed_have_sound_answers() {
     let [refused, failed] = outcomes("tests/cases");
-    assert!(refused.is_empty(), "{refused:?}");
+    assert_eq!(refused, ["target_of_a_steep_figure"]);
     // All of them collapse.
     let expected = [
         "cylinder_on_block_beyond_its_limit",

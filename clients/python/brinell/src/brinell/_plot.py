@@ -119,7 +119,8 @@ class Plot:
         if one.half_width > 0.0:
             ax.set_xlim(0.0, 5.0 * one.half_width)
         unit = "" if quantity in WITHOUT_UNIT else f" [{self._stress}]"
-        ax.set(xlabel=self._depth_at(one, values), ylabel=self._titles.get(quantity, quantity) + unit)
+        title = self._titles.get(quantity, quantity) + unit
+        ax.set(xlabel=self._depth_at(one, values), ylabel=title)
         ax.legend(frameon=False)
         return ax
 

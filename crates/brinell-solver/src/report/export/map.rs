@@ -83,7 +83,7 @@ fn width(middles: &[f64]) -> f64 {
 /// The colour of a part of the largest pressure.
 fn colour(part: f64) -> RGBColor {
     let place = part.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
-    let before = (0..COLOURS.len() - 2).rev().find(|k| *k as f64 <= place).unwrap_or(0);
+    let before = (0..COLOURS.len() - 1).rev().find(|k| *k as f64 <= place).unwrap_or(0);
     let weight = place - before as f64;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
     let channel = |k: usize| {
