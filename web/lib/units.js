@@ -1,6 +1,6 @@
 /** Quantities, their units in both systems, and how figures are written. */
 
-/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'number' | 'hardness' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
+/** @typedef {'length' | 'stress' | 'force' | 'line_force' | 'area' | 'volume' | 'number' | 'hardness' | 'strain' | 'stiffness' | 'line_stiffness' | 'energy' | 'line_energy'} Quantity */
 /** @typedef {'mm_N_MPa' | 'SI'} Units of a job */
 /** @typedef {{length: string, per: string, stress: string, force: string}} UnitSet `per`: the length that line loads are counted by */
 
@@ -86,6 +86,8 @@ function inSi(quantity, set) {
       return force / per;
     case 'area':
       return length * length;
+    case 'volume':
+      return length ** 3;
     case 'stiffness':
       return force / length;
     case 'line_stiffness':
@@ -154,6 +156,8 @@ export function unit(quantity, units) {
       return `${force}/${per}`;
     case 'area':
       return `${length}²`;
+    case 'volume':
+      return `${length}³`;
     case 'stiffness':
       return `${force}/${length}`;
     case 'line_stiffness':

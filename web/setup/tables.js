@@ -224,5 +224,6 @@ export const FIGURES = {
   load: ["force","yield_onset_force"],
   slope: ["contact_stiffness","stiffness","unloading_stiffness"],
   area: ["area","reverse_area"],
+  volume: ["volume"],
   energy: ["dissipated","elastic","plastic","stored","work"],
 };

@@ -36,8 +36,11 @@ const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
          stored_bytes = CASE WHEN $6 THEN $5 ELSE stored_bytes + $5 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
      RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
-const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)";
-const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)";
+/// A write whose answer was lost is made again.
+const STEP: &str = "INSERT INTO result_steps (job, step, body) VALUES ($1, $2, $3)
+     ON CONFLICT (job, step) DO UPDATE SET body = excluded.body";
+const FIELDS: &str = "INSERT INTO field_parts (job, step, first, body) VALUES ($1, $2, $3, $4)
+     ON CONFLICT (job, step, first) DO UPDATE SET body = excluded.body";
 
 /// Changes by the holder of a lease.
 pub(in crate::store) trait Leasing: Send {

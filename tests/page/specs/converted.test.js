@@ -17,6 +17,7 @@ const SAID = [
   [/Unit: N\/mm \(SI: N\/m\) of thickness; N in axisymmetry/, 'load'],
   [/Unit: N\/mm² \(SI: N\/m²\); in axisymmetry and three dimensions N\/mm/, 'slope'],
   [/Unit: mm² \(SI: m²\)/, 'area'],
+  [/Unit: mm³ \(SI: m³\)/, 'volume'],
   [/Unit: N \(SI: N\) of thickness, force times length/, 'energy'],
   // By the name of the figure that was looked for.
   [/Unit: that of the figure/, undefined],
