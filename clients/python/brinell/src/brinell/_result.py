@@ -197,12 +197,13 @@ class Step:
         for name, profile in (self.data.get(member) or {}).items():
             if profile:
                 columns = {key: values for key, values in profile.items() if key != "position"}
-                frame = pandas.DataFrame({"body": name, **columns, "x": self.place_of(profile)})
-                frames.append(frame)
-        frame: pd.DataFrame = (
+                frames.append(
+                    pandas.DataFrame({"body": name, **columns, "x": self.place_of(profile)})
+                )
+        table: pd.DataFrame = (
             pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame({"body": []})
         )
-        return frame
+        return table
 
     def place_of(self, profile: dict[str, Any]) -> float:
         """The x of a profile over depth; profiles of 0.2 lie below the peak pressure."""
