@@ -44,6 +44,8 @@ _KINDS: dict[str, str | tuple[str, str]] = {
     **dict.fromkeys(
         [
             "radius",
+            "radius_x",
+            "radius_y",
             "width",
             "depth",
             "outer_radius",
@@ -80,6 +82,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
     "force": FORCE,
     "forces": FORCE,
     "angle": ANGLE,
+    "rotation": ANGLE,
     "over_depth": (LENGTH, PURE),
     "profile": (LENGTH, PURE),
     "points": (LENGTH, LENGTH),
