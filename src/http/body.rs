@@ -23,8 +23,9 @@ const DISCARD_TIME: Duration = Duration::from_secs(5);
 const DISCARD_BYTES: usize = 256 << 20;
 
 /// Bodies of one key at a time, from their first byte until their jobs are stored, and the bodies
-/// of the largest size for which there is memory: one key holds a quarter of it.
-const BODIES_OF_KEY: usize = 32;
+/// of the largest size for which there is memory: one key holds a quarter of it. Also results of one
+/// key that are sent at a time.
+pub(super) const BODIES_OF_KEY: usize = 32;
 const BODIES: usize = 4 * BODIES_OF_KEY;
 
 /// Bounds on the bodies that are held.

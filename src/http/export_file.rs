@@ -4,6 +4,7 @@ use axum::body::Body;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 
+use super::access::Caller;
 use super::result_body::no_result;
 use super::written_body::written;
 use super::{HttpState, Problem, ProblemType};
@@ -12,12 +13,13 @@ use crate::jobs::{Export, ExportError, ExportFailure, JobId};
 /// The result of a job in another form, as a file with a name to keep it under.
 pub(super) async fn export_file(
     state: &HttpState,
+    caller: Caller,
     id: JobId,
     form: Export,
     step: Option<usize>,
 ) -> Result<Response, Problem> {
-    let body = match state.jobs.export(id, form, step).await {
-        Ok(exported) => Body::from_stream(written(|sender| exported.send(sender))),
+    let body = match state.jobs.export(id, form, step, caller.key()).await {
+        Ok(exported) => Body::from_stream(written(state.turn(caller), |sender| exported.send(sender))),
         Err(ExportFailure::NoResult) => return Err(no_result(&state.jobs.get(id).await?)),
         Err(ExportFailure::Store(error)) => return Err(error.into()),
         Err(ExportFailure::Export(error)) => return Err(unavailable(&error)),

@@ -52,10 +52,10 @@ use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetReques
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-use crate::jobs::{JobService, OnceKey, Retention};
+use crate::jobs::{JobService, OnceKey, Retention, Turn, Turns};
 use crate::webhook::CallbackRules;
-use access::authenticate;
-use body::Bodies;
+use access::{Caller, authenticate};
+use body::{BODIES_OF_KEY, Bodies};
 use edge::{check_host, drop_unusable_request_id, guard_response};
 use negotiation::settle_coding;
 use rates::Rates;
@@ -158,6 +158,7 @@ pub struct HttpState {
     rates: Arc<Rates>,
     streams: Arc<EventStreamLimit>,
     bodies: Bodies,
+    sending: Arc<Turns>,
     metrics: Option<Metrics>,
 }
 
@@ -171,6 +172,7 @@ impl HttpState {
             jobs,
             settings,
             bodies,
+            sending: Arc::new(Turns::new(BODIES_OF_KEY)),
             callbacks: Arc::default(),
             hosts: Arc::default(),
             closing: CancellationToken::new(),
@@ -178,6 +180,12 @@ impl HttpState {
             streams,
             metrics,
         }
+    }
+
+    /// A turn to send a result. Each holds a piece of it until its client has read that.
+    fn turn(&self, caller: Caller) -> impl Future<Output = Turn> + Send + use<> {
+        let sending = Arc::clone(&self.sending);
+        async move { sending.take(caller.key()).await }
     }
 }
 

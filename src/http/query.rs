@@ -385,10 +385,9 @@ impl Selection {
         self.parts.as_ref().is_none_or(|parts| parts.contains(&part))
     }
 
-    /// Whether a step, which is kept without its fields, leaves in another form than it is kept in.
+    /// Whether a step leaves in another form than it is kept in.
     pub(super) fn edits_steps(&self) -> bool {
-        let kept = StepPart::ALL.iter().filter(|part| **part != StepPart::Fields);
-        self.depths.is_some() || kept.into_iter().any(|part| !self.wants(*part))
+        self.depths.is_some() || !StepPart::ALL.iter().all(|part| self.wants(*part))
     }
 
     /// What it is called in the tag of an answer.

@@ -15,6 +15,7 @@ use axum::{Extension, body::Bytes};
 use tokio::sync::mpsc::Sender;
 
 use super::HttpState;
+use super::access::Caller;
 use super::negotiation::takes_gzip;
 use super::problem::Problem;
 use super::problem_type::ProblemType;
@@ -62,6 +63,7 @@ impl Form {
 /// 200 with a report, or 304.
 pub(super) async fn result(
     state: &HttpState,
+    caller: Caller,
     id: JobId,
     head: ResultHead,
     selection: Selection,
@@ -83,13 +85,14 @@ pub(super) async fn result(
     if is_known(&tag, headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
-    let body = body(state, id, head, selection, form, around).await?;
+    let body = body(state, caller, id, head, selection, form, around).await?;
     Ok((common, body).into_response())
 }
 
 /// 200 with a job and its result inside, or the parts of it that are wanted. What the client has of the result does not matter: it asked for the job.
 pub(super) async fn inside(
     state: &HttpState,
+    caller: Caller,
     job: &JobDocument,
     head: ResultHead,
     selection: Selection,
@@ -100,7 +103,7 @@ pub(super) async fn inside(
     before.extend_from_slice(b",\"result\":");
     let around = (Bytes::from(before), Bytes::from_static(b"}"));
     let form = Form::of(&head, &selection, headers);
-    let body = body(state, job.id, head, selection, form, around).await?;
+    let body = body(state, caller, job.id, head, selection, form, around).await?;
     let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
     Ok((common, body).into_response())
 }
@@ -108,6 +111,7 @@ pub(super) async fn inside(
 /// A report between two other texts.
 async fn body(
     state: &HttpState,
+    caller: Caller,
     id: JobId,
     head: ResultHead,
     selection: Selection,
@@ -117,17 +121,17 @@ async fn body(
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let about = (Extension(JobIdExtension(id)), Extension(CodingChosen));
     let Some((begin, end)) = head.around_steps() else {
-        let report = whole(state, head, selection).await?;
+        let report = whole(state, caller, head, selection).await?;
         return Ok((about, join([&join([&before, &report]), &behind])).into_response());
     };
     let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
-    let (state, key, has_fields) = (state.clone(), head.submitter, form.has_fields);
+    let (turn, state, has_fields) = (state.turn(caller), state.clone(), form.has_fields);
     let (before, behind) = (join([&before, &begin]), join([&end, &behind]));
     let write = move |sender| async move {
-        let writer = ResultWriter { state, id, key, steps, selection, has_fields, sender };
+        let writer = ResultWriter { state, id, key: caller.key(), steps, selection, has_fields, sender };
         if form.gzip { writer.compressed(before, behind).await } else { writer.plain(before, behind).await }
     };
-    let mut response = (about, Body::from_stream(written_body::written(write))).into_response();
+    let mut response = (about, Body::from_stream(written_body::written(turn, write))).into_response();
     if form.gzip {
         response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
     }
@@ -137,6 +141,7 @@ async fn body(
 /// Sends a report between two other texts, plain; a problem if there is no such report, and then nothing of it was sent.
 pub(super) async fn inside_of(
     state: &HttpState,
+    caller: Caller,
     id: JobId,
     head: ResultHead,
     selection: &Selection,
@@ -145,7 +150,7 @@ pub(super) async fn inside_of(
 ) -> Result<Result<(), Problem>, StoreError> {
     let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
     let Some((begin, end)) = head.around_steps() else {
-        return Ok(match whole(state, head, selection.clone()).await {
+        return Ok(match whole(state, caller, head, selection.clone()).await {
             Ok(report) => {
                 let _ = sender.send(join([&join([&before, &report]), &behind])).await;
                 Ok(())
@@ -158,18 +163,23 @@ pub(super) async fn inside_of(
     }
     let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
     let has_fields = head.has_fields && selection.has_fields();
-    let (state, key) = (state.clone(), head.submitter);
+    let (state, key) = (state.clone(), caller.key());
     let (selection, sender) = (selection.clone(), sender.clone());
     let writer = ResultWriter { state, id, key, steps, selection, has_fields, sender };
     writer.plain(join([&before, &begin]), join([&end, &behind])).await.map(Ok)
 }
 
 /// A report of the first version, which was kept as a whole.
-async fn whole(state: &HttpState, head: ResultHead, selection: Selection) -> Result<Bytes, Problem> {
+async fn whole(
+    state: &HttpState,
+    caller: Caller,
+    head: ResultHead,
+    selection: Selection,
+) -> Result<Bytes, Problem> {
     if selection == Selection::default() {
         return Ok(head.report);
     }
-    state.jobs.decode(head.submitter, move || edit_report(&head.report, &selection)).await?
+    state.jobs.decoders.run(caller.key(), move || edit_report(&head.report, &selection)).await
 }
 
 /// Reads a result and sends it on.
@@ -241,7 +251,7 @@ impl ResultWriter {
                 Ok(text)
             }
         };
-        self.state.jobs.decode(self.key, edited).await?
+        self.state.jobs.decoders.run(self.key, edited).await
     }
 
     /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.
@@ -276,7 +286,7 @@ pub(super) async fn written(
     if source.is_empty() {
         return Ok(piece.write(&source).into());
     }
-    state.jobs.decode(key, move || Bytes::from(piece.write(&source))).await
+    Ok(state.jobs.decoders.run(key, move || Bytes::from(piece.write(&source))).await)
 }
 
 /// An answer of so many bytes under a tag, whole or the one range that is asked for (RFC 9110, section 14); `body` makes them.

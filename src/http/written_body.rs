@@ -13,10 +13,14 @@ use crate::jobs::StoreError;
 /// Pieces that wait for a client that reads slowly.
 const WAITING_PIECES: usize = 2;
 
-/// What a task writes, piece by piece. The task ends when the client goes; where it fails, the
-/// body breaks off, so that no client takes it for whole.
-pub(super) fn written<T, W, F>(write: F) -> impl Stream<Item = Result<T, StoreError>> + Send
+/// What a task writes, piece by piece, once it has its turn. The task ends when the client goes;
+/// where it fails, the body breaks off, so that no client takes it for whole.
+pub(super) fn written<P, T, W, F>(
+    turn: impl Future<Output = P> + Send + 'static,
+    write: F,
+) -> impl Stream<Item = Result<T, StoreError>> + Send
 where
+    P: Send,
     T: Send + 'static,
     W: Future<Output = Result<(), StoreError>> + Send + 'static,
     F: FnOnce(Sender<T>) -> W + 'static,
@@ -24,6 +28,10 @@ where
     let (sender, receiver) = mpsc::channel(WAITING_PIECES);
     let client = sender.clone();
     let write = write(sender);
+    let write = async {
+        let _turn = turn.await;
+        write.await
+    };
     let task = AbortOnDropHandle::new(tokio::spawn(async move {
         tokio::select! {
             written = write => written,
@@ -78,6 +86,7 @@ fn log_broken_off(error: &StoreError) {
 
 #[cfg(test)]
 mod tests {
+    use std::future::ready;
     use std::sync::Arc;
 
     use http_body_util::BodyExt as _;
@@ -88,7 +97,7 @@ mod tests {
     #[tokio::test]
     async fn what_is_written_is_sent_and_what_fails_breaks_off() {
         let write = |end: Result<(), StoreError>| {
-            written(|sender| async move {
+            written(ready(()), |sender| async move {
                 for piece in ["a", "b", "c", "d"] {
                     let _ = sender.send(piece).await;
                 }
@@ -105,7 +114,7 @@ mod tests {
     async fn a_task_ends_when_its_client_goes() {
         let held = Arc::new(());
         let task = Arc::clone(&held);
-        let mut body = Box::pin(written(|sender| async move {
+        let mut body = Box::pin(written(ready(()), |sender| async move {
             let _ = sender.send(()).await;
             std::future::pending::<()>().await;
             drop(task);

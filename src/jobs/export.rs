@@ -7,7 +7,6 @@ use std::sync::Arc;
 use bytes::Bytes;
 use thiserror::Error;
 use tokio::sync::mpsc::Sender;
-use tokio::task::spawn_blocking;
 
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
 use brinell_solver::job::{Analysis, Job};
@@ -62,21 +61,22 @@ impl JobService {
         id: JobId,
         form: Export,
         step: Option<usize>,
+        key: Option<KeyId>,
     ) -> Result<Exported, ExportFailure> {
         let head = self.result(id).await?.ok_or(ExportFailure::NoResult)?;
         let request = self.store.request(id).await?;
-        let (key, steps) = (head.submitter, head.steps);
+        let steps = head.steps;
         let read = move || {
             let job = Job::from_json(&request).map_err(StoreError::damaged)?;
             let report: Report = serde_json::from_slice(&head.report).map_err(StoreError::damaged)?;
             Ok::<_, StoreError>((job, report))
         };
-        let (job, mut report) = self.decode(key, read).await??;
+        let (job, mut report) = self.decoders.run(key, read).await?;
         let exported = |form| Exported { jobs: Arc::clone(self), id, key, form };
         let Some(last) = steps.checked_sub(1) else {
             // Of the first version, with its steps in it.
-            let written = self.decode(key, move || form.write(&job, &report, step)).await?;
-            return Ok(exported(Form::Whole(written?)));
+            let written = self.decoders.run(key, move || form.write(&job, &report, step)).await?;
+            return Ok(exported(Form::Whole(written)));
         };
         let wanted = step.unwrap_or(last);
         if wanted > last {
@@ -85,7 +85,7 @@ impl JobService {
         let shown = if form.is_table() { 0 } else { wanted };
         let text = self.store.step(id, shown).await?;
         let read = move || read_step(&text.text().map_err(StoreError::damaged)?);
-        let shown = self.decode(key, read).await??;
+        let shown = self.decoders.run(key, read).await?;
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
             Form::Table(Table::new(form, &job, &shown)?, steps)
@@ -94,22 +94,8 @@ impl JobService {
             Form::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
         } else {
             report.steps.push(shown);
-            Form::Whole(self.decode(key, move || form.write(&job, &report, None)).await??)
+            Form::Whole(self.decoders.run(key, move || form.write(&job, &report, None)).await?)
         }))
-    }
-
-    /// Decodes or writes something large, not on a thread that others wait for.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`] where that panics.
-    pub async fn decode<T: Send + 'static>(
-        &self,
-        key: Option<KeyId>,
-        decode: impl FnOnce() -> T + Send + 'static,
-    ) -> Result<T, StoreError> {
-        let _turn = self.decoding.take(key).await;
-        let _place = self.decoders.acquire().await;
-        spawn_blocking(decode).await.map_err(StoreError::unavailable)
     }
 }
 
@@ -131,7 +117,7 @@ impl Exported {
                         let step = read_step(&text.text().map_err(StoreError::damaged)?)?;
                         Ok::<_, StoreError>(table.rows(number + 1, &step))
                     };
-                    out.add(&jobs.decode(key, rows).await??).await;
+                    out.add(&jobs.decoders.run(key, rows).await?).await;
                 }
             }
             Form::Fields(mut file, fields) => {
@@ -147,7 +133,7 @@ impl Exported {
                         (file, text)
                     };
                     let text;
-                    (file, text) = jobs.decode(key, write).await?;
+                    (file, text) = jobs.decoders.run(key, write).await;
                     out.add(&text).await;
                 }
             }

@@ -62,4 +62,4 @@ pub use brinell_solver::report::JobEstimate;
 pub use brinell_solver::report::export::{Export, ExportError};
 pub use brinell_solver::solver::IterationRecord;
 pub use trace::{NotATrace, TraceParent};
-pub use turns::{Turn, Turns};
+pub use turns::{Threads, Turn, Turns};

@@ -2,7 +2,7 @@
 
 use bytes::Bytes;
 
-use super::{Deflated, EncodeError, KeyId, encode};
+use super::{Deflated, EncodeError, encode};
 use brinell_solver::report::{FieldArrays, StepReport};
 
 /// Where the steps of a report stand in its JSON.
@@ -61,8 +61,6 @@ pub struct ResultHead {
     pub has_fields: bool,
     /// The attempt that it came of.
     pub attempt: u32,
-    /// The key that the job came under.
-    pub submitter: Option<KeyId>,
 }
 
 impl ResultHead {

@@ -7,19 +7,17 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use thiserror::Error;
-use tokio::sync::{Mutex, Semaphore};
-use tokio::task::spawn_blocking;
+use tokio::sync::Mutex;
 use tokio::time::{Instant, sleep, timeout_at};
 
 use sha2::{Digest, Sha256};
 use tokio_util::sync::CancellationToken;
 use tracing::Instrument;
-use uuid::Uuid;
 
 use super::{
     ApiKey, AttendedJob, Callback, Clock as _, ClosedForm, DeliveryStore, Enqueued, FieldsReader,
     Idempotency, JobId, JobNotifier, JobRecord, JobSolver, JobStore, KeyId, KeyStore, NewJob, ResultHead,
-    StoreError, Subscription, SystemClock, TraceParent, Turns, read_token,
+    StoreError, Subscription, SystemClock, Threads, TraceParent, Turns, read_token,
 };
 use crate::telemetry::AUDIT;
 use brinell_solver::job::{Job, JobError};
@@ -125,12 +123,10 @@ pub struct JobService {
     limits: SubmissionLimits,
     closed: CancellationToken,
     waits_end: CancellationToken,
-    /// Of decoding, half of the places for each key.
-    pub(super) decoding: Turns,
-    pub(super) decoders: Semaphore,
-    /// Of checks and estimates, one of each key.
-    checks: Turns,
-    check_places: Semaphore,
+    /// Where large pieces of results are decoded and written; a key has half of it.
+    pub decoders: Threads,
+    /// Where jobs are checked and estimated, one of a key at a time.
+    checks: Threads,
     /// Of submissions: each takes a connection to the store, and locks the row of its key.
     submissions: Turns,
     /// Damage was found in the file of the store.
@@ -217,10 +213,8 @@ impl JobService {
             limits,
             closed: CancellationToken::new(),
             waits_end: CancellationToken::new(),
-            decoding: Turns::new(DECODERS / 2),
-            decoders: Semaphore::new(DECODERS),
-            checks: Turns::new(1),
-            check_places: Semaphore::new(CHECKS),
+            decoders: Threads::new(DECODERS, DECODERS / 2),
+            checks: Threads::new(CHECKS, 1),
             submissions: Turns::new(1),
             damaged: AtomicBool::new(false),
             healthy_until: Mutex::new(None),
@@ -233,23 +227,7 @@ impl JobService {
     /// [`Rejection`] with every fault.
     pub async fn validate(&self, request: Bytes, key: Option<KeyId>) -> Result<JobEstimate, Rejection> {
         let (solver, limits) = (Arc::clone(&self.solver), self.limits);
-        Ok(self.check(key, move || check(solver.as_ref(), limits, &request)).await?.1)
-    }
-
-    /// Checks something on a thread that nobody else waits for. A key has one check at a time;
-    /// those without a key take their turns together.
-    async fn check<T: Send + 'static>(
-        &self,
-        key: Option<KeyId>,
-        check: impl FnOnce() -> T + Send + 'static,
-    ) -> T {
-        let _turn = self.checks.take(key.or(Some(KeyId::from(Uuid::nil())))).await;
-        let _place = self.check_places.acquire().await;
-        match spawn_blocking(check).await {
-            Ok(checked) => checked,
-            // The runtime ends only with the process: it panicked.
-            Err(error) => resume_unwind(error.into_panic()),
-        }
+        Ok(self.checks.run(key, move || check(solver.as_ref(), limits, &request)).await?.1)
     }
 
     /// Waits for a turn, and no longer than the service takes jobs in.
@@ -293,7 +271,7 @@ impl JobService {
             let job = Job::from_json(&request)?;
             Ok(ClosedForm::of(&job).map_err(JobError::Fields)?)
         };
-        self.check(key, closed_form).await
+        self.checks.run(key, closed_form).await
     }
 
     /// Checks a job and queues it.
@@ -329,7 +307,7 @@ impl JobService {
     ) -> Result<(Enqueued, T), SubmitError> {
         let key = submission.submitter;
         let (solver, limits) = (Arc::clone(&self.solver), self.limits);
-        let checked = self.check(key, move || new_job(solver.as_ref(), limits, submission));
+        let checked = self.checks.run(key, move || new_job(solver.as_ref(), limits, submission));
         let job = self.unless_closed(checked).await??;
         let turn = self.unless_closed(self.submissions.take(key)).await?;
         let store = Arc::clone(&self.store);
@@ -356,7 +334,7 @@ impl JobService {
             let new_job = |submission| new_job(solver.as_ref(), limits, submission);
             submissions.into_iter().map(new_job).collect::<Vec<_>>()
         };
-        let checked = self.unless_closed(self.check(first, check)).await?;
+        let checked = self.unless_closed(self.checks.run(first, check)).await?;
         let jobs: Vec<NewJob> = checked.iter().flatten().cloned().collect();
         let submitters: Vec<Option<KeyId>> = jobs.iter().map(|job| job.submitter).collect();
         let turn = self.unless_closed(self.submissions.take(first)).await?;

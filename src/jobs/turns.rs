@@ -1,9 +1,12 @@
 //! API keys take turns at something that there is little of: a key that floods waits for itself, where others would wait with it.
 
 use std::collections::HashMap;
+use std::panic::resume_unwind;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::task::spawn_blocking;
+use uuid::Uuid;
 
 use super::KeyId;
 
@@ -62,10 +65,58 @@ impl Turn {
     }
 }
 
+/// Threads for what takes long. Those without a key take their turns together.
+#[derive(Debug)]
+pub struct Threads {
+    keys: Turns,
+    places: Arc<Semaphore>,
+}
+
+impl Threads {
+    /// So many at once, and so many of them for each key.
+    pub fn new(at_once: usize, of_key: usize) -> Self {
+        Self { keys: Turns::new(of_key), places: Arc::new(Semaphore::new(at_once)) }
+    }
+
+    /// Does something on a thread that nobody else waits for. It keeps its place to its end,
+    /// although nobody may wait for it any more.
+    pub async fn run<T: Send + 'static>(
+        &self,
+        key: Option<KeyId>,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> T {
+        let turn = self.keys.take(key.or(Some(KeyId::from(Uuid::nil())))).await;
+        let place = Arc::clone(&self.places).acquire_owned().await;
+        let run = move || {
+            let _held = (turn, place);
+            work()
+        };
+        // The runtime ends only with the process: else it panicked.
+        spawn_blocking(run).await.unwrap_or_else(|error| resume_unwind(error.into_panic()))
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::sync::mpsc;
+
     use super::*;
     use futures_util::FutureExt;
+
+    #[tokio::test]
+    async fn work_keeps_its_place_although_nobody_waits_for_it() {
+        let threads = Threads::new(2, 1);
+        let (end, ended) = mpsc::channel::<()>();
+        let mut left = Box::pin(threads.run(None, move || ended.recv().is_ok()));
+        assert!((&mut left).now_or_never().is_none());
+        drop(left);
+        let mut next = Box::pin(threads.run(None, || ()));
+        assert!((&mut next).now_or_never().is_none());
+        assert_eq!(threads.places.available_permits(), 1, "a turn is waited for before a place");
+        threads.run(Some(KeyId::generate()), || ()).await;
+        end.send(()).unwrap();
+        next.await;
+    }
 
     #[tokio::test]
     async fn keys_wait_for_themselves_alone_and_leave_nothing_behind() {

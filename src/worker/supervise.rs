@@ -79,9 +79,10 @@ impl WorkerState {
         tracing::info!(job = %lease.job, attempt = lease.attempt, "started");
         let stop = StopFlag::default();
         self.running.add(lease, stop.clone());
-        let channels = self.start_solve(claim, stop.clone());
         let started = Instant::now();
-        let SolveEnd { steps, records, iterations, outcome } = self.follow(&lease, channels, &stop).await;
+        let channels = self.start_solve(claim, stop.clone());
+        let SolveEnd { steps, records, iterations, outcome } =
+            self.follow(&lease, channels, &stop, started).await;
         let time = started.elapsed();
         drop(slot);
         self.running.settle(&lease);
@@ -125,7 +126,13 @@ impl WorkerState {
     }
 
     /// Forwards progress to the store and the wish to stop to the solver, until the solve ends.
-    async fn follow(&self, lease: &Lease, channels: SolveChannels, stop: &StopFlag) -> SolveEnd {
+    async fn follow(
+        &self,
+        lease: &Lease,
+        channels: SolveChannels,
+        stop: &StopFlag,
+        started: Instant,
+    ) -> SolveEnd {
         let SolveChannels { mut messages, steps: mut received } = channels;
         let mut subscription = self.notifier.subscribe(lease.job);
         if let Ok(record) = self.store.get(lease.job).await {
@@ -141,6 +148,7 @@ impl WorkerState {
         let mut batch = Vec::with_capacity(BATCH);
         let mut records = Vec::new();
         let mut steps = Vec::new();
+        let mut unwritten = None;
         let mut write_at = Instant::now() + PROGRESS_INTERVAL;
         loop {
             tokio::select! {
@@ -163,6 +171,7 @@ impl WorkerState {
                                 while let Ok(step) = received.try_recv() {
                                     keep_step(&mut steps, step);
                                 }
+                                let outcome = unwritten.map_or(outcome, Outcome::Failed);
                                 return SolveEnd { steps, records, iterations, outcome };
                             }
                         }
@@ -171,7 +180,8 @@ impl WorkerState {
                 Some(step) = received.recv() => {
                     keep_step(&mut steps, step);
                     if steps.len() > 1 || steps.iter().any(|step| step.bytes() >= LARGE_STEP) {
-                        self.write_steps(lease, &mut steps, stop).await;
+                        let written = self.write_steps(lease, &mut steps, stop, started).await;
+                        unwritten = unwritten.or(written.err());
                     }
                 }
                 () = sleep_until(write_at), if !records.is_empty() => {
@@ -195,25 +205,33 @@ impl WorkerState {
         }
     }
 
-    /// Writes the results of steps; the solve waits meanwhile. What could not be written when the solve is to stop is left to
-    /// the end of the job.
-    async fn write_steps(&self, lease: &Lease, steps: &mut Vec<StepResult>, stop: &StopFlag) {
-        loop {
-            match self.store.record_steps(lease, steps).await {
-                Ok(()) => return steps.clear(),
-                Err(StoreError::LeaseLost | StoreError::NotFound) => {
-                    steps.clear();
-                    return stop.raise();
-                }
-                Err(error) => {
-                    tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "steps not written yet");
-                }
+    /// Writes the results of steps; the solve waits meanwhile. What could not be written when the
+    /// solve is to stop is left to the end of the job.
+    ///
+    /// # Errors
+    /// Why the store does not take them by the job's deadline. The solve is to stop then.
+    async fn write_steps(
+        &self,
+        lease: &Lease,
+        steps: &mut Vec<StepResult>,
+        stop: &StopFlag,
+        started: Instant,
+    ) -> Result<(), JobFailure> {
+        while !stop.is_raised() {
+            let Err(error) = self.store.record_steps(lease, steps).await else {
+                steps.clear();
+                break;
+            };
+            let is_late = started.elapsed() >= self.settings.job_timeout;
+            if is_late || matches!(error, StoreError::LeaseLost | StoreError::NotFound) {
+                steps.clear();
+                stop.raise();
+                return Err(JobFailure::internal(format!("results of steps could not be stored: {error}")));
             }
-            if stop.is_raised() {
-                return;
-            }
+            tracing::warn!(job = %lease.job, error = &error as &dyn std::error::Error, "steps not written yet");
             sleep(STEP_RETRY).await;
         }
+        Ok(())
     }
 
     /// Whether the outcome of this attempt is in the store.

@@ -6,10 +6,10 @@ use std::time::Duration;
 
 use brinell::jobs::{FieldError, JobSolver};
 use brinell_solver::job::Job;
-use brinell_solver::report::{MeshReport, Report, RunError, StepReport, Timings};
+use brinell_solver::report::{MeshReport, Report, RunError, StepReport, Timings, run};
 use brinell_solver::solver::{Held, Interrupt, IterationRecord, Observer, SolveStatus};
 
-/// `abort`, `panic`, `nan`, `impossible`, `fail`; `greedy` holds more memory than there is; `slow` iterates until the gate is opened or it is told to stop; anything
+/// `abort`, `panic`, `nan`, `impossible`, `fail`; `greedy` holds more memory than there is; `flood` has steps until it is told to stop; `slow` iterates until the gate is opened or it is told to stop; anything
 /// else converges at once.
 #[derive(Default)]
 pub struct TestSolver {
@@ -50,7 +50,7 @@ impl JobSolver for TestSolver {
         &self,
         job: &Job,
         observer: &mut dyn Observer,
-        _: &mut dyn FnMut(usize, StepReport),
+        on_step: &mut dyn FnMut(usize, StepReport),
     ) -> Result<Report, RunError> {
         match job.tags.get("test").map(String::as_str) {
             Some("abort") => std::process::abort(),
@@ -68,6 +68,16 @@ impl JobSolver for TestSolver {
                 ControlFlow::Break(interrupt) => Err(RunError::Interrupted(interrupt)),
                 ControlFlow::Continue(()) => Ok(report(SolveStatus::Converged)),
             },
+            Some("flood") => {
+                let step = run(job, observer)?.steps.remove(0);
+                let flood = (0..).find_map(|number| {
+                    on_step(number, step.clone());
+                    observer.on_checkpoint().break_value()
+                });
+                flood.map_or(Ok(report(SolveStatus::Converged)), |interrupt| {
+                    Err(RunError::Interrupted(interrupt))
+                })
+            }
             Some("fail") => Err(RunError::Failed("the matrix is not positive definite".to_owned())),
             Some("not_converged") => Ok(report(SolveStatus::NotConverged)),
             Some("slow") => Ok(self.iterate(observer)),

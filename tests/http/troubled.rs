@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use serde_json::json;
+
 use crate::curl::{parse, pointers, spawn_curl};
 use crate::in_process::{InProcess, job};
 use crate::server::{DEADLINE, Scratch, Target};
@@ -167,6 +169,23 @@ fn a_job_past_its_deadline_is_stopped() {
     let id = service.target.submit(&job("slow"));
     service.target.wait_for(&id, &["timed_out"]);
     assert_eq!(service.target.get(&format!("{id}/result")).json()["status"], "timed_out");
+    assert_well(&service.target);
+}
+
+/// A full disk does not hold a solver for ever.
+#[test]
+fn a_job_whose_steps_are_not_taken_ends_at_its_deadline() {
+    let service = InProcess::start(|config| {
+        config.storage.keep_memory = 4;
+        config.work.job_timeout = Duration::from_secs(3);
+    });
+    let mut flood = job("flood");
+    flood["output"] = json!({"fields": true});
+    flood["mesh"] = json!({"elements_per_half_width": 4});
+    let id = service.target.submit(&flood);
+    let failed = service.target.wait_for(&id, &["failed"]);
+    assert_eq!(failed["error"]["detail"], "results of steps could not be stored: the disk is full");
+    service.target.get(&format!("{id}/result")).problem(409, "no-result");
     assert_well(&service.target);
 }
 

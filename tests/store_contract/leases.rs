@@ -1,6 +1,9 @@
 //! Whose job it is.
 
-use brinell::jobs::{ClaimRequest, FailureKind, JobId, JobState, Lease, LeaseStatus, StoreError, WorkerId};
+use brinell::jobs::{
+    ClaimRequest, Deflated, FailureKind, JobId, JobState, Lease, LeaseStatus, StepResult, StoreError,
+    WorkerId,
+};
 use brinell_solver::solver::SolveStatus;
 use jiff::SignedDuration;
 
@@ -103,8 +106,13 @@ pub async fn a_released_job_is_queued_as_if_never_taken_up(subject: &Subject) {
         assert!(matches!(subject.finish(&lease, SolveStatus::Converged).await, Err(StoreError::LeaseLost)));
     }
     let lease = subject.claim_one().await;
+    store.record_progress(&lease, &[iteration(1)]).await.unwrap();
+    let report = Deflated::compress(b"{}").unwrap();
+    store.record_steps(&lease, &[StepResult { number: 0, report, fields: None }]).await.unwrap();
     store.cancel(id).await.unwrap();
     store.release(&[lease]).await.unwrap();
-    assert_eq!(subject.get(id).await.state, JobState::Cancelled);
+    let cancelled = subject.get(id).await;
+    assert_eq!((cancelled.state, cancelled.iterations), (JobState::Cancelled, 1));
+    assert!(matches!(store.step(id, 0).await, Err(StoreError::NotFound)), "a result that nobody can read");
     store.release(&[lease]).await.unwrap();
 }

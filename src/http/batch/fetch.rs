@@ -27,11 +27,12 @@ pub(in crate::http) fn fetched(
     selection: Selection,
     ids: Vec<JobId>,
 ) -> Response {
+    let turn = state.turn(caller);
     let write = move |sender| async move {
         let fetch = Fetch { state, caller, prefix, selection, sender };
         fetch.run(ids).await
     };
-    ([(CONTENT_TYPE, "application/json")], Body::from_stream(written(write))).into_response()
+    ([(CONTENT_TYPE, "application/json")], Body::from_stream(written(turn, write))).into_response()
 }
 
 struct Fetch {
@@ -89,7 +90,8 @@ impl Fetch {
         let around = (Bytes::from(before), Bytes::from_static(b"}}"));
         let (inner, pieces) = mpsc::channel(1);
         let write = async {
-            let written = inside_of(&self.state, id, head, &self.selection, around, &inner).await;
+            let written =
+                inside_of(&self.state, self.caller, id, head, &self.selection, around, &inner).await;
             drop(inner);
             written
         };

@@ -4,6 +4,7 @@ use axum::http::header::{CONTENT_LOCATION, LOCATION};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 
+use crate::http::access::Caller;
 use crate::http::query::{Granted, Selection};
 use crate::http::result_body::no_result;
 use crate::http::wire::{JobDocument, Prefix};
@@ -16,12 +17,13 @@ const APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 /// The job with its result inside, if it is done and has one.
 pub(super) async fn with_result(
     state: &HttpState,
+    caller: Caller,
     job: JobDocument,
     selection: Selection,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
     match state.jobs.result(job.id).await? {
-        Some(head) if job.done => result_body::inside(state, &job, head, selection, headers).await,
+        Some(head) if job.done => result_body::inside(state, caller, &job, head, selection, headers).await,
         _ => Ok(job.into_response()),
     }
 }
@@ -29,6 +31,7 @@ pub(super) async fn with_result(
 /// The job that a client has waited for since it handed it in. One that is done and has no result is an error.
 pub(super) async fn finished(
     state: &HttpState,
+    caller: Caller,
     record: JobRecord,
     prefix: &Prefix,
     selection: Selection,
@@ -39,7 +42,7 @@ pub(super) async fn finished(
     }
     let job = JobDocument::of(state, record, prefix).await?;
     let (done, address) = (job.done, job.links.job.clone());
-    Ok(addressed(with_result(state, job, selection, headers).await?, done, &address))
+    Ok(addressed(with_result(state, caller, job, selection, headers).await?, done, &address))
 }
 
 /// The answer to a client that hands a job in.

@@ -9,6 +9,7 @@
 //! has seen the end gets 204, which tells it not to come again. When a job is taken up anew, its iterations begin
 //! again under the next attempt.
 
+use std::future::ready;
 use std::time::Duration;
 
 use axum::extract::State;
@@ -61,9 +62,7 @@ pub(in crate::http) async fn get_events(
     }
     let permit = state.streams.open(caller.key())?;
     let position = last.and_then(EventPosition::parse);
-    let events = written(move |events| async move {
-        let _permit = permit;
-        Follower::new(state, id, position, prefix, events).run().await
-    });
+    let follow = move |events| Follower::new(state, id, position, prefix, events).run();
+    let events = written(ready(permit), follow);
     Ok(Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE)).into_response())
 }

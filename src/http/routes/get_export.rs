@@ -15,6 +15,7 @@ use utoipa::openapi::schema::{ObjectBuilder, Type};
 use utoipa::openapi::{Content, HttpMethod, Ref, Required, ResponseBuilder};
 use utoipa_axum::router::UtoipaMethodRouter;
 
+use crate::http::access::Caller;
 use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::query::{Step, StepQuery, takes_no_step};
@@ -27,7 +28,7 @@ pub(in crate::http) fn exports() -> impl Iterator<Item = UtoipaMethodRouter<Http
         let mut paths = Paths::new();
         let path = format!("/v1/jobs/{{id}}/{}", form.file_name());
         paths.add_path_operation(path, vec![HttpMethod::Get], operation(form));
-        (Vec::new(), paths, get(move |state, job, step| get_export(state, job, step, form)))
+        (Vec::new(), paths, get(move |state, caller, job, step| get_export(state, caller, job, step, form)))
     })
 }
 
@@ -79,6 +80,7 @@ fn operation(form: Export) -> Operation {
 
 async fn get_export(
     State(state): State<HttpState>,
+    caller: Caller,
     JobPath(id): JobPath,
     Step(step): Step,
     form: Export,
@@ -86,5 +88,5 @@ async fn get_export(
     if step.is_some() && !form.shows_one_step() {
         return Err(takes_no_step(form.file_name()));
     }
-    export_file(&state, id, form, step).await
+    export_file(&state, caller, id, form, step).await
 }

@@ -9,6 +9,7 @@ use axum::response::Response;
 use bytes::Bytes;
 use tokio::sync::mpsc::Sender;
 
+use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::query::{Arrays, ArraysQuery};
 use crate::http::result_body::{Fields, no_result};
@@ -41,6 +42,7 @@ use brinell_solver::report::FieldPiece;
 )]
 pub(in crate::http) async fn get_fields(
     State(state): State<HttpState>,
+    caller: Caller,
     JobPath(id): JobPath,
     Path((_, step)): Path<(String, String)>,
     wanted: Arrays,
@@ -60,9 +62,9 @@ pub(in crate::http) async fn get_fields(
     let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
     let length = arrays.iter().filter_map(FieldPiece::length).sum();
     let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
-    let key = head.submitter;
-    let body =
-        |range| Body::from_stream(written(move |sender| send(state, key, fields, arrays, range, sender)));
+    let turn = state.turn(caller);
+    let write = move |range| move |sender| send(state, caller.key(), fields, arrays, range, sender);
+    let body = |range| Body::from_stream(written(turn, write(range)));
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }
 

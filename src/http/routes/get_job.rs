@@ -5,6 +5,7 @@ use axum::http::HeaderMap;
 use axum::response::{IntoResponse, Response};
 
 use super::answer::{apply_preference, with_result};
+use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::query::{Wait, WaitQuery};
 use crate::http::wire::{JobDocument, Prefix};
@@ -28,6 +29,7 @@ use crate::jobs::JobId;
 )]
 pub(in crate::http) async fn get_job(
     State(state): State<HttpState>,
+    caller: Caller,
     JobPath(id): JobPath,
     prefix: Prefix,
     Wait { granted: wait, selection }: Wait,
@@ -39,7 +41,7 @@ pub(in crate::http) async fn get_job(
     };
     let job = JobDocument::of(&state, record, &prefix).await?;
     let mut response = if wait.is_some() {
-        with_result(&state, job, selection, &headers).await?
+        with_result(&state, caller, job, selection, &headers).await?
     } else {
         job.into_response()
     };

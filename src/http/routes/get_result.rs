@@ -5,6 +5,7 @@ use axum::http::header::VARY;
 use axum::http::{HeaderMap, HeaderValue};
 use axum::response::Response;
 
+use crate::http::access::Caller;
 use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::negotiation::prefers_csv;
@@ -37,22 +38,28 @@ use brinell_solver::report::Report;
 )]
 pub(in crate::http) async fn get_result(
     State(state): State<HttpState>,
+    caller: Caller,
     JobPath(id): JobPath,
     selection: Selection,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     if prefers_csv(&headers) {
-        return summary(&state, id, selection.step).await;
+        return summary(&state, caller, id, selection.step).await;
     }
     match state.jobs.result(id).await? {
-        Some(head) => result_body::result(&state, id, head, selection, &headers).await,
+        Some(head) => result_body::result(&state, caller, id, head, selection, &headers).await,
         None => Err(result_body::no_result(&state.jobs.get(id).await?)),
     }
 }
 
 /// The rows of all steps, or of one.
-async fn summary(state: &HttpState, id: JobId, step: Option<usize>) -> Result<Response, Problem> {
-    let mut response = export_file(state, id, Export::SummaryCsv, step).await?;
+async fn summary(
+    state: &HttpState,
+    caller: Caller,
+    id: JobId,
+    step: Option<usize>,
+) -> Result<Response, Problem> {
+    let mut response = export_file(state, caller, id, Export::SummaryCsv, step).await?;
     response.headers_mut().insert(VARY, HeaderValue::from_static("accept, accept-encoding"));
     Ok(response)
 }

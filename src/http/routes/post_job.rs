@@ -78,7 +78,7 @@ pub(in crate::http) async fn post_job(
         let known = JobDocument::brief(enqueued.job.clone(), &state.settings.retention, &prefix);
         let waited = async {
             let record = state.jobs.wait(enqueued.job.id, wait.timeout).await?;
-            finished(&state, record, &prefix, selection, &headers).await
+            finished(&state, caller, record, &prefix, selection, &headers).await
         };
         unless_out_of_reach(waited.await, known)
     } else {

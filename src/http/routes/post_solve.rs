@@ -90,7 +90,7 @@ pub(in crate::http) async fn post_solve(
         state.jobs.store().sync().await?;
     }
     attended.release();
-    let answer = finished(&state, record, &prefix, selection, &headers).await;
+    let answer = finished(&state, caller, record, &prefix, selection, &headers).await;
     let mut response = answer.unwrap_or_else(IntoResponse::into_response);
     mark_replayed(&mut response, enqueued.replayed);
     apply_preference(&mut response, wait);

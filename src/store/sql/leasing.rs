@@ -28,9 +28,7 @@ const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN '
          finished_at = CASE WHEN cancel_requested THEN $4 END,
          started_at = CASE WHEN cancel_requested THEN started_at END, owner = NULL, leased_until = NULL,
          iterations = CASE WHEN cancel_requested THEN iterations ELSE 0 END,
-         latest = CASE WHEN cancel_requested THEN latest END,
-         steps = CASE WHEN cancel_requested THEN steps ELSE 0 END,
-         stored_bytes = CASE WHEN cancel_requested THEN stored_bytes ELSE 0 END
+         latest = CASE WHEN cancel_requested THEN latest END, steps = 0, stored_bytes = 0
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
 const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
          stored_bytes = CASE WHEN $6 THEN $5 ELSE stored_bytes + $5 END
@@ -259,10 +257,13 @@ macro_rules! leasing {
             async fn release(&mut self, lease: &Lease, now: i64) -> Result<Option<bool>, StoreError> {
                 let release = fenced!(sqlx::query_scalar::<$database, bool>(RELEASE), lease);
                 let cancelled = release.bind(now).fetch_optional(&mut *self).await?;
-                if cancelled == Some(false) {
-                    for forget in FORGET {
-                        sqlx::query::<$database>(forget).bind(lease.job.uuid()).execute(&mut *self).await?;
-                    }
+                let forgotten = match cancelled {
+                    Some(false) => &FORGET[..],
+                    Some(true) => &FORGET[1..],
+                    None => &[],
+                };
+                for forget in forgotten {
+                    sqlx::query::<$database>(*forget).bind(lease.job.uuid()).execute(&mut *self).await?;
                 }
                 Ok(cancelled)
             }

@@ -6,8 +6,7 @@ use sqlx::{PgConnection, Postgres, QueryBuilder, Sqlite, SqliteConnection};
 
 use super::codec::{JobRow, count, damaged, job_columns, job_record, state_named, unpack};
 use crate::jobs::{
-    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, KeyId, ResultHead,
-    StoreError,
+    Counts, Deflated, FieldsPart, HISTORY_PAGE, JobFilter, JobId, JobPage, JobRecord, ResultHead, StoreError,
 };
 
 /// One job with its place in the queue.
@@ -27,7 +26,7 @@ const IDS_AFTER: &str = "SELECT id FROM jobs WHERE id > $1 ORDER BY id LIMIT $2"
 const HISTORY: &str =
     "SELECT first, records FROM iterations WHERE job = $1 AND last > $2 AND first < $2 + $3 ORDER BY first";
 const REQUEST: &str = "SELECT r.body FROM jobs j LEFT JOIN requests r ON r.job = j.id WHERE j.id = $1";
-const RESULT: &str = "SELECT r.body, j.steps, j.attempts, j.submitter,
+const RESULT: &str = "SELECT r.body, j.steps, j.attempts,
      EXISTS (SELECT 1 FROM field_parts f WHERE f.job = j.id) FROM jobs j LEFT JOIN reports r ON r.job = j.id WHERE j.id = $1";
 const STEP: &str = "SELECT body FROM result_steps WHERE job = $1 AND step = $2";
 const FIELDS: &str =
@@ -49,7 +48,7 @@ fn readable(row: JobRow) -> Option<JobRecord> {
     record.ok()
 }
 
-type ResultRow = (Option<Vec<u8>>, i32, i32, Option<Uuid>, bool);
+type ResultRow = (Option<Vec<u8>>, i32, i32, bool);
 
 /// The number of the first of some iterations, from 0, and the iterations.
 pub(super) type PackedRecords = (i32, Vec<u8>);
@@ -111,11 +110,10 @@ macro_rules! reading {
             async fn result(&mut self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
                 let row = sqlx::query_as::<$database, ResultRow>(RESULT).bind(id.uuid());
                 let row = row.fetch_optional(self).await?.ok_or(StoreError::NotFound)?;
-                let (body, steps, attempts, submitter, has_fields) = row;
+                let (body, steps, attempts, has_fields) = row;
                 let Some(report) = body.map(unpack).transpose()? else { return Ok(None) };
                 let (steps, attempt) = (count(steps)?, count(attempts)?);
-                let submitter = submitter.map(KeyId::from);
-                Ok(Some(ResultHead { report, steps, has_fields, attempt, submitter }))
+                Ok(Some(ResultHead { report, steps, has_fields, attempt }))
             }
 
             async fn step(&mut self, id: JobId, step: usize) -> Result<Deflated, StoreError> {
