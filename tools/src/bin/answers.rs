@@ -1,9 +1,12 @@
 //! Prints the reports of seeded random jobs, one line of JSON for each, without the times they took: to compare what two versions
 //! of the solver answer.
 //!
-//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`
+//! `cargo run --release -p brinell-tools --bin answers 200 > before.jsonl`; with names of files of jobs instead of the count those are
+//! solved, and the seconds of each are told.
 
-#![expect(clippy::print_stdout, reason = "printing is what it is for")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
+
+use std::time::Instant;
 
 use brinell_solver::job::Job;
 use brinell_solver::report;
@@ -18,12 +21,22 @@ const ELEMENTS: [u32; 4] = [4, 6, 8, 12];
 /// Members that differ from run to run.
 const TIMES: [&str; 2] = ["timings_ms", "elapsed_ms"];
 
-fn main() {
-    let count = std::env::args().nth(1).and_then(|count| count.parse().ok()).unwrap_or(200);
-    for seed in 0..count {
+fn main() -> std::io::Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let count = arguments.first().map_or(Ok(200), |first| first.parse());
+    if count.is_err() {
+        for file in &arguments {
+            let start = Instant::now();
+            println!("{}", answer(&std::fs::read(file)?));
+            eprintln!("{:7.2} s  {file}", start.elapsed().as_secs_f64());
+        }
+        return Ok(());
+    }
+    for seed in 0..count.unwrap_or_default() {
         let text = random_job::job(&mut random_job::Random(seed), &ELEMENTS).to_string();
         println!("{}", answer(text.as_bytes()));
     }
+    Ok(())
 }
 
 fn answer(text: &[u8]) -> Value {

@@ -46,7 +46,8 @@ impl InitialStress {
         let mut faults = faults_of_depths(rows.iter().map(|row| row.depth.get()), |k| format!("/{k}/depth"));
         let Some(law) = law.filter(|_| faults.is_empty() && !rows.is_empty()) else { return faults };
         if law.yield_stress() <= 0.0 {
-            let detail = "needs a hardening curve with a yield point: any stress would yield";
+            let detail = "needs a hardening curve with a yield point, below which the stress before the load lies; the law \
+                          `ramberg_osgood` has none, `swift`, `ludwik` and `table` have";
             faults.push(FieldError {
                 pointer: String::new(),
                 code: FaultCode::Inconsistent,

@@ -116,20 +116,10 @@ impl Deformable {
     }
 
     /// The same material with a strength that varies with depth; nothing of it counts without a hardening curve.
-    ///
-    /// # Errors
-    /// Yield stresses a hundredth or a hundred times that of the curve, with a pointer relative to the material.
-    pub fn with_over_depth(mut self, over_depth: OverDepth) -> Result<Self, Vec<FieldError>> {
-        let Some(law) = self.hardening_law() else { return Ok(self) };
-        let mut faults = over_depth.faults_beside(law.nominal_yield_stress());
-        if faults.is_empty() {
-            self.over_depth = Some(over_depth);
-            return Ok(self);
-        }
-        for fault in &mut faults {
-            fault.pointer.insert_str(0, "/plasticity/over_depth");
-        }
-        Err(faults)
+    #[must_use]
+    pub fn with_over_depth(mut self, over_depth: OverDepth) -> Self {
+        self.over_depth = self.plasticity.is_some().then_some(over_depth);
+        self
     }
 
     /// Factors of the hardening curve over depth; `None` where it is the same everywhere.
@@ -188,7 +178,7 @@ impl Deformable {
         let (law, terms, over_depth) = plasticity?;
         let mut material = object.checked(Self::new(elastic?, law))?.with_backstress(terms);
         if let Some(over_depth) = over_depth {
-            material = object.checked(material.with_over_depth(over_depth))?;
+            material = material.with_over_depth(over_depth);
         }
         object.checked(material.with_initial_stress(initial_stress?))
     }

@@ -9,7 +9,6 @@ use std::ops::RangeInclusive;
 use serde::{Serialize, Serializer};
 
 use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
-use super::reader::text::five_digits;
 use super::reader::{Cursor, Named};
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
@@ -192,23 +191,6 @@ impl OverDepth {
             }
             read_record(&object, None, units, None, &[]).map(Self::Case)
         })
-    }
-
-    /// What is wrong with it beside a hardening curve of this (nominal) yield stress \[MPa\].
-    pub(super) fn faults_beside(&self, yield_stress: f64) -> Vec<FieldError> {
-        let (least, greatest) = self.profile(yield_stress).range();
-        if FACTORS.contains(&least) && FACTORS.contains(&greatest) {
-            return Vec::new();
-        }
-        let detail = format!(
-            "makes the yield stress between {} and {} times that of the hardening curve ({} MPa); it may be between {} and {} times",
-            five_digits(least),
-            five_digits(greatest),
-            five_digits(yield_stress),
-            FACTORS.start(),
-            FACTORS.end()
-        );
-        vec![FieldError { pointer: String::new(), code: FaultCode::Inconsistent, detail }]
     }
 }
 

@@ -147,7 +147,7 @@ impl FieldReports {
             let mut at = |x: f64| {
                 PerBody::try_of(step, |body| {
                     ask(observer)?;
-                    Ok(subsurface::profile(body, step.symmetric, x, write))
+                    Ok(subsurface::profile(step, body, x, write))
                 })
             };
             let below_peak = subsurface::is_beside_middle(step).then(|| at(step.peak_position));

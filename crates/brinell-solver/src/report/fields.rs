@@ -17,8 +17,7 @@ use super::PerBody;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::solver::method::observer::ask;
-use crate::solver::recovery::Recovery;
-use crate::solver::{BodySolution, Interrupt, Observer, StepSolution};
+use crate::solver::{BodySolution, Interrupt, Observer, StepSolution, recovered};
 
 /// Mesh and nodal fields of one body as it was meshed: one half where `mesh.symmetric` is true. Positions are
 /// those before loading, where the bodies just touch; `y` points from the lower body to the upper one.
@@ -82,7 +81,7 @@ fn body_fields(
     if mirror {
         report.elements.iter_mut().for_each(|corners| corners.reverse());
     }
-    let mut recovery = Recovery::new(body, step.symmetric);
+    let mut recovery = recovered(step, body);
     for node in (0u32..).take(body.mesh.nodes.len()) {
         if (node as usize).is_multiple_of(NODES_BETWEEN_CHECKPOINTS) {
             ask(observer)?;

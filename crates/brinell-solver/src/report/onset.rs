@@ -37,6 +37,9 @@ pub enum Side {
     Lower,
 }
 
+/// Error of an onset at a rounded edge up to which the closed form there tells it.
+const KNOWN: f64 = 0.15;
+
 /// Why elastic bodies yield under a smaller force than the mesh of a step shows, as the remark `onset_unknown`; `None` where they do not,
 /// and of bodies that have yielded.
 pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
@@ -49,8 +52,15 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
         "That no body yields holds for this mesh only"
     };
     if let Some(edge) = &step.rounded_edge {
-        let utilization = at_narrow_edge(step, &Problem::of(job)).filter(|used| *used > 1.0)?;
-        let onset = step.force() / utilization.powf(EDGE_UTILIZATION.recip());
+        let is_sought = job.load == Load::Onset;
+        if is_sought && step.onset_error.is_some_and(|error| error <= KNOWN) {
+            return None;
+        }
+        let used = at_narrow_edge(step, &Problem::of(job))?.ratio;
+        if !is_sought && used <= 1.0 {
+            return None;
+        }
+        let onset = step.force() / used.powf(EDGE_UTILIZATION.recip());
         return Some(format!(
             "{unknown}. The contact ends within {:.2e} mm on the rounded edges, which elements of {:.2e} mm leave out; in closed \
              form elastic bodies yield there under {} {}.",
@@ -79,7 +89,8 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
     if job.load != Load::Onset || is_onset_unknown(job, step) {
         return None;
     }
-    let first = highest_utilization(step, &Problem::of(job))?;
+    let problem = Problem::of(job);
+    let first = highest_utilization(step, &problem)?;
     let solution = step.bodies.get(first.body)?.as_ref()?;
     let [x, depth] = solution.mesh.frame.place(first.position);
     // The force that was prescribed; the nodal ones add up to it but for rounding.
@@ -87,10 +98,15 @@ pub(super) fn onset(job: &Job, step: &StepSolution, write: UnitConverter) -> Opt
         ContactLoad::Force(force) => force,
         ContactLoad::Approach(_) => step.force(),
     };
+    let at_edge = at_narrow_edge(step, &problem).filter(|edge| edge.ratio >= first.ratio);
+    let peak_pressure = match step.rounded_edge.filter(|_| at_edge.is_some()) {
+        Some(edge) => edge.elastic.peak_pressure(),
+        None => step.peak_pressure,
+    };
     Some(YieldOnsetReport {
         force: write.force(force),
         approach: write.length(step.approach),
-        peak_pressure: write.stress(step.peak_pressure),
+        peak_pressure: write.stress(peak_pressure),
         body: if first.body == 0 { Side::Upper } else { Side::Lower },
         position: write.length(x),
         depth: write.length(depth),

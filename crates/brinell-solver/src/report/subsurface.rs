@@ -5,8 +5,7 @@ use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::fem::mesh::SurfaceFrame;
 use crate::job::{HardeningLaw, Quantity};
-use crate::solver::recovery::Recovery;
-use crate::solver::{BodySolution, StepSolution};
+use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
 
 /// Spacings from the middle of the contact within which the peak pressure is on the same normal.
 const SAME_NORMAL: f64 = 0.5;
@@ -19,13 +18,13 @@ pub(super) fn is_beside_middle(step: &StepSolution) -> bool {
 /// Stresses along the normal through the surface at abscissa `x` \[mm\], at the depths of the mesh's own nodes
 /// below the nearest candidate node, from the surface to the support.
 pub(super) fn profile(
+    step: &StepSolution,
     body: &BodySolution,
-    symmetric: bool,
     x: f64,
     write: UnitConverter,
 ) -> SubsurfaceReport {
     let mesh = &body.mesh;
-    let mut recovery = Recovery::new(body, symmetric);
+    let mut recovery = recovered(step, body);
     let line = normal_line(body, x);
     let place = |node: u32| mesh.frame.place(mesh.nodes[node as usize]);
     let surface = line.first().map_or(0.0, |&node| place(node)[1]);
@@ -52,7 +51,7 @@ pub(super) fn profile(
         sigma_yz: None,
     };
     let at_rest = body.at_rest();
-    let mut recovery_at_rest = at_rest.as_ref().map(|at_rest| Recovery::new(at_rest, symmetric));
+    let mut recovery_at_rest = at_rest.as_ref().map(|at_rest| recovered_at_rest(step, at_rest));
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {

@@ -5,12 +5,15 @@ use serde::{Deserialize, Serialize};
 use super::mesh_effects::{is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded};
 use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
-use super::{onset, plastic_strain, strength};
+use super::units::rounded;
+use super::{error_bars, onset, plastic_strain, strength};
 use crate::contact::ContactLoad;
 use crate::fem::mesh::Outline;
 use crate::job::{Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Units};
+use crate::material::von_mises;
 use crate::solver::{
     LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution, TIP_ELEMENTS,
+    surface_stress_error,
 };
 
 /// One remark on the validity of the answer.
@@ -80,6 +83,8 @@ const COARSE_MESH: f64 = 9.0;
 const UNCERTAIN_ONSET: f64 = 0.03;
 /// Part of the largest pressure from which on the error at the tip of a power is told.
 const POINTED_ERROR: f64 = 0.02;
+/// Error of stresses at the surface over the largest von Mises stress from which on it is told.
+const UNCERTAIN_SURFACE: f64 = 0.1;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -113,18 +118,22 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
             step.peak_position, step.spacing
         ));
     }
+    if let Some(message) = surface_stress(step).or_else(|| approach_left(job, step)) {
+        messages.push(message);
+    }
     if let Some(edge) = &step.rounded_edge {
         messages.push(format!(
             "The contact ends within about {:.2e} mm on the rounded edges, where elastic bodies have a peak of about {:.0} MPa in \
-             closed form; elements of {:.2e} mm leave that out. What is away from the edges does not depend on it.",
+             closed form; elements of {:.2e} mm leave that out. {}What is away from the edges does not depend on it.",
             edge.elastic.width(),
             edge.elastic.peak_pressure(),
-            step.spacing
+            step.spacing,
+            if job.load == Load::Onset { "Onset of yield is that of the closed form. " } else { "" }
         ));
     }
-    if let Some(error) =
-        step.onset_error.filter(|error| *error > UNCERTAIN_ONSET && !is_onset_unknown(job, step))
-    {
+    if let Some(error) = step.onset_error.filter(|error| {
+        *error > UNCERTAIN_ONSET && step.rounded_edge.is_none() && !is_onset_unknown(job, step)
+    }) {
         messages.push(format!(
             "The force under which yield begins is known to {:.0} % only: the strength of the material changes, or stress has a peak, \
              within few elements. More elements (`mesh.elements_per_half_width`) tell it better.",
@@ -144,6 +153,32 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
         ));
     }
     messages
+}
+
+/// What is said of stresses at the surface below the middle of the contact that change within elements.
+fn surface_stress(step: &StepSolution) -> Option<String> {
+    let bodies = || step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
+    let error = bodies().map(|body| surface_stress_error(step, body, step.middle)).fold(0.0, f64::max);
+    let stresses = bodies().flat_map(|body| body.stress.points.iter().flatten());
+    let largest = stresses.map(|point| von_mises(point.stress)).fold(0.0, f64::max);
+    (error > UNCERTAIN_SURFACE * largest).then(|| {
+        format!(
+            "Below the surface plastic strain changes within elements of {:.2e} mm: stresses along the surface, at the depth 0, are known to \
+             about {error:.0} MPa only. Ask for more elements (`mesh.elements_per_half_width`).",
+            step.spacing
+        )
+    })
+}
+
+/// What is said of an approach that a history leaves and that is smaller than its error.
+fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
+    let bar = error_bars::estimate(job, step).filter(|_| step.patch.is_none())?.approach;
+    (bar > 1.0).then(|| {
+        format!(
+            "The approach that is left is smaller than its error of {} mm: it may as well be none, or of the other sign.",
+            rounded(bar * step.approach.abs())
+        )
+    })
 }
 
 /// What is said of a tip whose arc is narrow beside the elements.
@@ -481,7 +516,11 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
             share(residual)
         )
     } else {
-        let advice = if !other.is_empty() {
+        let is_elastic = step.bodies.iter().flatten().all(|body| body.max_plastic_strain() == 0.0);
+        let advice = if is_elastic && is_balanced {
+            " Nothing yields: what is off is rounding, under a load that is tiny beside the stress before it or beside the stiffness of the \
+             bodies. Choose a larger load."
+        } else if !other.is_empty() {
             other
         } else if iterations >= settings.max_iterations as usize {
             " Raise `solver.max_iterations`."

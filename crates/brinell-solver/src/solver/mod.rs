@@ -25,6 +25,7 @@ pub(crate) mod recovery;
 mod reference;
 mod solution;
 mod strategy;
+mod surface_recovery;
 
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};
@@ -49,3 +50,5 @@ pub use reference::ElasticReference;
 pub use solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,
 };
+pub use surface_recovery::{SurfaceStress, surface_stresses};
+pub(crate) use surface_recovery::{recovered, recovered_at_rest, surface_stress_error};

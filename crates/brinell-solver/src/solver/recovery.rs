@@ -91,6 +91,13 @@ impl<'a> Recovery<'a> {
         Some(values)
     }
 
+    /// Takes stress and equivalent plastic strain at a node as known.
+    pub fn know(&mut self, node: u32, stress: [f64; 4], plastic_strain: f64) {
+        let [.., largest_von_mises] = self.node(node);
+        let [x, y, z, shear] = stress;
+        self.at_node.insert(node, [x, y, z, shear, plastic_strain, largest_von_mises]);
+    }
+
     /// Values at a node.
     pub fn node(&mut self, node: u32) -> Values {
         if let Some(values) = self.at_node.get(&node) {

@@ -67,7 +67,7 @@ pub struct StepSolution {
     /// Part of the contact stiffness that is not known, at least, where the contact ends on rounded edges with few elements or the
     /// mesh does not tell how fast it grows; 0 elsewhere.
     pub stiffness_error: f64,
-    /// Largest contact pressure \[MPa\].
+    /// Largest contact pressure; of bodies that yield in plane stress at most what their flow stress allows \[MPa\].
     pub peak_pressure: f64,
     /// x of it; where nothing touches, of the largest that the history had \[mm\].
     pub peak_position: f64,

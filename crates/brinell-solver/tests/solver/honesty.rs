@@ -15,39 +15,142 @@ fn case(text: &str) -> Vec<StepReport> {
     report(&serde_json::from_str(text).unwrap()).steps
 }
 
-/// A rigid punch, 4 mm wide, on steel that yields at 500 MPa.
-fn punch(analysis: &str, edge_radius: f64, load: &Value) -> StepReport {
-    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
-        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
+/// A rigid punch, 4 mm wide, on a block that yields at 500 MPa.
+fn punch(analysis: &str, young_modulus: f64, edge_radius: f64, elements: u32, load: &Value) -> StepReport {
+    let metal = json!({"young_modulus": young_modulus, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0.05 * young_modulus}});
     let shape = json!({"type": "punch", "width": 4, "edge_radius": edge_radius, "depth": 5});
     let block = json!({"type": "block", "width": 60, "depth": 40});
     let job = json!({"analysis": analysis, "upper": {"shape": shape, "material": {"rigid": true}},
-        "lower": {"shape": block, "material": steel}, "load": load,
-        "mesh": {"elements_per_half_width": 10}, "output": {"subsurface": false}});
+        "lower": {"shape": block, "material": metal}, "load": load,
+        "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}});
     report(&job).steps.remove(0)
 }
 
-/// Exact forces of first yield by the half-plane's pressure and Flamant's stresses \[N/mm\]; 10 elements find 1065 for 110.
+/// Exact forces of first yield by the half-plane's pressure and Flamant's stresses \[N/mm\]; elements alone find 1065 for 110.
 #[test]
-fn an_onset_on_a_rounded_edge_is_not_known() {
-    for (edge_radius, exact) in [(0.1, 110.3), (0.4, 202.5)] {
-        let step = punch("plane_strain", edge_radius, &json!({"onset": true}));
+fn an_onset_on_a_rounded_edge_is_that_of_the_closed_form() {
+    for (edge_radius, exact) in [(0.02, 50.4), (0.1, 110.3), (0.4, 202.5), (1.0, 253.7)] {
+        let step = punch("plane_strain", 210_000.0, edge_radius, 10, &json!({"onset": true}));
         assert_eq!(step.status, SolveStatus::Converged);
-        assert!(step.yield_onset.is_none() && step.estimated_error.is_none());
-        let message = remark(&step, "onset_unknown").unwrap();
-        let told = message.split("there under ").nth(1).unwrap().split(' ').next().unwrap();
-        assert!((told.parse::<f64>().unwrap() / exact - 1.0).abs() < 0.015, "{message} for {exact}");
+        let onset = step.yield_onset.clone().unwrap();
+        let error = (onset.force / exact - 1.0).abs();
+        assert!(
+            error < 0.02 && error < step.estimated_error.unwrap().force,
+            "{edge_radius}: {}",
+            onset.force
+        );
+        assert!((onset.position.abs() + edge_radius - 2.0).abs() < 0.02 && onset.depth < 0.01, "{onset:?}");
+        assert!(remark(&step, "coarse_mesh").unwrap().contains("Onset of yield is that of the closed form"));
         // Below and above the force that the closed form tells.
         for (force, is_told) in [(0.9 * exact, false), (1.2 * exact, true)] {
-            let step = punch("plane_strain", edge_radius, &json!({"force": force}));
+            let step = punch("plane_strain", 210_000.0, edge_radius, 10, &json!({"force": force}));
             assert!(!step.plasticity.lower.as_ref().unwrap().yielded);
             assert_eq!(remark(&step, "onset_unknown").is_some(), is_told, "{force}");
         }
     }
-    for analysis in ["plane_stress", "axisymmetric"] {
-        let step = punch(analysis, 0.4, &json!({"onset": true}));
-        assert!(step.yield_onset.is_none() && remark(&step, "onset_unknown").is_some(), "{analysis}");
+}
+
+/// Softer blocks touch more of the arc, so that 60 elements resolve it and 15 do not.
+#[test]
+#[ignore = "full"]
+fn elements_find_the_onset_of_the_closed_form() {
+    for (analysis, young_modulus) in
+        [("plane_strain", 20_000.0), ("plane_stress", 10_000.0), ("axisymmetric", 20_000.0)]
+    {
+        let by = |elements: u32| {
+            let step = punch(analysis, young_modulus, 1.0, elements, &json!({"onset": true}));
+            let is_closed =
+                remark(&step, "coarse_mesh").is_some_and(|message| message.contains("closed form"));
+            (is_closed, step.yield_onset.unwrap().force, step.estimated_error.unwrap().force)
+        };
+        let [(is_closed, closed, bar), (is_still_closed, found, _)] = [15, 60].map(by);
+        assert!(is_closed && !is_still_closed, "{analysis}");
+        assert!((closed / found - 1.0).abs() < bar.min(0.06), "{analysis}: {closed} {found}, bar {bar}");
     }
+}
+
+/// The yield surface of plane stress has no pressure beyond 2/√3 of the yield stress; elements find 1.20 beside the edge of a plateau.
+#[test]
+fn pressure_in_plane_stress_stays_on_the_yield_surface() {
+    let mut job = cylinders(0.0, &json!({"force": 299.2}));
+    job["analysis"] = json!("plane_stress");
+    let step = report(&job).steps.remove(0);
+    let limit = 500.0 * 2.0 / 3f64.sqrt();
+    assert!(step.contact.peak_pressure <= limit * (1.0 + 1e-12), "{}", step.contact.peak_pressure);
+    assert!(step.contact.peak_pressure > 1.15 * 500.0);
+    let largest = step.contact.nodes.pressure.iter().copied().fold(0.0, f64::max);
+    assert!((largest - step.contact.peak_pressure).abs() < 1e-9);
+}
+
+/// Residual stress at the surface below the middle of two balls, by flow theory; 80 elements find -156 MPa there and 252 MPa at most. The
+/// pressure is that of the contact.
+#[test]
+fn stress_at_the_surface_of_a_dent() {
+    let metal = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0}});
+    let ball = json!({"shape": {"type": "cylinder", "radius": 20}, "material": metal});
+    let job = json!({"analysis": "axisymmetric", "upper": ball, "lower": ball, "solver": {"theory": "flow"},
+        "load": {"history": [{"force": 310.522}, {"force": 0}]}, "mesh": {"elements_per_half_width": 10}});
+    let steps = report(&job).steps;
+    for step in &steps {
+        let profile = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
+        let middle = step.contact.nodes.x.iter().position(|x| *x == 0.0).unwrap();
+        assert!((profile.sigma_y[0] + step.contact.nodes.pressure[middle]).abs() < 1e-9);
+    }
+    let profile = steps[1].subsurface.as_ref().unwrap().lower.as_ref().unwrap();
+    assert!((profile.sigma_x[0] + 156.0).abs() < 0.05 * 252.0, "{}", profile.sigma_x[0]);
+    assert!(remark(&steps[1], "coarse_mesh").unwrap().contains("stresses along the surface"));
+}
+
+/// Cylinders on which 80 elements find 7 MPa at the surface and 321 MPa at most below it. Within the error that is told, or 5 %.
+#[test]
+#[ignore = "full"]
+fn stress_at_the_surface_of_a_groove_is_within_what_is_told() {
+    for elements in [10, 20, 28] {
+        let mut job = cylinders(10_500.0, &json!({"history": [{"force": 1701.7}, {"force": 0}]}));
+        job["solver"] = json!({"theory": "flow"});
+        job["mesh"]["elements_per_half_width"] = json!(elements);
+        job["output"] = json!({"subsurface": true});
+        let step = report(&job).steps.remove(1);
+        let found = step.subsurface.as_ref().unwrap().lower.as_ref().unwrap().sigma_x[0];
+        let told = remark(&step, "coarse_mesh").and_then(|message| message.split("known to about ").nth(1));
+        let told = told.map_or(0.0, |rest| rest.split(' ').next().unwrap().parse::<f64>().unwrap());
+        assert!((found - 7.0).abs() < told.max(0.05 * 321.0), "{elements}: {found}, {told}");
+        assert_eq!(told > 0.0, elements < 28);
+    }
+}
+
+/// Of a punch whose corners alone yield nothing is left that the mesh knows.
+#[test]
+fn an_approach_below_its_error_is_told() {
+    let metal = json!({"young_modulus": 61_383, "poisson_ratio": 0.25,
+        "plasticity": {"law": "bilinear", "yield_stress": 135, "tangent_modulus": 372}});
+    let shape = json!({"type": "punch", "width": 5.245, "depth": 14, "edge_radius": 0.0345});
+    let block = json!({"type": "block", "width": 112, "depth": 132});
+    let job = json!({"analysis": "plane_stress", "upper": {"shape": shape, "material": {"rigid": true}},
+        "lower": {"shape": block, "material": metal}, "solver": {"theory": "flow"},
+        "load": {"history": [{"approach": 0.0063}, {"force": 0}]}, "mesh": {"elements_per_half_width": 12}});
+    let step = report(&job).steps.remove(1);
+    assert!(step.estimated_error.unwrap().approach > 1.0);
+    assert!(remark(&step, "coarse_mesh").unwrap().contains("smaller than its error"));
+}
+
+/// A hundred-millionth of a newton beside the stress of a layer.
+#[test]
+fn elastic_bodies_are_not_advised_to_harden() {
+    let elastic = json!({"young_modulus": 11_537, "poisson_ratio": 0.3});
+    let mut stressed = elastic.clone();
+    stressed["initial_stress"] =
+        json!([{"depth": 0, "sigma_x": 6.8, "sigma_z": 6.8}, {"depth": 12, "sigma_x": 0, "sigma_z": 0}]);
+    let job = json!({"analysis": "axisymmetric", "load": {"force": 1e-9},
+        "upper": {"shape": {"type": "cylinder", "radius": 1e3}, "material": elastic},
+        "lower": {"shape": {"type": "block", "width": 850, "depth": 1088}, "material": stressed},
+        "mesh": {"elements_per_half_width": 6}});
+    let step = report(&job).steps.remove(0);
+    assert_eq!(step.status, SolveStatus::NotConverged);
+    let message = remark(&step, "not_converged").unwrap();
+    assert!(message.contains("Nothing yields") && !message.contains("hardening"), "{message}");
 }
 
 /// 160 elements find 13.88 MPa where 8 find 10.73.

@@ -286,11 +286,22 @@ fn profiles_that_are_none_are_refused_field_by_field() {
         assert_eq!(faults(&over_depth), at(place), "{over_depth}");
     }
     assert!(faults(&json!([[0.0, 0.01], [1e6, 100.0]])).is_empty());
-    // A hardness that belongs to quite another material than the curve.
-    let law = json!({"law": "bilinear", "yield_stress": 2.0, "tangent_modulus": 0.0});
-    let job = with_factor("deformation", Some(json!({"hardness": {"profile": [[0.0, 700.0]]}})), law);
-    let Err(JobError::Fields(faults)) = Job::from_value(&job) else { panic!("accepted") };
-    assert!(faults.iter().all(|fault| fault.detail.contains("times that of the hardening curve")));
+}
+
+/// With hardness the law gives the shape of the curve alone, whatever its own yield stress is.
+#[test]
+fn hardness_scales_any_curve_of_the_same_shape() {
+    let peak = |yield_stress: f64| {
+        let law = json!({"law": "bilinear", "yield_stress": yield_stress, "tangent_modulus": 0.0});
+        let hardness = json!({"hardness": {"profile": [[0.0, 300.0], [2.0, 200.0]]}});
+        let mut job = with_factor("deformation", Some(hardness), law);
+        job["mesh"] = json!({"elements_per_half_width": 6});
+        report(&job).steps[0].contact.peak_pressure
+    };
+    let usual = peak(700.0);
+    for yield_stress in [2.0, 1e5] {
+        assert!((peak(yield_stress) / usual - 1.0).abs() < 1e-9);
+    }
 }
 
 /// Extremes of what is accepted, by every law and theory: an answer, or a status that says that there is none.

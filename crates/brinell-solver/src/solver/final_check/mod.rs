@@ -257,7 +257,8 @@ fn step(
     let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge } = evidence;
     let (system, outcome) = (&pass.system, &pass.outcome);
     let contact = &outcome.state.response.contact;
-    let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach);
+    let limit = bearable_pressure(system.stress_state, bodies);
+    let pairs = pair_states(system, &contact.force, &unloaded_gap, contact.approach, limit);
     StepSolution {
         status,
         load,
@@ -267,7 +268,7 @@ fn step(
         conforming: system.conforming,
         smallest_gap: system.smallest_gap,
         spacing: system.zone.spacing(),
-        peak_pressure: system.peak_pressure(&contact.force),
+        peak_pressure: system.peak_pressure(&contact.force).min(limit),
         peak_position: peak_position(&pairs),
         middle: match pass.patch {
             Some(patch) if !system.zone.is_symmetric() => 0.5 * (patch.left + patch.right),
@@ -308,12 +309,29 @@ fn peak_position(pairs: &[PairState]) -> f64 {
     highest.map_or(0.0, |pair| pair.x)
 }
 
-fn pair_states(system: &System, force: &[f64], unloaded_gap: &[f64], approach: f64) -> Vec<PairState> {
+/// Largest pressure that bodies bear which yield in plane stress \[MPa\]: `σ_n² - σ_n σ_t + σ_t² = q²` has no `σ_n` beyond `2 q/√3`. Where
+/// a plateau ends between two pairs, the last one of it has the force of a part of the next, and more pressure than that.
+fn bearable_pressure(state: StressState, bodies: &[Arc<BodySolution>]) -> f64 {
+    let of = |body: &Arc<BodySolution>| {
+        let stresses = body.stress.points.iter().flatten().map(|point| von_mises(point.stress));
+        (body.max_plastic_strain() > 0.0).then(|| 2.0 / 3f64.sqrt() * stresses.fold(0.0, f64::max))
+    };
+    let limits = bodies.iter().filter(|_| state == StressState::PlaneStress).filter_map(of);
+    limits.fold(f64::INFINITY, f64::min)
+}
+
+fn pair_states(
+    system: &System,
+    force: &[f64],
+    unloaded_gap: &[f64],
+    approach: f64,
+    limit: f64,
+) -> Vec<PairState> {
     let pressures = system.pressures(force);
     (0..force.len())
         .map(|k| PairState {
             x: system.zone.abscissa(k),
-            pressure: pressures[k],
+            pressure: pressures[k].min(limit),
             force: system.pair_force(k, force[k]),
             closing: system.closing[k],
             // In contact the gap is zero by definition; the rounding error there is checked, not reported.

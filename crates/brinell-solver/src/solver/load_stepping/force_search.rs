@@ -3,7 +3,7 @@
 
 use super::load_sequence::LoadSequence;
 use super::load_stepper::auxiliary;
-use super::utilization::{at_narrow_edge, highest_at_ends, highest_utilization};
+use super::utilization::{at_narrow_edge, error_at_narrow_edge, highest_at_ends, highest_utilization};
 use crate::contact::{ActiveSetSolver, ContactLoad};
 use crate::job::{Job, MeshSettings, SolverSettings, TargetFigure};
 use crate::solver::loads::Sought;
@@ -123,15 +123,6 @@ impl ForceSearch<'_> {
                 step.onset_error = Some(error);
             }
         }
-        // What elements leave out at a rounded edge yields under a smaller force, which the report says.
-        let last = trial.steps.last().filter(|_| self.sought == Sought::Onset);
-        if last.and_then(|step| at_narrow_edge(step, self.problem)).is_some_and(|used| used > 1.0) {
-            for step in &mut trial.steps {
-                if step.missed.take().is_some() {
-                    step.status = SolveStatus::Converged;
-                }
-            }
-        }
         Ok((trial.steps, sensitivity))
     }
 
@@ -153,6 +144,12 @@ impl ForceSearch<'_> {
         slope: f64,
         run: &mut Run<'_>,
     ) -> Result<f64, SolveError> {
+        let last = found.steps.last();
+        let at_edge = last.and_then(|step| at_narrow_edge(step, self.problem));
+        if at_edge.is_some_and(|edge| edge.ratio >= found.ratio) {
+            let error = last.and_then(error_at_narrow_edge).unwrap_or_default();
+            return Ok(found.ratio.ln().abs() / slope + error);
+        }
         let elements = self.sequence.job.mesh.elements_per_half_width;
         let half = elements.div_ceil(2).max(MeshSettings::MIN_ELEMENTS_PER_HALF_WIDTH);
         let job = self.coarser_job(half);

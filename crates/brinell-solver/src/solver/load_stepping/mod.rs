@@ -6,5 +6,5 @@ mod load_sequence;
 mod load_stepper;
 mod path;
 pub(crate) mod run;
-mod surface_stress;
+pub(super) mod surface_stress;
 pub(super) mod utilization;

@@ -1,4 +1,4 @@
-//! Stresses at the surface of a contact of elastic bodies.
+//! Stresses at the surface of a contact.
 //!
 //! Elements know stresses at their middles, half an element below. At the surface itself more is known:
 //! ```text
@@ -6,8 +6,9 @@
 //! ε_t = Δu·t / Δs          strain along the surface, exact to second order half-way between two nodes
 //! ε_θ = u_r / r            of a body of revolution; 0 in plane strain
 //! ```
-//! Hooke's law gives the other components. There is no friction and no shear stress. Stress that a body has before the load is
-//! added as it is given, and what the body did to it where it relaxed as recovered at the nodes.
+//! Hooke's law gives the other components of elastic bodies; `surface_recovery` has those of bodies that yield. There is no friction and
+//! no shear stress. Stress that a body has before the load is added as it is given, and what the body did to it where it relaxed as
+//! recovered at the nodes.
 
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
@@ -85,30 +86,61 @@ fn point(
     nodes: &[u32],
     pairs: &[PairState],
 ) -> Option<SurfacePoint> {
-    let (&[left, right], [a, b]) = (nodes, pairs) else { return None };
-    let at = |node: u32| (body.mesh.nodes[node as usize], body.displacement[node as usize]);
-    let ((from, u_from), (to, u_to)) = (at(left), at(right));
-    let along: [f64; 2] = std::array::from_fn(|k| to[k] - from[k]);
-    let length = along[0].hypot(along[1]);
-    let tangent = along.map(|component| component / length);
-    let strain = (0..2).map(|k| (u_to[k] - u_from[k]) * tangent[k]).sum::<f64>() / length;
-    let position: [f64; 2] = std::array::from_fn(|k| 0.5 * (from[k] + to[k]));
-    let hoop = match state {
-        StressState::Axisymmetric => 0.5 * (u_from[0] + u_to[0]) / position[0],
-        StressState::PlaneStrain | StressState::PlaneStress => 0.0,
-    };
+    let ([left, right], [a, b]) = (nodes, pairs) else { return None };
+    let Segment { position, tangent, along, around, .. } = Segment::of(state, body, [*left, *right]);
     let pressure = 0.5 * (a.pressure + b.pressure);
-    let [t, n, z] = principal(state, body.model.elastic(), [strain, hoop], -pressure);
-    let [c, s] = tangent;
+    let stress = principal(state, body.model.elastic(), [along, around], -pressure);
     Some(SurfacePoint {
         position,
-        beyond_given: [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s],
+        beyond_given: from_surface(stress, tangent),
         is_free: a.force == 0.0 && b.force == 0.0,
     })
 }
 
+/// `[σ_xx, σ_yy, σ_zz, τ_xy]` of the stresses `[σ_t, σ_n, σ_z]` of a surface.
+pub(in crate::solver) fn from_surface([t, n, z]: [f64; 3], [c, s]: [f64; 2]) -> [f64; 4] {
+    [t * c * c + n * s * s, t * s * s + n * c * c, z, (t - n) * c * s]
+}
+
+/// What is known half-way between two neighbouring nodes of a surface.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::solver) struct Segment {
+    /// \[mm\].
+    pub length: f64,
+    /// Its middle `[x, y]` \[mm\].
+    pub position: [f64; 2],
+    /// Unit vector towards larger abscissae.
+    pub tangent: [f64; 2],
+    /// Strain along the surface.
+    pub along: f64,
+    /// Hoop strain of a body of revolution.
+    pub around: f64,
+}
+
+impl Segment {
+    pub fn of(state: StressState, body: &BodySolution, nodes: [u32; 2]) -> Self {
+        let [(from, u_from), (to, u_to)] =
+            nodes.map(|node| (body.mesh.nodes[node as usize], body.displacement[node as usize]));
+        let across: [f64; 2] = std::array::from_fn(|k| to[k] - from[k]);
+        let length = across[0].hypot(across[1]);
+        let tangent = across.map(|component| component / length);
+        let position: [f64; 2] = std::array::from_fn(|k| 0.5 * (from[k] + to[k]));
+        let along = (0..2).map(|k| (u_to[k] - u_from[k]) * tangent[k]).sum::<f64>() / length;
+        let around = match state {
+            StressState::Axisymmetric => 0.5 * (u_from[0] + u_to[0]) / position[0],
+            StressState::PlaneStrain | StressState::PlaneStress => 0.0,
+        };
+        Self { length, position, tangent, along, around }
+    }
+}
+
 /// `[σ_t, σ_n, σ_z]` for strains along the surface and out of the plane and a normal stress \[MPa\].
-fn principal(state: StressState, moduli: ElasticModuli, [along, across]: [f64; 2], normal: f64) -> [f64; 3] {
+pub(in crate::solver) fn principal(
+    state: StressState,
+    moduli: ElasticModuli,
+    [along, across]: [f64; 2],
+    normal: f64,
+) -> [f64; 3] {
     let (lame, twice_shear) = (moduli.lame(), 2.0 * moduli.shear);
     let uniaxial = lame + twice_shear;
     if state == StressState::PlaneStress {
