@@ -146,6 +146,7 @@ export const OTHERS = [
   ['dent', WIDE, dent, true],
   ['dent-dark', DARK, dent],
   ['ball', WIDE, ball, true],
+  ['raceway', WIDE, part('Ball in a raceway, in three dimensions'), true],
   ['case', WIDE, part('Case-hardened roller on a hardened block'), true],
   ['jobs', WIDE, jobs],
   ['compared-report', WIDE, comparedReport, true],

@@ -86,7 +86,7 @@ export function limitOf({ low, step, colours }, k) {
 }
 
 /** @param {number} rough @returns {number} 1, 2, 2.5 or 5 times a power of ten, not less */
-function roundStep(rough) {
+export function roundStep(rough) {
   const power = 10 ** Math.floor(Math.log10(rough));
   return power * ([1, 2, 2.5, 5].find((step) => step * power >= rough * (1 - 1e-9)) ?? 10);
 }

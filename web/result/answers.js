@@ -6,7 +6,7 @@ import { same } from '../lib/pointer.js';
 import { abscissaOf } from './extent.js';
 import { TARGETS } from '../setup/fields.js';
 import { isDented, workPutIn } from './loads.js';
-import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
+import { STEP_FIGURES, barOf, strainOf, titleOf } from './step-figures.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
@@ -20,7 +20,7 @@ import { STEP_FIGURES, barOf, titleOf } from './step-figures.js';
  * @property {number} [elastic] the same by elastic theory
  * @property {boolean} [undented] whether that is of bodies that have not been dented before
  * @property {string} note
- * @property {boolean} [long] whether the note is too long for a card
+ * @property {string} [long] what stands on a card that has no room for the note
  */
 
 /**
@@ -49,6 +49,14 @@ const zerosLast = (answers) => [
 /** Whether the load is taken away. @param {Step} step */
 export const isUnloaded = ({ contact, flow }) => contact.force === 0 && flow !== undefined;
 
+/** In place of the largest plastic strain, where that has no limit. @type {import('./step-figures.js').StepFigure} */
+const MEAN_STRAIN = {
+  title: 'mean plastic strain',
+  unit: () => '%',
+  value: ({ plasticity: { upper, lower } }) =>
+    100 * Math.max(upper?.mean_equivalent_plastic_strain ?? 0, lower?.mean_equivalent_plastic_strain ?? 0),
+};
+
 /** Figures of the contact. @param {Report} report @param {Step} step @returns {Answer[]} */
 function contactFigures(report, step) {
   const { contact, hertz } = step;
@@ -60,9 +68,11 @@ function contactFigures(report, step) {
   const undented = isDented(report, report.steps.indexOf(step));
   const first = undented ? 'first yield before any dent' : 'first yield';
   const { peak, width: wide, mean: average, force, strain, stiffness } = STEP_FIGURES;
+  const zone = zoneWords(step, unit('length', report.units));
   return [
     { ...described(peak, report, step), elastic: elastic?.peak_pressure, undented },
     { ...described(wide, report, step), elastic: elastic?.half_width, undented, note: width },
+    ...longerAxis(report, step),
     // Without load it is what a load has left.
     ...(isUnloaded(step) ? [] : [approach(report, step)]),
     {
@@ -75,8 +85,10 @@ function contactFigures(report, step) {
       undented,
       note: mean,
     },
-    { ...described(strain, report, step), note: zoneWords(step, unit('length', report.units)) },
-    { ...described(stiffness, report, step), note: 'dP/dα, slope of load over approach' },
+    { ...described(strainOf(step) === undefined ? MEAN_STRAIN : strain, report, step), note: zone },
+    ...(typeof stiffness.value(step) !== 'number'
+      ? []
+      : [{ ...described(stiffness, report, step), note: 'dP/dα, slope of load over approach' }]),
     ...(step.flow
       ? [
           {
@@ -89,6 +101,21 @@ function contactFigures(report, step) {
       : []),
   ];
 }
+
+/** @param {Report} report @param {Step} step @returns {Answer[]} */
+const longerAxis = (report, { three_dimensional: ellipse }) =>
+  ellipse
+    ? [
+        {
+          name: 'Longer semi-axis',
+          value: ellipse.b,
+          unit: unit('length', report.units),
+          error: ellipse.estimated_error?.b,
+          elastic: ellipse.hertz?.b,
+          note: '',
+        },
+      ]
+    : [];
 
 /** @param {import('./step-figures.js').StepFigure} one @param {Report} report @param {Step} step @returns {Answer} */
 function described(one, report, step) {
@@ -109,7 +136,7 @@ function approach(report, step) {
     ...answer,
     name: isUnloaded(step) ? 'Permanent approach' : answer.name,
     note: step.approach_datum,
-    long: true,
+    long: report.analysis === 'three_dimensional' ? 'of half-spaces' : 'between the supports',
   };
 }
 

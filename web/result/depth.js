@@ -168,7 +168,9 @@ export class DepthPanel {
         y: profile.initial_sigma_x,
       });
     const [stress, length] = [unit('stress', units), unit('length', units)];
-    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0 && !this.#isBeside(step))
+    // Ellipses have no closed form here.
+    const isClosed = !step.three_dimensional && !this.#isBeside(step);
+    if (shown.length === 1 && profile && step.hertz && step.hertz.half_width > 0 && isClosed)
       curves.push(...this.#elastic(first, at, profile.depth));
     this.chart.show({
       x: `depth ${alike ? below : 'at places of their own'}  [${length}]`,

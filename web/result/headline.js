@@ -36,7 +36,7 @@ const rows = new ResizeObserver(([{ target, contentRect }]) => {
 });
 
 /** @param {import('./answers.js').Answer} answer */
-function card({ name, value, unit, error, elastic, undented, note, long = false }) {
+function card({ name, value, unit, error, elastic, undented, note, long = '' }) {
   const text = figure(value);
   const key = name.toLowerCase().replaceAll(' ', '-');
   const bar =
@@ -63,7 +63,7 @@ function card({ name, value, unit, error, elastic, undented, note, long = false 
       {},
       h('span', { class: `figure${text.length > SHORT ? ' long' : ''}` }, text, h('span', { class: 'unit' }, unit)),
       bar,
-      long ? h('details', {}, h('summary', {}, 'between the supports'), note) : h('small', {}, words),
+      long ? h('details', {}, h('summary', {}, long), note) : h('small', {}, words),
     ),
   );
 }

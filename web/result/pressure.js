@@ -53,6 +53,12 @@ export class PressurePanel {
         filled: shown.length === 1,
       };
     });
+    const ellipse = step.three_dimensional;
+    if (ellipse && shown.length === 1) {
+      curves[0].label = 'along x';
+      const { y, pressure } = ellipse.section;
+      curves.push({ label: 'along y', colour: '--curve-2', dash: [7, 3], x: y, y: pressure });
+    }
     const { contact } = step;
     const hertz = step.hertz && step.hertz.half_width > 0 ? step.hertz : null;
     const name = hertzName(first.report, at);
@@ -63,8 +69,9 @@ export class PressurePanel {
       .filter(({ at }) => at !== 0 || !round);
     const extents = sides.flatMap(({ one, at }) => extentOf(one.report.steps[at], round) ?? []);
     if (hertz) extents.push(hertzExtent(hertz));
+    if (ellipse && shown.length === 1) extents.push({ left: -ellipse.b, right: ellipse.b });
     this.chart.show({
-      x: `${abscissaOf(step, round)}  [${unit('length', units)}]`,
+      x: `${ellipse ? 'x, y' : abscissaOf(step, round)}  [${unit('length', units)}]`,
       y: `p  [${unit('stress', units)}]`,
       curves,
       marks,

@@ -352,7 +352,7 @@ function answers({ job, report }, at) {
         h('td', {}, elastic ? figure(elastic) : ''),
         h('td', {}, elastic && value ? figure(value / elastic, 3) : ''),
       ],
-      h('td', { class: 'text' }, long ? 'between the supports' : note),
+      h('td', { class: 'text' }, long || note),
     ),
   );
   const head = [

@@ -10,6 +10,7 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
  * @property {string} title
  * @property {string} [short] in tables and at axes
  * @property {string} [round] title in axisymmetry
+ * @property {string} [ellipse] title in three dimensions
  * @property {(report: Report) => string} unit
  * @property {(step: Step) => number | null | undefined} value
  * @property {Barred} [bar]
@@ -53,6 +54,7 @@ export const STEP_FIGURES = {
   width: {
     title: 'half-width',
     round: 'contact radius',
+    ellipse: 'shorter semi-axis',
     unit: length,
     value: (/** @type {Step} */ { contact }) => contact.half_width,
     bar: /** @type {const} */ ('half_width'),
@@ -85,4 +87,5 @@ export const STEP_FIGURES = {
 };
 
 /** @param {StepFigure} figure @param {Report} report @returns {string} */
-export const titleOf = ({ title, round }, { analysis }) => (analysis === 'axisymmetric' && round) || title;
+export const titleOf = ({ title, round, ellipse }, { analysis }) =>
+  (analysis === 'axisymmetric' && round) || (analysis === 'three_dimensional' && ellipse) || title;

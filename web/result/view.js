@@ -14,6 +14,7 @@ import { FiguresPanel } from './figures.js';
 import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
 import { loadWords } from './loads.js';
+import { MapPanel } from './map.js';
 import { PressurePanel } from './pressure.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
@@ -36,6 +37,7 @@ export class View {
     this.on = on;
     this.pressure = new PressurePanel();
     this.field = new FieldPanel(on.fieldsWanted);
+    this.map = new MapPanel(on.fieldsWanted);
     this.depth = new DepthPanel();
     this.convergence = new ConvergencePanel();
     this.sweep = new SweepPanel();
@@ -59,7 +61,7 @@ export class View {
     byId('panels').replaceChildren(
       this.tools,
       column(this.pressure, this.dent, this.depth, this.sweep),
-      column(this.field, this.convergence),
+      column(this.field, this.map, this.convergence),
       this.figures.panel.element,
       this.differences.panel.element,
       this.history.panel.element,
@@ -83,6 +85,7 @@ export class View {
       this.sweep,
       this.dent,
       this.pressure,
+      this.map,
       this.depth,
       this.convergence,
       this.figures,
@@ -153,7 +156,7 @@ export class View {
       drawings: [this.pressure, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
-      field: this.field.canvas(undefined, paper),
+      field: this.map.onPaper() ?? this.field.canvas(undefined, paper),
       cutDrawing: this.field.cutDrawing(),
     });
   }
@@ -184,7 +187,15 @@ export class View {
     const many = report.steps.length;
     const load = loadWords(report, this.#at);
     const stem = (id.slice(-8) || 'live') + otherUnits(raw?.units ?? report.units, report.units);
-    for (const { panel } of [this.pressure, this.dent, this.depth, this.field, this.convergence, this.history]) {
+    for (const { panel } of [
+      this.pressure,
+      this.map,
+      this.dent,
+      this.depth,
+      this.field,
+      this.convergence,
+      this.history,
+    ]) {
       panel.of = many > 1 ? `${label}, step ${this.#at + 1} of ${many}, ${load}` : `${label}, ${load}`;
       panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
     }
@@ -197,13 +208,16 @@ export class View {
     showHeadline(shown[0], this.#at);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
+    this.map.show(shown, this.#at);
     this.dent.show(shown, this.#at);
     this.depth.show(shown, this.#at);
     this.figures.show(shown, this.#at);
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    if (raw) this.field.show({ job, report: raw, at: this.#at, units: setOf(report.units) }, this.#anew, fields);
+    // Half-spaces have no mesh.
+    if (step.three_dimensional) this.field.clear();
+    else if (raw) this.field.show({ job, report: raw, at: this.#at, units: setOf(report.units) }, this.#anew, fields);
     this.#anew = false;
   }
 }

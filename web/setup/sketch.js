@@ -23,7 +23,11 @@ const BOLD = 7.2;
 export function startSketch(draft) {
   const place = byId('sketch');
   let hertz = /** @type {Hertz | null} */ (null);
-  const draw = () => place.replaceChildren(picture(draft.job, hertz));
+  const draw = () => {
+    // Outlines are those of sections, which bodies in three dimensions have not.
+    place.hidden = draft.job.analysis === 'three_dimensional';
+    place.replaceChildren(picture(draft.job, hertz));
+  };
   draft.addEventListener('change', draw);
   return (/** @type {Hertz | null} */ answer) => {
     hertz = answer;
