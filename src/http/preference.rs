@@ -3,6 +3,7 @@
 use axum::extract::FromRequestParts;
 use axum::http::HeaderMap;
 use axum::http::request::Parts;
+use utoipa::IntoParams;
 
 use super::HttpState;
 use super::problem::Problem;
@@ -21,6 +22,25 @@ pub(super) fn preferred_wait(headers: &HeaderMap) -> Option<u64> {
         let value = value.trim().trim_matches('"').parse().ok()?;
         name.trim().eq_ignore_ascii_case("wait").then_some(value)
     })
+}
+
+#[derive(IntoParams)]
+#[into_params(parameter_in = Header)]
+#[expect(dead_code, reason = "declares what `preferred_wait` reads")]
+pub(super) struct PreferHeader {
+    /// `wait=N`: as `?wait=N`, which goes before it (RFC 7240). What is not understood is ignored.
+    #[param(rename = "Prefer", example = "wait=10")]
+    prefer: Option<String>,
+}
+
+#[derive(IntoParams)]
+#[into_params(parameter_in = Header)]
+#[expect(dead_code, reason = "declares what `IdempotencyKey` reads")]
+pub(super) struct IdempotencyHeader {
+    /// The client's name for this submission, in visible ASCII characters without spaces, bare or in quotes. The same body
+    /// under the same key is the same job; another body is refused.
+    #[param(rename = "Idempotency-Key", example = "press-7", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#)]
+    key: Option<String>,
 }
 
 /// `Idempotency-Key`: the client's name for this submission, bare or in quotes.

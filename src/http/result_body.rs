@@ -45,169 +45,144 @@ pub(super) fn is_known(tag: &str, headers: &HeaderMap) -> bool {
     })
 }
 
-/// How a result leaves.
-#[derive(Debug, Clone, Copy)]
-struct Form {
-    has_fields: bool,
-    gzip: bool,
+/// The result of a job on its way to a client: all of it, or the parts that are wanted.
+pub(super) struct SentResult {
+    pub(super) state: HttpState,
+    pub(super) caller: Caller,
+    pub(super) id: JobId,
+    pub(super) head: ResultHead,
+    pub(super) selection: Selection,
 }
 
-impl Form {
+/// What stands before a result and behind it.
+type Around = [Bytes; 2];
+
+fn join<const N: usize>(texts: [&Bytes; N]) -> Bytes {
+    texts.map(Bytes::as_ref).concat().into()
+}
+
+/// Whether a client is still there for more.
+async fn sent(sender: &Sender<Bytes>, piece: Bytes) -> bool {
+    sender.send(piece).await.is_ok()
+}
+
+impl SentResult {
+    fn has_fields(&self) -> bool {
+        self.head.has_fields && self.selection.has_fields()
+    }
+
     /// Hundreds of megabytes of fields are not compressed for each reader; there is a binary form.
-    fn of(head: &ResultHead, selection: &Selection, headers: &HeaderMap) -> Self {
-        let has_fields = head.has_fields && selection.has_fields();
-        Self { has_fields, gzip: takes_gzip(headers) && !has_fields && head.around_steps().is_some() }
+    fn is_compressed(&self, headers: &HeaderMap) -> bool {
+        takes_gzip(headers) && !self.has_fields() && self.head.around_steps().is_some()
     }
-}
 
-/// 200 with a report, or 304.
-pub(super) async fn result(
-    state: &HttpState,
-    caller: Caller,
-    id: JobId,
-    head: ResultHead,
-    selection: Selection,
-    headers: &HeaderMap,
-) -> Result<Response, Problem> {
-    let form = Form::of(&head, &selection, headers);
-    let coding = if form.gzip { "-gzip" } else { "" };
-    let tag = format!("\"{id}-{}-{}{coding}\"", head.attempt, selection.name());
-    let common: [(HeaderName, &str); 4] = [
-        (CONTENT_TYPE, "application/json"),
-        (ETAG, &tag),
-        (CACHE_CONTROL, "private, no-cache"),
-        (VARY, "accept, accept-encoding"),
-    ];
-    let around = (Bytes::new(), Bytes::new());
-    if head.around_steps().is_some() && selection.step.is_some_and(|step| step >= head.steps) {
-        return Err(no_step(head.steps));
+    /// The steps that are wanted of those that are kept apart.
+    fn steps(&self) -> Result<Range<usize>, Problem> {
+        match self.selection.step {
+            Some(step) if step >= self.head.steps => Err(no_step(self.head.steps)),
+            Some(step) => Ok(step..step + 1),
+            None => Ok(0..self.head.steps),
+        }
     }
-    if is_known(&tag, headers) {
-        return Ok((StatusCode::NOT_MODIFIED, common).into_response());
+
+    /// 200 with the report, or 304.
+    pub(super) async fn alone(self, headers: &HeaderMap) -> Result<Response, Problem> {
+        let coding = if self.is_compressed(headers) { "-gzip" } else { "" };
+        let tag = format!("\"{}-{}-{}{coding}\"", self.id, self.head.attempt, self.selection.name());
+        let common: [(HeaderName, &str); 4] = [
+            (CONTENT_TYPE, "application/json"),
+            (ETAG, &tag),
+            (CACHE_CONTROL, "private, no-cache"),
+            (VARY, "accept, accept-encoding"),
+        ];
+        if self.head.around_steps().is_some() {
+            self.steps()?;
+        }
+        if is_known(&tag, headers) {
+            return Ok((StatusCode::NOT_MODIFIED, common).into_response());
+        }
+        let body = self.body(Around::default(), headers).await?;
+        Ok((common, body).into_response())
     }
-    let body = body(state, caller, id, head, selection, form, around).await?;
-    Ok((common, body).into_response())
-}
 
-/// 200 with a job and its result inside, or the parts of it that are wanted. What the client has of the result does not matter: it asked for the job.
-pub(super) async fn inside(
-    state: &HttpState,
-    caller: Caller,
-    job: &JobDocument,
-    head: ResultHead,
-    selection: Selection,
-    headers: &HeaderMap,
-) -> Result<Response, Problem> {
-    let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
-    before.pop();
-    before.extend_from_slice(b",\"result\":");
-    let around = (Bytes::from(before), Bytes::from_static(b"}"));
-    let form = Form::of(&head, &selection, headers);
-    let body = body(state, caller, job.id, head, selection, form, around).await?;
-    let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
-    Ok((common, body).into_response())
-}
-
-/// A report between two other texts.
-async fn body(
-    state: &HttpState,
-    caller: Caller,
-    id: JobId,
-    head: ResultHead,
-    selection: Selection,
-    form: Form,
-    (before, behind): (Bytes, Bytes),
-) -> Result<Response, Problem> {
-    let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
-    let about = (Extension(JobIdExtension(id)), Extension(CodingChosen));
-    let Some((begin, end)) = head.around_steps() else {
-        let report = whole(state, caller, head, selection).await?;
-        return Ok((about, join([&join([&before, &report]), &behind])).into_response());
-    };
-    let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
-    let (turn, state, has_fields) = (state.turn(caller), state.clone(), form.has_fields);
-    let (before, behind) = (join([&before, &begin]), join([&end, &behind]));
-    let write = move |sender| async move {
-        let writer = ResultWriter { state, id, key: caller.key(), steps, selection, has_fields, sender };
-        if form.gzip { writer.compressed(before, behind).await } else { writer.plain(before, behind).await }
-    };
-    let mut response = (about, Body::from_stream(written_body::written(turn, write))).into_response();
-    if form.gzip {
-        response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+    /// 200 with the job and the report inside. What the client has of the result does not matter: it
+    /// asked for the job.
+    pub(super) async fn inside(self, job: &JobDocument, headers: &HeaderMap) -> Result<Response, Problem> {
+        let mut before = serde_json::to_vec(job).map_err(StoreError::unavailable)?;
+        before.pop();
+        before.extend_from_slice(b",\"result\":");
+        let body = self.body([before.into(), Bytes::from_static(b"}")], headers).await?;
+        let common = [(CONTENT_TYPE, "application/json"), (VARY, "accept-encoding")];
+        Ok((common, body).into_response())
     }
-    Ok(response)
-}
 
-/// Sends a report between two other texts, plain; a problem if there is no such report, and then nothing of it was sent.
-pub(super) async fn inside_of(
-    state: &HttpState,
-    caller: Caller,
-    id: JobId,
-    head: ResultHead,
-    selection: &Selection,
-    (before, behind): (Bytes, Bytes),
-    sender: &Sender<Bytes>,
-) -> Result<Result<(), Problem>, StoreError> {
-    let join = |texts: [&Bytes; 2]| Bytes::from(texts.map(Bytes::as_ref).concat());
-    let Some((begin, end)) = head.around_steps() else {
-        return Ok(match whole(state, caller, head, selection.clone()).await {
-            Ok(report) => {
-                let _ = sender.send(join([&join([&before, &report]), &behind])).await;
-                Ok(())
+    async fn body(self, [before, behind]: Around, headers: &HeaderMap) -> Result<Response, Problem> {
+        let about = (Extension(JobIdExtension(self.id)), Extension(CodingChosen));
+        let Some((begin, end)) = self.head.around_steps() else {
+            return Ok((about, join([&before, &self.whole().await?, &behind])).into_response());
+        };
+        let steps = self.steps()?;
+        let around = [join([&before, &begin]), join([&end, &behind])];
+        let (turn, is_compressed) = (self.state.turn(self.caller), self.is_compressed(headers));
+        let write = move |sender| async move {
+            if is_compressed {
+                self.compressed(around, steps, &sender).await
+            } else {
+                self.plain(around, steps, &sender).await
             }
-            Err(problem) => Err(problem),
-        });
-    };
-    if selection.step.is_some_and(|step| step >= head.steps) {
-        return Ok(Err(no_step(head.steps)));
-    }
-    let steps = selection.step.map_or(0..head.steps, |step| step..step + 1);
-    let has_fields = head.has_fields && selection.has_fields();
-    let (state, key) = (state.clone(), caller.key());
-    let (selection, sender) = (selection.clone(), sender.clone());
-    let writer = ResultWriter { state, id, key, steps, selection, has_fields, sender };
-    writer.plain(join([&before, &begin]), join([&end, &behind])).await.map(Ok)
-}
-
-/// A report of the first version, which was kept as a whole.
-async fn whole(
-    state: &HttpState,
-    caller: Caller,
-    head: ResultHead,
-    selection: Selection,
-) -> Result<Bytes, Problem> {
-    if selection == Selection::default() {
-        return Ok(head.report);
-    }
-    state.jobs.decoders.run(caller.key(), move || edit_report(&head.report, &selection)).await
-}
-
-/// Reads a result and sends it on.
-struct ResultWriter {
-    state: HttpState,
-    id: JobId,
-    key: Option<KeyId>,
-    steps: Range<usize>,
-    selection: Selection,
-    has_fields: bool,
-    sender: Sender<Bytes>,
-}
-
-impl ResultWriter {
-    /// A client that has gone is no error.
-    async fn send(&self, piece: Bytes) -> bool {
-        self.sender.send(piece).await.is_ok()
+        };
+        let mut response = (about, Body::from_stream(written_body::written(turn, write))).into_response();
+        if is_compressed {
+            response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+        }
+        Ok(response)
     }
 
-    async fn compressed(&self, before: Bytes, behind: Bytes) -> Result<(), StoreError> {
+    /// Sends the report between two other texts, plain; a problem if there is no such report, and
+    /// then nothing of it was sent.
+    pub(super) async fn send(
+        &self,
+        [before, behind]: Around,
+        sender: &Sender<Bytes>,
+    ) -> Result<Result<(), Problem>, StoreError> {
+        let Some((begin, end)) = self.head.around_steps() else {
+            let whole = self.whole().await.map(|report| join([&before, &report, &behind]));
+            return Ok(match whole {
+                Ok(text) => Ok(drop(sender.send(text).await)),
+                Err(problem) => Err(problem),
+            });
+        };
+        match self.steps() {
+            Ok(steps) => {
+                self.plain([join([&before, &begin]), join([&end, &behind])], steps, sender).await.map(Ok)
+            }
+            Err(problem) => Ok(Err(problem)),
+        }
+    }
+
+    /// A report of the first version, which was kept as a whole.
+    async fn whole(&self) -> Result<Bytes, Problem> {
+        let (report, selection) = (self.head.report.clone(), self.selection.clone());
+        if selection == Selection::default() {
+            return Ok(report);
+        }
+        self.state.jobs.decoders.run(self.caller.key(), move || edit_report(&report, &selection)).await
+    }
+
+    async fn compressed(
+        &self,
+        around: Around,
+        steps: Range<usize>,
+        sender: &Sender<Bytes>,
+    ) -> Result<(), StoreError> {
         let compress = |text: &[u8]| Deflated::compress(text).map_err(StoreError::unavailable);
         let (mut gzip, begin) = GzipStream::begin();
-        let (before, behind) = (compress(&before)?, compress(&behind)?);
+        let [before, behind] = around;
         let comma = Deflated::stored(COMMA);
-        let mut go_on = self.send(begin).await && self.send(gzip.append(&before)).await;
-        for number in self.steps.clone() {
-            if number > self.steps.start {
-                go_on = go_on && self.send(gzip.append(&comma)).await;
+        let mut go_on = sent(sender, begin).await && sent(sender, gzip.append(&compress(&before)?)).await;
+        for number in steps.clone() {
+            if number > steps.start {
+                go_on = go_on && sent(sender, gzip.append(&comma)).await;
             }
             if !go_on {
                 return Ok(());
@@ -216,27 +191,36 @@ impl ResultWriter {
             if self.selection.edits_steps() {
                 step = compress(&self.edited(step).await?)?;
             }
-            go_on = self.send(gzip.append(&step)).await;
+            go_on = sent(sender, gzip.append(&step)).await;
         }
-        let _ = go_on && self.send(gzip.append(&behind)).await && self.send(gzip.end()).await;
+        let behind = gzip.append(&compress(&behind)?);
+        let _ = go_on && sent(sender, behind).await && sent(sender, gzip.end()).await;
         Ok(())
     }
 
-    async fn plain(&self, before: Bytes, behind: Bytes) -> Result<(), StoreError> {
-        let mut go_on = self.send(before).await;
-        for number in self.steps.clone() {
-            if number > self.steps.start {
-                go_on = go_on && self.send(Bytes::from_static(COMMA)).await;
+    async fn plain(
+        &self,
+        [before, behind]: Around,
+        steps: Range<usize>,
+        sender: &Sender<Bytes>,
+    ) -> Result<(), StoreError> {
+        let mut go_on = sent(sender, before).await;
+        for number in steps.clone() {
+            if number > steps.start {
+                go_on = go_on && sent(sender, Bytes::from_static(COMMA)).await;
             }
             if !go_on {
                 return Ok(());
             }
             let step = self.state.jobs.store().step(self.id, number).await?;
             let text = self.edited(step).await?;
-            go_on =
-                if self.has_fields { self.with_fields(number, text).await? } else { self.send(text).await };
+            go_on = if self.has_fields() {
+                self.with_fields(number, text, sender).await?
+            } else {
+                sent(sender, text).await
+            };
         }
-        let _ = go_on && self.send(behind).await;
+        let _ = go_on && sent(sender, behind).await;
         Ok(())
     }
 
@@ -251,24 +235,29 @@ impl ResultWriter {
                 Ok(text)
             }
         };
-        self.state.jobs.decoders.run(self.key, edited).await
+        self.state.jobs.decoders.run(self.caller.key(), edited).await
     }
 
     /// A step with its fields as its last member; they become JSON piece by piece, as the client reads.
-    async fn with_fields(&self, number: usize, text: Bytes) -> Result<bool, StoreError> {
+    async fn with_fields(
+        &self,
+        number: usize,
+        text: Bytes,
+        sender: &Sender<Bytes>,
+    ) -> Result<bool, StoreError> {
         let Some(mut fields) = self.state.jobs.fields(self.id, number).await? else {
-            return Ok(self.send(text).await);
+            return Ok(sent(sender, text).await);
         };
         let (text, end) =
             (text.slice(..text.len().saturating_sub(1)), text.slice(text.len().saturating_sub(1)..));
-        let mut go_on = self.send(text).await && self.send(Bytes::from_static(b",\"fields\":")).await;
+        let mut go_on = sent(sender, text).await && sent(sender, Bytes::from_static(b",\"fields\":")).await;
         for piece in fields.layout().json() {
             if !go_on {
                 return Ok(false);
             }
-            go_on = self.send(written(&self.state, self.key, &mut fields, piece).await?).await;
+            go_on = sent(sender, written(&self.state, self.caller.key(), &mut fields, piece).await?).await;
         }
-        Ok(go_on && self.send(end).await)
+        Ok(go_on && sent(sender, end).await)
     }
 }
 

@@ -110,24 +110,16 @@ pub enum DeliveryEnd {
 }
 
 /// Keeps announcements, beside the jobs they are of.
+#[expect(clippy::missing_errors_doc, reason = "a storage that does not answer")]
 #[async_trait]
 pub trait DeliveryStore: Send + Sync + 'static {
     /// Hands out up to `limit` announcements that are due, the most overdue first. One whose end is not told within `lease` is
     /// handed out again.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn claim_deliveries(&self, limit: usize, lease: Duration) -> Result<Vec<Delivery>, StoreError>;
 
     /// Tells how attempts ended; without effect on those of which another has been made meanwhile.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn end_deliveries(&self, ends: &[(Delivery, DeliveryEnd)]) -> Result<(), StoreError>;
 
     /// The announcement of a job's end, if it has one.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn callback(&self, job: JobId) -> Result<Option<Callback>, StoreError>;
 }

@@ -1,6 +1,7 @@
-//! Stored results in the forms that other programs read. Tables and files of fields are written piece by piece, as whoever takes
-//! them reads: only figures are in memory as a whole.
+//! Stored results in the forms that other programs read. Tables and files of fields are written piece
+//! by piece, as whoever takes them reads; pictures are small.
 
+use std::iter::once;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -9,8 +10,8 @@ use thiserror::Error;
 use tokio::sync::mpsc::Sender;
 
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
-use brinell_solver::job::{Analysis, Job};
-use brinell_solver::report::export::{Export, ExportError, Table, VtuFile};
+use brinell_solver::job::Job;
+use brinell_solver::report::export::{Export, ExportError, Table, VtuFile, surface_vtu};
 use brinell_solver::report::{Report, StepReport};
 
 /// Least size \[bytes\] of what is sent at a time, but for the last.
@@ -40,8 +41,10 @@ pub struct Exported {
     form: Form,
 }
 
+type Pieces = Box<dyn Iterator<Item = String> + Send>;
+
 enum Form {
-    Whole(String),
+    Pieces(Pieces),
     Table(Table, Range<usize>),
     Fields(VtuFile, FieldsReader<Arc<dyn JobStore>>),
 }
@@ -76,7 +79,7 @@ impl JobService {
         let Some(last) = steps.checked_sub(1) else {
             // Of the first version, with its steps in it.
             let written = self.decoders.run(key, move || form.write(&job, &report, step)).await?;
-            return Ok(exported(Form::Whole(written)));
+            return Ok(exported(Form::Pieces(Box::new(once(written)))));
         };
         let wanted = step.unwrap_or(last);
         if wanted > last {
@@ -85,16 +88,22 @@ impl JobService {
         let shown = if form.is_table() { 0 } else { wanted };
         let text = self.store.step(id, shown).await?;
         let read = move || read_step(&text.text().map_err(StoreError::damaged)?);
-        let shown = self.decoders.run(key, read).await?;
+        let mut shown = self.decoders.run(key, read).await?;
         Ok(exported(if form.is_table() {
             let steps = step.map_or(0..steps, |step| step..step + 1);
             Form::Table(Table::new(form, &job, &shown)?, steps)
-        } else if form == Export::FieldVtu && job.analysis != Analysis::ThreeDimensional {
+        } else if let Some(half_spaces) =
+            shown.three_dimensional.as_mut().filter(|_| form == Export::FieldVtu)
+        {
+            let maps = half_spaces.maps.take().ok_or(ExportError::NoFields)?;
+            Form::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
+        } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
             Form::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
         } else {
             report.steps.push(shown);
-            Form::Whole(self.decoders.run(key, move || form.write(&job, &report, None)).await?)
+            let written = self.decoders.run(key, move || form.write(&job, &report, None)).await?;
+            Form::Pieces(Box::new(once(written)))
         }))
     }
 }
@@ -108,7 +117,13 @@ impl Exported {
         let Self { jobs, id, key, form } = self;
         let mut out = Out { text: String::new(), sender };
         match form {
-            Form::Whole(text) => out.add(&text).await,
+            Form::Pieces(mut pieces) => {
+                let next = |mut pieces: Pieces| move || (pieces.next(), pieces);
+                while let (Some(piece), rest) = jobs.decoders.run(key, next(pieces)).await {
+                    out.add(&piece).await;
+                    pieces = rest;
+                }
+            }
             Form::Table(table, steps) => {
                 out.add(&table.header()).await;
                 for number in steps {

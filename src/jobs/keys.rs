@@ -189,30 +189,19 @@ pub fn read_token(token: &str) -> Option<(KeyId, &str)> {
 }
 
 /// Keeps API keys, beside the jobs they are for.
+#[expect(clippy::missing_errors_doc, reason = "a storage that does not answer")]
 #[async_trait]
 pub trait KeyStore: Send + Sync + 'static {
     /// Keeps a key.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn add_key(&self, key: ApiKey) -> Result<(), StoreError>;
 
     /// All keys, the oldest first, or the one of that id.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn keys(&self, id: Option<KeyId>) -> Result<Vec<ApiKey>, StoreError>;
 
     /// Gives a key another secret; the one so far stays good for `overlap`. `false` if there is no such key, or it is revoked.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn rotate_key(&self, id: KeyId, digest: [u8; 32], overlap: Duration) -> Result<bool, StoreError>;
 
     /// Sets what a key may take and when it expires; `false` if there is no such key, or it is revoked.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn limit_key(
         &self,
         id: KeyId,
@@ -221,9 +210,6 @@ pub trait KeyStore: Send + Sync + 'static {
     ) -> Result<bool, StoreError>;
 
     /// Makes a key no longer good; `false` if there is none, or it was revoked before.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn revoke_key(&self, id: KeyId) -> Result<bool, StoreError>;
 }
 

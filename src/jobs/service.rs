@@ -194,6 +194,7 @@ fn new_job(
     })
 }
 
+#[expect(clippy::missing_errors_doc, reason = "a `StoreError` is that of the store")]
 impl JobService {
     /// A service on `store`, whose changes `notifier` announces.
     pub fn new(
@@ -240,9 +241,6 @@ impl JobService {
     }
 
     /// The API key of a token, if it is good.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn authenticate(&self, token: &str) -> Result<Option<ApiKey>, StoreError> {
         let Some((id, secret)) = read_token(token) else { return Ok(None) };
         let keys = self.keys.keys(Some(id)).await?;
@@ -363,17 +361,11 @@ impl JobService {
     }
 
     /// What is known about a job.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn get(&self, id: JobId) -> Result<JobRecord, StoreError> {
         self.store.get(id).await
     }
 
     /// Like [`JobService::get`], once the job has finished, `timeout` has elapsed or waits have been ended ([`JobService::end_waits`]).
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn wait(&self, id: JobId, timeout: Duration) -> Result<JobRecord, StoreError> {
         let mut subscription = self.subscribe(id);
         let deadline = Instant::now() + timeout;
@@ -396,17 +388,11 @@ impl JobService {
     }
 
     /// The result without its steps, if there is one.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError> {
         self.store.result(id).await
     }
 
     /// The fields of a step, counted from 0, in double precision; `None` of a job that did not ask for them.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn fields(
         &self,
         id: JobId,
@@ -416,17 +402,11 @@ impl JobService {
     }
 
     /// The announcement of a job's end, if it has one.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn callback(&self, id: JobId) -> Result<Option<Callback>, StoreError> {
         self.deliveries.callback(id).await
     }
 
     /// Asks a job to stop, in the name of a key.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
         let store = Arc::clone(&self.store);
         let cancel = async move {
@@ -438,9 +418,6 @@ impl JobService {
     }
 
     /// Removes a finished job, in the name of a key.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
         let store = Arc::clone(&self.store);
         let delete = async move {
@@ -452,9 +429,6 @@ impl JobService {
     }
 
     /// Shows that the store can be written to. Anybody may ask, so that the store is written to once a second at most.
-    ///
-    /// # Errors
-    /// [`StoreError`].
     pub async fn ping(&self) -> Result<(), StoreError> {
         if self.damaged.load(Ordering::Relaxed) {
             return Err(StoreError::damaged("the check at the start found damage"));

@@ -19,6 +19,11 @@ use super::{
 /// Every change is one atomic step, and every step that alters a job is announced on the store's
 /// [`JobNotifier`](super::JobNotifier) *after* it can be read. The store stamps all times, so that several processes sharing
 /// one store share one clock. Implementations are checked by one suite, `tests/store_contract`.
+///
+/// # Errors
+/// Of every method: [`StoreError::Unavailable`] where the storage does not answer,
+/// [`StoreError::NotFound`] of a job that there is not; further ones as each says.
+#[expect(clippy::missing_errors_doc, reason = "above")]
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
     /// Takes in a job, durably as far as the store is durable, and queues it behind those of its priority. A job
@@ -42,28 +47,16 @@ pub trait JobStore: Send + Sync + 'static {
     ) -> Result<Vec<Result<Enqueued, StoreError>>, StoreError>;
 
     /// What is known about a job.
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
     async fn get(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
     /// A page of the iterations of the latest attempt behind the first `after`, in order, about
     /// [`HISTORY_PAGE`]; empty where there are no more.
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
     async fn history(&self, id: JobId, after: usize) -> Result<Vec<IterationRecord>, StoreError>;
 
     /// The job as it was submitted (JSON).
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
     async fn request(&self, id: JobId) -> Result<Bytes, StoreError>;
 
     /// The result without its steps, if the job has one.
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
     async fn result(&self, id: JobId) -> Result<Option<ResultHead>, StoreError>;
 
     /// The report of a step of the result, counted from 0, without its fields.
@@ -92,16 +85,10 @@ pub trait JobStore: Send + Sync + 'static {
     /// A job whose worker was lost `max_attempts` times fails, or is cancelled if that was asked, instead of being
     /// handed out. One that was lost `max_attempts - 1` times is handed out by itself and only to a worker that does
     /// nothing else ([`ClaimRequest::exclusive`]): no job is given up because of its neighbour's fault.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn claim(&self, request: &ClaimRequest) -> Result<Claims, StoreError>;
 
     /// Extends leases of one worker by `lease` from now and tells of each whether it is still
     /// held, in the given order.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn heartbeat(&self, leases: &[Lease], lease: Duration) -> Result<Vec<LeaseStatus>, StoreError>;
 
     /// Appends iterations to the history of a leased job.
@@ -132,22 +119,13 @@ pub trait JobStore: Send + Sync + 'static {
 
     /// Gives leased jobs back to the queue, as if they had not been taken up; one that was to stop is cancelled.
     /// Leases that are lost already are passed over.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn release(&self, leases: &[Lease]) -> Result<(), StoreError>;
 
     /// Asks a job to stop: a queued one is cancelled at once, a running one is marked, a finished one is left.
     /// Returns the job as it is afterwards.
-    ///
-    /// # Errors
-    /// [`StoreError::NotFound`].
     async fn cancel(&self, id: JobId) -> Result<JobRecord, StoreError>;
 
     /// One page of jobs, in the order of their submission.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn list(&self, filter: &JobFilter) -> Result<JobPage, StoreError>;
 
     /// Removes a finished job.
@@ -157,29 +135,17 @@ pub trait JobStore: Send + Sync + 'static {
     async fn delete(&self, id: JobId) -> Result<(), StoreError>;
 
     /// How many jobs are in each state; states without jobs may be missing.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn counts(&self) -> Result<Counts, StoreError>;
 
     /// Removes finished jobs, and forgotten idempotency keys, that are older than allowed, a bounded number at a
     /// time. Returns how many jobs it removed.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn sweep(&self, retention: &Retention) -> Result<usize, StoreError>;
 
     /// Returns once everything that was acknowledged survives a loss of power. Jobs that are not interactive need no
     /// such call.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn sync(&self) -> Result<(), StoreError>;
 
     /// Looks for damage in the store's own file, and in every job if `jobs`; returns one line for each damage found.
-    ///
-    /// # Errors
-    /// [`StoreError::Unavailable`].
     async fn check(&self, jobs: bool) -> Result<Vec<String>, StoreError>;
 
     /// Writes a consistent copy of everything to a new file. `false` if the store has means of its own for that.

@@ -10,6 +10,24 @@ pub(super) struct Step {
     pub(super) sql: &'static str,
 }
 
+/// The steps to the tables of one kind of database.
+macro_rules! steps {
+    ($kind:literal) => {
+        $crate::store::migration::steps!($kind:
+            1 "jobs" "0001_jobs", 2 "requests" "0002_requests", 3 "results" "0003_results",
+            4 "fair share" "0004_fair_share", 5 "quotas" "0005_quotas", 6 "callbacks" "0006_callbacks",
+            7 "field parts" "0007_field_parts", 8 "solver time" "0008_solver_time")
+    };
+    ($kind:literal: $($version:literal $name:literal $file:literal),*) => {
+        &[$($crate::store::migration::Step {
+            version: $version,
+            name: $name,
+            sql: include_str!(concat!("../../migrations/", $kind, "/", $file, ".sql")),
+        }),*]
+    };
+}
+pub(super) use steps;
+
 /// Applies the steps that are missing. Several processes may start at once: on PostgreSQL they take turns by an
 /// advisory lock.
 ///

@@ -16,33 +16,12 @@ use thiserror::Error;
 use tokio::task::AbortHandle;
 
 use self::notifications::{Announcer, listen};
-use super::migration::{self, Step};
+use super::migration::{self, Step, steps};
 use super::sql::{Backend, Change, SqlStore, WriteTransaction};
 use super::{Store, StoreLimits};
 use crate::jobs::{Clock, JobNotifier, StoreError, WorkerId};
 
-const STEPS: &[Step] = &[
-    Step { version: 1, name: "jobs", sql: include_str!("../../migrations/postgres/0001_jobs.sql") },
-    Step { version: 2, name: "requests", sql: include_str!("../../migrations/postgres/0002_requests.sql") },
-    Step { version: 3, name: "results", sql: include_str!("../../migrations/postgres/0003_results.sql") },
-    Step {
-        version: 4,
-        name: "fair share",
-        sql: include_str!("../../migrations/postgres/0004_fair_share.sql"),
-    },
-    Step { version: 5, name: "quotas", sql: include_str!("../../migrations/postgres/0005_quotas.sql") },
-    Step { version: 6, name: "callbacks", sql: include_str!("../../migrations/postgres/0006_callbacks.sql") },
-    Step {
-        version: 7,
-        name: "field parts",
-        sql: include_str!("../../migrations/postgres/0007_field_parts.sql"),
-    },
-    Step {
-        version: 8,
-        name: "solver time",
-        sql: include_str!("../../migrations/postgres/0008_solver_time.sql"),
-    },
-];
+const STEPS: &[Step] = steps!("postgres");
 
 /// Connections of one process.
 const CONNECTIONS: u32 = 10;

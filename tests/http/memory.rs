@@ -75,12 +75,24 @@ fn a_key_leaves_a_place_to_others_whatever_it_hands_in() {
 
 #[test]
 fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
-    let service = InProcess::start(|_| ());
-    let greedy = service.target.submit(&job("greedy"));
-    let failed = service.target.wait_for(&greedy, &["failed"]);
-    let detail = failed["error"]["detail"].as_str().unwrap();
-    assert!(detail.contains("MiB for factors and increments"), "{detail}");
-    assert_eq!(service.target.post("/v1/solve", job("quick").to_string()).status, 200);
+    let service = InProcess::start(|config| config.work.memory_limit = Some(16));
+    let mut fine = job("understated");
+    fine["mesh"] = json!({"elements_per_half_width": 40});
+    let mut long = job("understated");
+    (long["mesh"], long["output"]) = (json!({"elements_per_half_width": 4}), json!({"fields": false}));
+    long["load"] = json!({"history": [{"force": 700.0}, {"force": 0.0}]});
+    long["solver"] = json!({"theory": "flow", "increments": 10_000});
+    for greedy in [fine, long] {
+        let id = service.target.submit(&greedy);
+        let failed = service.target.wait_for(&id, &["failed"]);
+        let detail = failed["error"]["detail"].as_str().unwrap();
+        assert!(detail.contains("MiB for factors and increments"), "{detail}");
+        service.target.get(&format!("{id}/result")).problem(409, "no-result");
+    }
+    let mut small = job("understated");
+    small["mesh"] = json!({"elements_per_half_width": 4});
+    let id = service.target.submit(&small);
+    service.target.wait_for(&id, &["succeeded"]);
 }
 
 /// A job that needs several times as much memory as a small one.

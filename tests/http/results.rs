@@ -248,7 +248,7 @@ fn readers_who_do_not_read_hold_up_nobody() {
     }
     for path in paths.into_iter().chain(["/pressure.svg"]) {
         let url = format!("{}{job}{path}", server.target.url);
-        assert_eq!(curl(&["--max-time", "50", &url]).status, 200, "{path}");
+        assert_eq!(curl(&["--max-time", "25", &url]).status, 200, "{path}");
     }
 }
 

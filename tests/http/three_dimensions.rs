@@ -77,6 +77,9 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
     assert_eq!(whole["maps"]["pressure"].as_array().unwrap().len(), columns * rows);
     let summary = server.target.get(&format!("{job}/result?fields=summary")).json();
     assert!(summary["steps"][0]["three_dimensional"]["maps"].is_null());
+    let parts = "contact,subsurface,plasticity,history";
+    let without = server.target.get(&format!("{job}/result?fields={parts}")).json();
+    assert!(without["steps"][0]["three_dimensional"]["maps"].is_null(), "maps are fields");
     assert!(estimate["estimate"]["result_bytes"].as_u64().unwrap() > 1000, "{estimate}");
     for (file, beginning, lines) in [
         ("summary.csv", "step,status,force [N],", 2),
@@ -99,7 +102,11 @@ fn a_sweep_has_a_curve_and_a_fault_has_its_place() {
     let mut sweep = ball();
     sweep["load"] = json!({"forces": [50, 100, 200]});
     sweep["mesh"] = json!({"elements_per_half_width": 6});
-    let report = server.target.post("/v1/solve", sweep.to_string()).json()["result"].clone();
+    sweep["output"] = json!({"fields": true});
+    let solved = server.target.post("/v1/solve", sweep.to_string()).json();
+    let report = solved["result"].clone();
+    let vtu = server.target.get(&format!("{}?step=2", solved["links"]["field_vtu"].as_str().unwrap())).body;
+    assert!(String::from_utf8(vtu).unwrap().contains("step 2 of 3"));
     let curve: Vec<f64> = serde_json::from_value(report["load_approach"]["approach"].clone()).unwrap();
     assert_near(curve[2] / curve[0], 4f64.powf(2.0 / 3.0), 2e-3);
     let mut wrong = ball();

@@ -12,7 +12,7 @@ use tokio::time::{Instant, sleep, timeout};
 
 use crate::subject::{DEADLINE, Subject, job};
 
-const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
+pub const JOB: &str = include_str!("../../api/examples/two_cylinders.json");
 /// Times a request is polled before it is dropped, at most.
 const POLLS: usize = 40;
 const POLL: Duration = Duration::from_micros(200);

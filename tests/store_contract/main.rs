@@ -79,6 +79,7 @@ macro_rules! contract {
             deliveries the_trace_of_a_submission_goes_with_its_job;
             names jobs_together_are_taken_in_or_refused_one_by_one;
             names batches_with_and_without_names_do_not_lock_each_other_out;
+            deaf a_file_breaks_off_where_its_result_does;
             deaf streams_that_nobody_reads_hold_no_reader;
             dropped a_client_that_goes_leaves_no_job_behind;
             dropped a_client_that_means_to_come_again_finds_its_job;

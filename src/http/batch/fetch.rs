@@ -11,7 +11,7 @@ use crate::http::access::Caller;
 use crate::http::job_path::check_seen;
 use crate::http::problem::Problem;
 use crate::http::query::Selection;
-use crate::http::result_body::inside_of;
+use crate::http::result_body::SentResult;
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::written_body::written;
 use crate::jobs::{JobId, StoreError};
@@ -87,11 +87,12 @@ impl Fetch {
         let mut before = item(job)?;
         before.truncate(before.len().saturating_sub(2));
         before.extend_from_slice(b",\"result\":");
-        let around = (Bytes::from(before), Bytes::from_static(b"}}"));
+        let around = [before.into(), Bytes::from_static(b"}}")];
+        let (state, selection) = (self.state.clone(), self.selection.clone());
+        let result = SentResult { state, caller: self.caller, id, head, selection };
         let (inner, pieces) = mpsc::channel(1);
         let write = async {
-            let written =
-                inside_of(&self.state, self.caller, id, head, &self.selection, around, &inner).await;
+            let written = result.send(around, &inner).await;
             drop(inner);
             written
         };

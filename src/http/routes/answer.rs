@@ -6,9 +6,9 @@ use axum::response::{IntoResponse, Response};
 
 use crate::http::access::Caller;
 use crate::http::query::{Granted, Selection};
-use crate::http::result_body::no_result;
+use crate::http::result_body::{SentResult, no_result};
 use crate::http::wire::{JobDocument, Prefix};
-use crate::http::{HttpState, Problem, ProblemType, result_body};
+use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::JobRecord;
 
 const REPLAYED: HeaderName = HeaderName::from_static("idempotency-replayed");
@@ -23,7 +23,10 @@ pub(super) async fn with_result(
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
     match state.jobs.result(job.id).await? {
-        Some(head) if job.done => result_body::inside(state, caller, &job, head, selection, headers).await,
+        Some(head) if job.done => {
+            let result = SentResult { state: state.clone(), caller, id: job.id, head, selection };
+            result.inside(&job, headers).await
+        }
         _ => Ok(job.into_response()),
     }
 }

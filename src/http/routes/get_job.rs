@@ -7,6 +7,7 @@ use axum::response::{IntoResponse, Response};
 use super::answer::{apply_preference, with_result};
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
+use crate::http::preference::PreferHeader;
 use crate::http::query::{Wait, WaitQuery};
 use crate::http::wire::{JobDocument, Prefix};
 use crate::http::{HttpState, Problem};
@@ -19,8 +20,7 @@ use crate::jobs::JobId;
     get, path = "/v1/jobs/{id}", tag = "jobs", params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         WaitQuery,
-        ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
-            What is not understood is ignored.", example = "wait=10"),
+        PreferHeader,
     ),
     responses((status = OK, description = "The job.", body = JobDocument, content_type = "application/json", headers(
         ("Retry-After" = u32, description = "Seconds after which to ask again; until the job is done."),

@@ -10,7 +10,8 @@ use crate::http::export_file::export_file;
 use crate::http::job_path::JobPath;
 use crate::http::negotiation::prefers_csv;
 use crate::http::query::{Selection, SelectionQuery};
-use crate::http::{HttpState, Problem, result_body};
+use crate::http::result_body::{SentResult, no_result};
+use crate::http::{HttpState, Problem};
 use crate::jobs::{Export, JobId};
 use brinell_solver::report::Report;
 
@@ -47,8 +48,8 @@ pub(in crate::http) async fn get_result(
         return summary(&state, caller, id, selection.step).await;
     }
     match state.jobs.result(id).await? {
-        Some(head) => result_body::result(&state, caller, id, head, selection, &headers).await,
-        None => Err(result_body::no_result(&state.jobs.get(id).await?)),
+        Some(head) => SentResult { state, caller, id, head, selection }.alone(&headers).await,
+        None => Err(no_result(&state.jobs.get(id).await?)),
     }
 }
 

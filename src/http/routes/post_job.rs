@@ -10,7 +10,7 @@ use axum::response::{IntoResponse, Response};
 use super::answer::{apply_preference, finished, mark_replayed, submitted, unless_out_of_reach};
 use crate::http::access::Caller;
 use crate::http::body::JobBody;
-use crate::http::preference::IdempotencyKey;
+use crate::http::preference::{IdempotencyHeader, IdempotencyKey, PreferHeader};
 use crate::http::query::{SubmitParameters, SubmitQuery, WaitQuery};
 use crate::http::request_log::Trace;
 use crate::http::wire::{JobDocument, Prefix};
@@ -26,12 +26,8 @@ use crate::jobs::Submission;
     params(
         SubmitParameters,
         WaitQuery,
-        ("Prefer" = Option<String>, Header, description = "`wait=N`: as `?wait=N`, which goes before it (RFC 7240). \
-            What is not understood is ignored.", example = "wait=10"),
-        ("Idempotency-Key" = Option<String>, Header, description = "The client's name for this submission, in \
-            visible ASCII characters without spaces, bare or in quotes. The same body under the same key is the \
-            same job; another body is refused.", pattern = r#"^("[!-~]{1,255}"|[!-~]{1,255})$"#,
-            example = "press-7"),
+        PreferHeader,
+        IdempotencyHeader,
     ),
     request_body(content = ref("#/components/schemas/ContactJob"), content_type = "application/json", description = "The job."),
     responses(

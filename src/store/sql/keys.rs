@@ -48,21 +48,8 @@ type KeyRow = (
 );
 
 fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
-    let (
-        id,
-        name,
-        scope,
-        digest,
-        previous,
-        until,
-        queued,
-        running,
-        bytes,
-        priority,
-        created,
-        expires,
-        revoked,
-    ) = row;
+    let (id, name, scope, digest, previous, until, ..) = row;
+    let (.., queued, running, bytes, priority, created, expires, revoked) = row;
     let digest_of = |bytes: Vec<u8>| bytes.try_into().map_err(|_| damaged("the length of a digest"));
     let previous = match (previous, until) {
         (Some(digest), Some(until)) => {
@@ -85,11 +72,6 @@ fn api_key(row: KeyRow) -> Result<ApiKey, StoreError> {
 
 /// [`LimitsRow`], whether the key is revoked, and when it expires.
 type SubmitterRow = (Option<i64>, Option<i64>, Option<i64>, Option<i32>, bool, Option<i64>);
-
-const fn split(row: SubmitterRow) -> (LimitsRow, bool, Option<i64>) {
-    let (queued, running, bytes, priority, is_revoked, expires_at) = row;
-    ((queued, running, bytes, priority), is_revoked, expires_at)
-}
 
 fn key_limits((queued, running, bytes, priority): LimitsRow) -> Result<KeyLimits, StoreError> {
     Ok(KeyLimits {
@@ -167,14 +149,12 @@ macro_rules! keys {
 
             async fn lock_key(&mut self, key: KeyId, now: i64) -> Result<KeyLimits, StoreError> {
                 let row = sqlx::query_as::<$database, SubmitterRow>($limits).bind(key.uuid());
-                let Some((limits, is_revoked, expires_at)) = row.fetch_optional(self).await?.map(split)
-                else {
-                    return Ok(KeyLimits::default());
-                };
+                let Some(row) = row.fetch_optional(self).await? else { return Ok(KeyLimits::default()) };
+                let (queued, running, bytes, priority, is_revoked, expires_at) = row;
                 if is_revoked || expires_at.is_some_and(|end| end <= now) {
                     return Err(StoreError::KeyEnded);
                 }
-                key_limits(limits)
+                key_limits((queued, running, bytes, priority))
             }
 
             async fn lock_intake(&mut self) -> Result<(), StoreError> {

@@ -11,4 +11,5 @@ mod vtu;
 pub use csv::Table;
 pub use figures::{depth_svg, load_approach_svg, pressure_svg, surface_svg};
 pub use format::{Export, ExportError};
+pub use surface_vtu::surface_vtu;
 pub use vtu::{VtuFile, VtuPiece, field_vtu};

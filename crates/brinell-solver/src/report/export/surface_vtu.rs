@@ -3,20 +3,43 @@
 //! # Reference
 //! *VTK XML file formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
+use std::iter::once;
+use std::ops::Range;
 
 use crate::report::{MapsReport, Report};
 
 /// VTK's number for a quadrilateral with 4 nodes.
 const QUAD: u8 = 9;
 
-/// `pressure` \[stress\] and `gap` \[length\] of each cell, in the units of the job. The step is counted from 0, the last of so many.
-pub(super) fn surface_vtu(report: &Report, [step, steps]: [usize; 2], maps: &MapsReport) -> String {
-    let (along_x, along_y) = (faces(&maps.x), faces(&maps.y));
-    let (columns, rows) = (maps.x.len(), maps.y.len());
-    let mut text = String::with_capacity(120 * columns * rows + 2000);
-    let _ = write!(
-        text,
+const END: &str = "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+
+/// The text before an array, its type, name and components, and its values at one x.
+type Array = ([&'static str; 4], fn(&Surface, usize) -> String);
+
+const ARRAYS: [Array; 6] = [
+    (["", "Float64", "pressure", "1"], |surface, column| {
+        spaced(&surface.maps.pressure[surface.cells(column)])
+    }),
+    (["", "Float64", "gap", "1"], |surface, column| spaced(&surface.maps.gap[surface.cells(column)])),
+    (["</CellData>\n<Points>\n", "Float64", "Points", "3"], Surface::points),
+    (["</Points>\n<Cells>\n", "Int64", "connectivity", "1"], Surface::corners),
+    (["", "Int64", "offsets", "1"], |surface, column| {
+        spaced(surface.cells(column).map(|cell| 4 * (cell + 1)))
+    }),
+    (["", "UInt8", "types", "1"], |surface, column| spaced(surface.cells(column).map(|_| QUAD))),
+];
+
+/// `pressure` \[stress\] and `gap` \[length\] of each cell, in the units of the job, in pieces: in
+/// each the cells at one x of one array. The step is counted from 0, the last of so many.
+pub fn surface_vtu(
+    report: &Report,
+    [step, steps]: [usize; 2],
+    maps: MapsReport,
+) -> impl Iterator<Item = String> + Send + use<> {
+    let surface = Surface { along_x: faces(&maps.x), along_y: faces(&maps.y), maps };
+    let columns = surface.maps.x.len();
+    let head = format!(
         "<?xml version=\"1.0\"?>\n<!-- brinell {}, {}, units {}, step {} of {steps} -->\n\
          <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
          <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData Scalars=\"pressure\">\n",
@@ -24,35 +47,55 @@ pub(super) fn surface_vtu(report: &Report, [step, steps]: [usize; 2], maps: &Map
         report.analysis,
         report.units,
         step + 1,
-        along_x.len() * along_y.len(),
-        columns * rows,
+        surface.along_x.len() * surface.along_y.len(),
+        columns * surface.maps.y.len(),
     );
-    array(&mut text, "Float64", "pressure", 1, &maps.pressure);
-    array(&mut text, "Float64", "gap", 1, &maps.gap);
-    text.push_str("</CellData>\n<Points>\n");
-    let points: Vec<f64> = along_x.iter().flat_map(|x| along_y.iter().flat_map(|y| [*x, *y, 0.0])).collect();
-    array(&mut text, "Float64", "Points", 3, &points);
-    text.push_str("</Points>\n<Cells>\n");
-    let point = |i: usize, j: usize| i * (rows + 1) + j;
-    let square = |i: usize, j: usize| [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
-    let corners: Vec<usize> = (0..columns).flat_map(|i| (0..rows).flat_map(move |j| square(i, j))).collect();
-    array(&mut text, "Int64", "connectivity", 1, &corners);
-    array(&mut text, "Int64", "offsets", 1, &(1..=columns * rows).map(|k| 4 * k).collect::<Vec<_>>());
-    array(&mut text, "UInt8", "types", 1, &vec![QUAD; columns * rows]);
-    text.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-    text
+    let pieces = ARRAYS.into_iter().flat_map(move |array| (0..columns).map(move |column| (array, column)));
+    let pieces = pieces.map(move |(([before, kind, name, components], values), column)| {
+        let values = values(&surface, column);
+        let begin = format!(
+            "{before}<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">"
+        );
+        let begin = if column == 0 { &begin } else { "" };
+        let end = if column + 1 == columns { "</DataArray>\n" } else { "" };
+        [begin, &values, end].concat()
+    });
+    once(head).chain(pieces).chain(once(END.to_owned()))
 }
 
-fn array<T: ToString>(text: &mut String, kind: &str, name: &str, components: usize, values: &[T]) {
-    let _ = write!(
-        text,
-        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">"
-    );
-    for value in values {
-        text.push_str(&value.to_string());
-        text.push(' ');
+/// The cells of a surface and their faces.
+struct Surface {
+    maps: MapsReport,
+    along_x: Vec<f64>,
+    along_y: Vec<f64>,
+}
+
+impl Surface {
+    fn cells(&self, column: usize) -> Range<usize> {
+        let rows = self.maps.y.len();
+        column * rows..(column + 1) * rows
     }
-    text.push_str("</DataArray>\n");
+
+    /// Those at the far face of the last cells too.
+    fn points(&self, column: usize) -> String {
+        let end = if column + 1 == self.maps.x.len() { column + 2 } else { column + 1 };
+        let along_x = self.along_x[column..end].iter();
+        spaced(along_x.flat_map(|x| self.along_y.iter().flat_map(|y| [*x, *y, 0.0])))
+    }
+
+    fn corners(&self, column: usize) -> String {
+        let point = |i: usize, j: usize| i * self.along_y.len() + j;
+        let (i, rows) = (column, self.maps.y.len());
+        spaced((0..rows).flat_map(|j| [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)]))
+    }
+}
+
+fn spaced(values: impl IntoIterator<Item: Display>) -> String {
+    let mut text = String::new();
+    for value in values {
+        let _ = write!(text, "{value} ");
+    }
+    text
 }
 
 /// Faces of cells of one width with these middles.

@@ -40,7 +40,7 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     if let Some(whole) = &shown.three_dimensional {
         let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
-        return Ok(surface_vtu(report, [step, report.steps.len()], maps));
+        return Ok(surface_vtu(report, [step, report.steps.len()], maps.clone()).collect());
     }
     let bytes = FieldArrays::encode(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
