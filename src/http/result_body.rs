@@ -147,10 +147,13 @@ impl SentResult {
     ) -> Result<Result<(), Problem>, StoreError> {
         let Some((begin, end)) = self.head.around_steps() else {
             let whole = self.whole().await.map(|report| join([&before, &report, &behind]));
-            return Ok(match whole {
-                Ok(text) => Ok(drop(sender.send(text).await)),
-                Err(problem) => Err(problem),
-            });
+            return match whole {
+                Ok(text) => {
+                    sent(sender, text).await;
+                    Ok(Ok(()))
+                }
+                Err(problem) => Ok(Err(problem)),
+            };
         };
         match self.steps() {
             Ok(steps) => {

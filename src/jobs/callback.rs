@@ -110,7 +110,6 @@ pub enum DeliveryEnd {
 }
 
 /// Keeps announcements, beside the jobs they are of.
-#[expect(clippy::missing_errors_doc, reason = "a storage that does not answer")]
 #[async_trait]
 pub trait DeliveryStore: Send + Sync + 'static {
     /// Hands out up to `limit` announcements that are due, the most overdue first. One whose end is not told within `lease` is

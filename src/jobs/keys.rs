@@ -189,7 +189,6 @@ pub fn read_token(token: &str) -> Option<(KeyId, &str)> {
 }
 
 /// Keeps API keys, beside the jobs they are for.
-#[expect(clippy::missing_errors_doc, reason = "a storage that does not answer")]
 #[async_trait]
 pub trait KeyStore: Send + Sync + 'static {
     /// Keeps a key.

@@ -23,7 +23,6 @@ use super::{
 /// # Errors
 /// Of every method: [`StoreError::Unavailable`] where the storage does not answer,
 /// [`StoreError::NotFound`] of a job that there is not; further ones as each says.
-#[expect(clippy::missing_errors_doc, reason = "above")]
 #[async_trait]
 pub trait JobStore: Send + Sync + 'static {
     /// Takes in a job, durably as far as the store is durable, and queues it behind those of its priority. A job
