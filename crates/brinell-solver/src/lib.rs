@@ -50,15 +50,19 @@
 //!
 //! Imports run downward only.
 
-pub mod analytical;
 pub mod fem;
 pub mod job;
-pub mod material;
 pub mod report;
 pub mod solver;
 
 /// The contact conditions, their solvers and the check that all of them have to pass.
 pub use brinell_contact as contact;
+
+/// Hardening laws, deformation and flow theory.
+pub use brinell_material as material;
+
+/// Closed forms to compare with.
+pub use brinell_material::analytical;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -1,12 +1,11 @@
 //! Stress that a body has before it is loaded: from grinding, peening or hardening.
 
 use super::fields::{Field, FieldTable, Record as _, read_record, record};
-use super::over_depth::{faults_of_depths, interpolate};
+use super::over_depth::faults_of_depths;
 use super::reader::Cursor;
 use super::reader::text::five_digits;
-use super::{
-    Analysis, FaultCode, FieldError, HardeningLaw, NonNegativeF64, Quantity, StrengthProfile, Units,
-};
+use super::{Analysis, FaultCode, FieldError, NonNegativeF64, Quantity, Units};
+use crate::material::{HardeningLaw, StrengthProfile, interpolate};
 
 record! {
     /// Stress along the surface at one depth, before any load; straight between depths, constant beyond the ends.

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::HardeningLaw;
 use super::fields::{Field, Known, Record, record, write_record};
 use super::reader::{Cursor, Object};
 use super::wire::InUnits;
 use super::{
     BackstressTerm, FaultCode, FieldError, Hardening, InitialStress, OverDepth, PoissonRatio, PositiveF64,
-    Quantity, StrengthProfile, Units,
+    Quantity, Units,
 };
+use crate::material::{ElasticModuli, HardeningLaw, StrengthProfile};
 
 /// What a body is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,6 +193,12 @@ record! {
             Field::quantity(Quantity::Modulus).label("Young’s modulus", "E").example(210_000.0),
         /// Poisson's ratio ν. What is incompressible has 0.499999.
         pub poisson_ratio: PoissonRatio = Field::pure(PoissonRatio::RANGE).label("Poisson’s ratio", "ν").example(0.3),
+    }
+}
+
+impl From<&Elastic> for ElasticModuli {
+    fn from(elastic: &Elastic) -> Self {
+        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
     }
 }
 

@@ -41,14 +41,13 @@ pub use contact_job::{Analysis, Job};
 pub use error::{FaultCode, FieldError, JobError};
 pub use fields::{Field, FieldTable};
 pub use hardening::{
-    BackstressTerm, Bilinear, Hardening, HardeningLaw, Inverse, Ludwik, RambergOsgood, Swift, Table,
-    TablePoints, Voce,
+    BackstressTerm, Bilinear, Hardening, Ludwik, RambergOsgood, Swift, Table, TablePoints, Voce,
 };
 pub use initial_stress::{InitialStress, InitialStressProfile};
 pub use load::{History, HistoryLoad, Load, Sweep};
 pub use material::{Deformable, Elastic, Material};
 pub use number::{NonNegativeF64, PoissonRatio, PositiveF64};
-pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, OverDepth, StrengthProfile};
+pub use over_depth::{CaseCurve, HardenedCase, HardnessProfile, OverDepth};
 pub use quantity::Quantity;
 pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};

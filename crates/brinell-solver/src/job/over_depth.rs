@@ -12,6 +12,7 @@ use super::fields::{Field, Figure, Known, Member, Record, read_record, record};
 use super::reader::{Cursor, Named};
 use super::wire::InUnits;
 use super::{FaultCode, FieldError, PositiveF64, Quantity, Units};
+use crate::material::StrengthProfile;
 
 /// How strength varies with the depth below the surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,40 +95,6 @@ const FACTORS: RangeInclusive<f64> = 0.01..=100.0;
 /// Points that a curved profile is sampled at.
 const SAMPLES: u32 = 200;
 
-/// Factors of the hardening curve over depth: straight between points, constant before the first and beyond the last.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StrengthProfile {
-    points: Vec<[f64; 2]>,
-}
-
-impl StrengthProfile {
-    /// The factor at a depth \[mm\].
-    pub fn factor(&self, depth: f64) -> f64 {
-        interpolate(&self.points, depth).unwrap_or(1.0)
-    }
-
-    /// Smallest and largest factor.
-    pub fn range(&self) -> (f64, f64) {
-        let factors = || self.points.iter().map(|[_, s]| *s);
-        (factors().fold(f64::INFINITY, f64::min), factors().fold(0.0, f64::max))
-    }
-
-    /// Points `[depth, s]` \[mm, 1\].
-    pub fn points(&self) -> &[[f64; 2]] {
-        &self.points
-    }
-}
-
-/// Straight lines between points in order of depth, constant beyond the ends; `None` without points.
-pub(super) fn interpolate(points: &[[f64; 2]], depth: f64) -> Option<f64> {
-    let right = points.partition_point(|point| point[0] <= depth);
-    match (right.checked_sub(1).and_then(|k| points.get(k)), points.get(right)) {
-        (Some([z0, s0]), Some([z1, s1])) => Some(s0 + (s1 - s0) * ((depth - z0) / (z1 - z0))),
-        (Some([_, s]), None) | (None, Some([_, s])) => Some(*s),
-        (None, None) => None,
-    }
-}
-
 impl OverDepth {
     /// Its key beside those of a hardening law.
     pub const KEY: &'static str = "over_depth";
@@ -168,7 +135,7 @@ impl OverDepth {
             Self::Hardness(hardness) => hardness.profile.iter().copied().map(from_hardness).collect(),
             Self::Case(case) => case.sampled().map(from_hardness).collect(),
         };
-        StrengthProfile { points }
+        StrengthProfile::new(points)
     }
 
     /// How the yield stress was found, where it was not given.

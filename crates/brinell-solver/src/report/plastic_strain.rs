@@ -1,6 +1,7 @@
 //! The largest plastic strain: whether it has a limit, and whether the curve of the material tells how large it is.
 
-use crate::job::{Deformable, Hardening, HardeningLaw, Job, Load, Material, TargetFigure};
+use crate::job::{Deformable, Hardening, Job, Load, Material, TargetFigure};
+use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
 /// Plastic strain below which a bilinear curve says little of a real material.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::units::rounded;
 use crate::analytical::von_mises;
 use crate::fem::assembly::GaussPoint;
-use crate::job::{HardeningLaw, Job, Material, OverDepth};
+use crate::job::{Job, Material, OverDepth};
+use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
 /// Ratio of strengths within one element beyond which the mesh is called coarse for it.

@@ -4,7 +4,8 @@ use super::SubsurfaceReport;
 use super::units::UnitConverter;
 use crate::analytical::Stress;
 use crate::fem::mesh::SurfaceFrame;
-use crate::job::{HardeningLaw, Quantity};
+use crate::job::Quantity;
+use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution, recovered, recovered_at_rest};
 
 /// Spacings from the middle of the contact within which the peak pressure is on the same normal.

@@ -153,6 +153,10 @@ pub fn load(
     force: &[[f64; 2]],
     max_iterations: usize,
 ) -> Loaded {
-    let model = Arc::new(DeformationPlasticity::new(material, out_of_plane(stress_state)));
+    let model = Arc::new(DeformationPlasticity::with_law(
+        ElasticModuli::from(material.elastic()),
+        material.hardening_law(),
+        out_of_plane(stress_state),
+    ));
     Specimen::new(mesh, stress_state, model, held).load(force, max_iterations)
 }

@@ -49,7 +49,13 @@ fn impurities(source: &str) -> Vec<String> {
 #[test]
 fn the_solver_and_its_factorization_are_pure() {
     let mut files = Vec::new();
-    for root in ["src", "../brinell-contact/src", "../brinell-halfspace/src", "../sparse-cholesky/src"] {
+    for root in [
+        "src",
+        "../brinell-contact/src",
+        "../brinell-halfspace/src",
+        "../brinell-material/src",
+        "../sparse-cholesky/src",
+    ] {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(root), &mut files);
     }
     assert!(files.len() > 50, "the sources have not been found");

@@ -6,6 +6,7 @@ use super::interpolation::{MonotoneCubic, Polyline};
 use super::zone::Corner;
 use super::{MeshError, ROUNDING};
 use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
+use crate::material::Depth;
 
 /// Surface, width and depth of a body in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,6 +109,12 @@ fn edges(half_width: f64, is_rounded: bool) -> [Corner; 2] {
         slopes,
         is_rounded,
     })
+}
+
+impl Depth for Outline {
+    fn depth_below(&self, position: [f64; 2]) -> f64 {
+        self.foot(position).0
+    }
 }
 
 impl Outline {
@@ -415,11 +422,6 @@ impl Outline {
     /// Depth of the far boundary below the origin \[mm\].
     pub fn depth(&self) -> f64 {
         self.depth
-    }
-
-    /// Distance of a point `[x, y]` from the surface, positive below it \[mm\].
-    pub fn depth_below(&self, position: [f64; 2]) -> f64 {
-        self.foot(position).0
     }
 
     /// Distance from the surface as in [`Self::depth_below`], and the unit vector along its outward normal there.

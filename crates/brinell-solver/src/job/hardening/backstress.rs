@@ -3,6 +3,7 @@
 use crate::job::fields::{Field, read_record, record};
 use crate::job::reader::Cursor;
 use crate::job::{NonNegativeF64, PositiveF64, Quantity, Units};
+use crate::material;
 
 record! {
     /// One term of the backstress X, with dX = 2/3 C dε_p - γ X dp: Prager's law where γ is zero, Armstrong and
@@ -13,6 +14,12 @@ record! {
         pub modulus: PositiveF64 = Field::quantity(Quantity::Modulus).label("Modulus", "C").example(20_000.0),
         /// Rate of recovery γ.
         pub rate: NonNegativeF64 = Field::pure(0.0..=1e6).label("Rate", "γ").example(100.0),
+    }
+}
+
+impl From<&BackstressTerm> for material::BackstressTerm {
+    fn from(term: &BackstressTerm) -> Self {
+        Self { modulus: term.modulus.get(), rate: term.rate.get() }
     }
 }
 

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Curve, HardeningLaw};
+use super::Curve;
 use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{FieldError, NonNegativeF64, PositiveF64, Quantity};
+use crate::material::{HardeningLaw, hardening};
 
 record! {
     /// A straight line beyond the yield stress.
@@ -27,33 +28,6 @@ fn rules(known: &Known) -> Vec<FieldError> {
 impl Curve for Bilinear {
     fn law(&self, young_modulus: f64) -> Arc<dyn HardeningLaw> {
         let (yield_stress, slope) = (self.yield_stress.get(), self.tangent_modulus.get());
-        Arc::new(StraightLine { yield_stress, plastic_modulus: slope / (1.0 - slope / young_modulus) })
-    }
-}
-
-/// `q = σ_y + H ε_p` with the plastic modulus `H = E_t / (1 - E_t/E)`.
-#[derive(Debug)]
-struct StraightLine {
-    /// σ_y \[MPa\].
-    yield_stress: f64,
-    /// H \[MPa\].
-    plastic_modulus: f64,
-}
-
-impl HardeningLaw for StraightLine {
-    fn yield_stress(&self) -> f64 {
-        self.yield_stress
-    }
-
-    fn stress(&self, plastic_strain: f64) -> f64 {
-        self.yield_stress + self.plastic_modulus * plastic_strain
-    }
-
-    fn slope(&self, _plastic_strain: f64) -> f64 {
-        self.plastic_modulus
-    }
-
-    fn polyline(&self) -> Option<Vec<[f64; 2]>> {
-        Some(vec![[0.0, self.yield_stress]])
+        Arc::new(hardening::StraightLine::of_tangent(yield_stress, slope, young_modulus))
     }
 }

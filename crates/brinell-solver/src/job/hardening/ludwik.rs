@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Curve, HardeningLaw, STRAIN_EXPONENT};
+use super::{Curve, STRAIN_EXPONENT};
 use crate::job::fields::{Field, record};
 use crate::job::{PositiveF64, Quantity};
+use crate::material::{HardeningLaw, hardening};
 
 record! {
     /// q = σ_y + k ε_p^n.
@@ -22,35 +23,10 @@ record! {
 
 impl Curve for Ludwik {
     fn law(&self, _: f64) -> Arc<dyn HardeningLaw> {
-        Arc::new(self.clone())
-    }
-}
-
-/// # Reference
-/// P. Ludwik, *Elemente der technologischen Mechanik* (1909).
-impl HardeningLaw for Ludwik {
-    fn yield_stress(&self) -> f64 {
-        self.yield_stress.get()
-    }
-
-    fn stress(&self, plastic_strain: f64) -> f64 {
-        self.yield_stress.get() + self.coefficient.get() * plastic_strain.powf(self.exponent.get())
-    }
-
-    /// Infinite at zero plastic strain unless `n = 1`.
-    fn slope(&self, plastic_strain: f64) -> f64 {
-        self.stress_and_slope(plastic_strain).1
-    }
-
-    fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
-        let hardening = self.coefficient.get() * plastic_strain.powf(self.exponent.get());
-        let slope = if plastic_strain > 0.0 {
-            self.exponent.get() * hardening / plastic_strain
-        } else if self.exponent.get() < 1.0 {
-            f64::INFINITY
-        } else {
-            self.coefficient.get()
-        };
-        (self.yield_stress.get() + hardening, slope)
+        Arc::new(hardening::Ludwik {
+            yield_stress: self.yield_stress.get(),
+            coefficient: self.coefficient.get(),
+            exponent: self.exponent.get(),
+        })
     }
 }

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Curve, HardeningLaw, STRAIN_EXPONENT};
+use super::{Curve, STRAIN_EXPONENT};
 use crate::job::fields::{Field, record};
 use crate::job::{PositiveF64, Quantity};
+use crate::material::{HardeningLaw, hardening};
 
 record! {
     /// q = σ_y (1 + ε_p/ε_0)^n.
@@ -22,27 +23,10 @@ record! {
 
 impl Curve for Swift {
     fn law(&self, _: f64) -> Arc<dyn HardeningLaw> {
-        Arc::new(self.clone())
-    }
-}
-
-/// # Reference
-/// H. W. Swift, *Plastic instability under plane stress*, J. Mech. Phys. Solids 1 (1952) 1–18.
-impl HardeningLaw for Swift {
-    fn yield_stress(&self) -> f64 {
-        self.yield_stress.get()
-    }
-
-    fn stress(&self, plastic_strain: f64) -> f64 {
-        self.yield_stress.get() * (1.0 + plastic_strain / self.strain_offset.get()).powf(self.exponent.get())
-    }
-
-    fn slope(&self, plastic_strain: f64) -> f64 {
-        self.stress_and_slope(plastic_strain).1
-    }
-
-    fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
-        let stress = self.stress(plastic_strain);
-        (stress, self.exponent.get() * stress / (self.strain_offset.get() + plastic_strain))
+        Arc::new(hardening::Swift {
+            yield_stress: self.yield_stress.get(),
+            strain_offset: self.strain_offset.get(),
+            exponent: self.exponent.get(),
+        })
     }
 }

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Curve, HardeningLaw};
+use super::Curve;
 use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{FieldError, PositiveF64, Quantity};
+use crate::material::{HardeningLaw, hardening};
 
 record! {
     /// q = σ_y + (σ_s − σ_y) (1 − exp(−b ε_p)).
@@ -28,35 +29,10 @@ fn rules(known: &Known) -> Vec<FieldError> {
 
 impl Curve for Voce {
     fn law(&self, _: f64) -> Arc<dyn HardeningLaw> {
-        Arc::new(self.clone())
-    }
-}
-
-/// # Reference
-/// E. Voce, *The relationship between stress and strain for homogeneous deformation*, J. Inst. Metals 74 (1948)
-/// 537–562.
-impl HardeningLaw for Voce {
-    fn yield_stress(&self) -> f64 {
-        self.yield_stress.get()
-    }
-
-    /// Halfway to saturation.
-    fn flow_stress(&self) -> f64 {
-        0.5 * (self.yield_stress.get() + self.saturation_stress.get())
-    }
-
-    fn stress(&self, plastic_strain: f64) -> f64 {
-        self.stress_and_slope(plastic_strain).0
-    }
-
-    fn slope(&self, plastic_strain: f64) -> f64 {
-        self.stress_and_slope(plastic_strain).1
-    }
-
-    fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
-        // Without cancellation at small strains, however high the saturation stress.
-        let range = self.saturation_stress.get() - self.yield_stress.get();
-        let gained = -(-self.rate.get() * plastic_strain).exp_m1();
-        (self.yield_stress.get() + range * gained, self.rate.get() * range * (1.0 - gained))
+        Arc::new(hardening::Voce {
+            yield_stress: self.yield_stress.get(),
+            saturation_stress: self.saturation_stress.get(),
+            rate: self.rate.get(),
+        })
     }
 }

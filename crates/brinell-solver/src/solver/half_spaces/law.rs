@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use brinell_halfspace::{Layers, PlasticLaw};
 
-use crate::job::{Deformable, HardeningLaw, Theory};
+use crate::job::{Deformable, Theory};
 use crate::material::{
-    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, OutOfPlane, ReturnMapping, scaled,
+    BackstressTerm, ElasticModuli, FlowPlasticity, Flowing, HardeningLaw, OutOfPlane, ReturnMapping, scaled,
 };
 
 /// The law of a material in cells, if it can yield. Its strength is that of the middle of each layer.

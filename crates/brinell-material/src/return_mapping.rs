@@ -202,25 +202,19 @@ fn along(corners: &[[f64; 2]], strain: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
-    use crate::job::{Hardening, Ludwik, PositiveF64, RambergOsgood};
+    use crate::hardening::tests::{TRIPLE_SHEAR, YOUNG, laws};
+    use crate::hardening::{Ludwik, RambergOsgood};
 
     fn mapping(law: Arc<dyn HardeningLaw>) -> ReturnMapping {
         ReturnMapping::new(law, TRIPLE_SHEAR / 3.0)
     }
 
-    fn positive(value: f64) -> PositiveF64 {
-        PositiveF64::new(value).unwrap()
-    }
-
     fn ramberg_osgood(exponent: f64) -> Arc<dyn HardeningLaw> {
-        let (reference_stress, offset, exponent) = (positive(500.0), positive(0.3), positive(exponent));
-        Hardening::RambergOsgood(RambergOsgood { reference_stress, offset, exponent }).curve(YOUNG)
+        Arc::new(RambergOsgood::of_offset(500.0, 0.3, exponent, YOUNG))
     }
 
     fn ludwik(exponent: f64) -> Arc<dyn HardeningLaw> {
-        let (yield_stress, coefficient, exponent) = (positive(500.0), positive(300.0), positive(exponent));
-        Hardening::Ludwik(Ludwik { yield_stress, coefficient, exponent }).curve(YOUNG)
+        Arc::new(Ludwik { yield_stress: 500.0, coefficient: 300.0, exponent })
     }
 
     #[test]

@@ -68,8 +68,8 @@ mod tests {
     use nalgebra::Matrix4;
 
     use super::*;
-    use crate::material::ConstitutiveModel;
-    use crate::material::deformation::tests::law;
+    use crate::ConstitutiveModel;
+    use crate::deformation::tests::law;
 
     /// The elastic moduli, condensed in plane stress.
     fn elastic(out_of_plane: OutOfPlane) -> Moduli {

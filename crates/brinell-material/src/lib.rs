@@ -1,32 +1,35 @@
-//! Constitutive models: stress from strain and from what a point has been through.
+//! Elasto-plastic materials: stress from strain and from what a point has been through, and closed forms of contact mechanics.
 //!
 //! - [`ConstitutiveModel`] is what the solver asks: a stress update, a tangent, and the state that goes with them;
-//! - [`HardeningLaw`] is a uniaxial curve, one file each in `job/hardening`;
+//! - [`HardeningLaw`] is a uniaxial curve, one file each in [`hardening`];
 //! - [`ReturnMapping`] combines a curve with elasticity;
 //! - [`DeformationPlasticity`] is the model of the paper, which remembers nothing;
 //! - [`FlowPlasticity`] follows a history of loads, with isotropic and kinematic hardening;
 //! - [`Inhomogeneous`] makes another model out of one of these: with a strength that varies over depth, and a stress that
-//!   is there before any load.
+//!   is there before any load;
+//! - [`analytical`]: Hertz, McEwen, Hill, Prandtl, Persson and others, to compare with.
 
+pub mod analytical;
 mod deformation;
 mod flow;
+pub mod hardening;
 mod inhomogeneous;
 mod interpolant;
 mod model;
 mod moduli;
 mod return_mapping;
+mod strength;
 mod tangent;
 
-pub use crate::analytical::von_mises;
-pub use crate::job::{HardeningLaw, Inverse};
+pub use analytical::von_mises;
 pub use deformation::DeformationPlasticity;
-pub(crate) use flow::Flowing;
-pub use flow::{BackstressTerm, FlowPlasticity, FlowState};
-pub(crate) use inhomogeneous::scaled;
-pub use inhomogeneous::{DepthStrength, Inhomogeneous};
+pub use flow::{BackstressTerm, FlowPlasticity, FlowState, Flowing};
+pub use hardening::{HardeningLaw, Inverse};
+pub use inhomogeneous::{Inhomogeneous, scaled};
 pub use model::{ConstitutiveModel, PerPoint, PointOrigin, PointResponse};
 pub use moduli::{ElasticModuli, Moduli, ModuliReduction, OutOfPlane, ReferenceModuli};
 pub use return_mapping::ReturnMapping;
+pub use strength::{Depth, DepthStrength, StrengthProfile, interpolate};
 
 /// Equivalent strain `ε_q = √(2/3 e:e)` of a deviator `[e_xx, e_yy, e_zz, γ_xy]`.
 #[inline]
@@ -42,3 +45,8 @@ pub(crate) fn deviator(tensor: [f64; 4]) -> [f64; 4] {
     let mean = (x + y + z) / 3.0;
     [x - mean, y - mean, z - mean, g]
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -2,8 +2,6 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use crate::job::Elastic;
-
 /// A symmetric matrix over `[ε_xx, ε_yy, ε_zz, γ_xy]` \[MPa\].
 pub type Moduli = Matrix4<f64>;
 
@@ -33,12 +31,6 @@ pub struct ElasticModuli {
     pub bulk: f64,
     /// G \[MPa\].
     pub shear: f64,
-}
-
-impl From<&Elastic> for ElasticModuli {
-    fn from(elastic: &Elastic) -> Self {
-        Self { bulk: elastic.bulk_modulus(), shear: elastic.shear_modulus() }
-    }
 }
 
 impl ElasticModuli {

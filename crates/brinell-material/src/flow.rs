@@ -36,7 +36,6 @@ use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
     ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
 };
-use crate::job;
 
 /// Parts into which the plastic part of a strain path is divided, with backstress and without.
 const SUBSTEPS: [u32; 2] = [16, 6];
@@ -62,12 +61,6 @@ pub struct BackstressTerm {
     pub modulus: f64,
     /// γ.
     pub rate: f64,
-}
-
-impl From<&job::BackstressTerm> for BackstressTerm {
-    fn from(term: &job::BackstressTerm) -> Self {
-        Self { modulus: term.modulus.get(), rate: term.rate.get() }
-    }
 }
 
 impl BackstressTerm {
@@ -129,7 +122,7 @@ impl<const N: usize> Default for FlowState<N> {
 
 /// The part of a state that plastic flow changes, while it does. Tensors have D components, three normal ones first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Flowing<const N: usize, const D: usize> {
+pub struct Flowing<const N: usize, const D: usize> {
     /// Stress deviator s \[MPa\].
     pub stress: [f64; D],
     /// Accumulated equivalent plastic strain p.
@@ -158,18 +151,18 @@ impl<const N: usize> FlowPlasticity<N> {
     }
 
     /// The curve beside the elastic moduli.
-    pub(crate) fn mapping(&self) -> &ReturnMapping {
+    pub fn mapping(&self) -> &ReturnMapping {
         &self.mapping
     }
 
     /// The energy that backstress stores \[MPa\]: `X = 2/3 C α`, and the energy is `C/3 α:α`.
-    pub(crate) fn backstress_energy<const D: usize>(&self, backstress: &[[f64; D]; N]) -> f64 {
+    pub fn backstress_energy<const D: usize>(&self, backstress: &[[f64; D]; N]) -> f64 {
         let terms = backstress.iter().zip(&self.backstress).filter(|(_, term)| term.modulus > 0.0);
         terms.map(|(x, term)| 0.75 * product(*x, *x) / term.modulus).sum()
     }
 
     /// Parts of a strain path.
-    pub(crate) fn substeps(&self) -> u32 {
+    pub fn substeps(&self) -> u32 {
         self.substeps
     }
 
@@ -202,7 +195,7 @@ impl<const N: usize> FlowPlasticity<N> {
     /// The end of a straight path of the stress deviator, elastic but for what flows on it, in so many parts; `None` where
     /// nothing does.
     #[inline]
-    pub(crate) fn flow_along<const D: usize>(
+    pub fn flow_along<const D: usize>(
         &self,
         mut now: Flowing<N, D>,
         step: [f64; D],

@@ -24,7 +24,6 @@ use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, ModuliReduction, OutOfPlane, PointResponse,
     ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
 };
-use crate::job::Deformable;
 
 /// Stress as a function of strain alone.
 #[derive(Debug, Clone)]
@@ -49,11 +48,6 @@ struct Secant {
 }
 
 impl DeformationPlasticity {
-    /// The law of a material; an elastic one if it has no hardening curve.
-    pub fn new(material: &Deformable, out_of_plane: OutOfPlane) -> Self {
-        Self::with_law(ElasticModuli::from(material.elastic()), material.hardening_law(), out_of_plane)
-    }
-
     /// The law of elastic moduli and a hardening curve, if there is one.
     pub fn with_law(
         elastic: ElasticModuli,
@@ -227,24 +221,15 @@ pub(super) fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
-    use crate::job::{Bilinear, Elastic, Hardening, NonNegativeF64, PoissonRatio, PositiveF64};
+    use crate::hardening::StraightLine;
+    use crate::hardening::tests::{STEEL, YOUNG};
 
     /// Steel with a straight hardening curve.
-    pub(in crate::material) fn steel() -> Deformable {
-        let positive = |value| PositiveF64::new(value).unwrap();
-        let elastic =
-            Elastic { young_modulus: positive(210_000.0), poisson_ratio: PoissonRatio::new(0.3).unwrap() };
-        let hardening = Hardening::Bilinear(Bilinear {
-            yield_stress: positive(500.0),
-            tangent_modulus: NonNegativeF64::new(10_500.0).unwrap(),
-        });
-        Deformable::new(elastic, Some(hardening)).unwrap()
-    }
-
-    pub(in crate::material) fn law(out_of_plane: OutOfPlane) -> DeformationPlasticity {
-        DeformationPlasticity::new(&steel(), out_of_plane)
+    pub(crate) fn law(out_of_plane: OutOfPlane) -> DeformationPlasticity {
+        let curve = StraightLine::of_tangent(500.0, 10_500.0, YOUNG);
+        DeformationPlasticity::with_law(STEEL, Some(Arc::new(curve)), out_of_plane)
     }
 
     #[test]

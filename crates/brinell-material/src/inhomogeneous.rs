@@ -19,30 +19,10 @@ use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, Inverse, ModuliReduction, OutOfPlane, PerPoint,
     PointOrigin, PointResponse, ReferenceModuli,
 };
-use crate::fem::mesh::Outline;
-use crate::job::StrengthProfile;
+use crate::DepthStrength;
 
 /// Strengths of neighbouring layers differ by this part at most; rounding is half of it.
 const LAYER_RATIO: f64 = 1e-3;
-
-/// Factors of the hardening curve in a body.
-#[derive(Debug, Clone)]
-pub struct DepthStrength {
-    profile: StrengthProfile,
-    outline: Outline,
-}
-
-impl DepthStrength {
-    /// Factors over the depth below a surface.
-    pub fn new(profile: StrengthProfile, outline: Outline) -> Self {
-        Self { profile, outline }
-    }
-
-    /// The factor at a place `[x, y]` of the body \[mm\].
-    pub fn factor(&self, position: [f64; 2]) -> f64 {
-        self.profile.factor(self.outline.depth_below(position))
-    }
-}
 
 /// A model for each layer of strength.
 #[derive(Debug)]
@@ -69,7 +49,7 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
         strength: Option<DepthStrength>,
         model: impl Fn(Option<Arc<dyn HardeningLaw>>) -> M,
     ) -> Self {
-        let (least, greatest) = strength.as_ref().map_or((1.0, 1.0), |strength| strength.profile.range());
+        let (least, greatest) = strength.as_ref().map_or((1.0, 1.0), DepthStrength::range);
         let last = ((greatest / least).ln() / LAYER_RATIO.ln_1p()).ceil().min(f64::from(u16::MAX));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2^16")]
         let last = last as u16;
@@ -88,7 +68,7 @@ impl<M: ConstitutiveModel> Inhomogeneous<M> {
 
     fn layer_at(&self, position: [f64; 2]) -> u16 {
         let Some(strength) = self.strength.as_ref().filter(|_| self.layers.len() > 1) else { return 0 };
-        let (least, greatest) = strength.profile.range();
+        let (least, greatest) = strength.range();
         let part = (strength.factor(position) / least).ln() / (greatest / least).ln();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 2^16")]
         let layer = (part * (self.layers.len() - 1) as f64).round() as u16;
@@ -197,7 +177,7 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
 }
 
 /// A hardening law with its stresses multiplied by a factor.
-pub(crate) fn scaled(law: &Arc<dyn HardeningLaw>, factor: f64) -> Arc<dyn HardeningLaw> {
+pub fn scaled(law: &Arc<dyn HardeningLaw>, factor: f64) -> Arc<dyn HardeningLaw> {
     let law = Arc::clone(law);
     if factor.to_bits() == 1f64.to_bits() { law } else { Arc::new(Scaled { law, factor }) }
 }
@@ -253,23 +233,29 @@ impl HardeningLaw for Scaled {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::hardening::tests::materials;
-    use crate::job::{Block, OverDepth, PositiveF64, Shape};
-    use crate::material::{DeformationPlasticity, FlowPlasticity, ReturnMapping};
+    use crate::hardening::tests::{STEEL, laws};
+    use crate::{DeformationPlasticity, Depth, FlowPlasticity, ReturnMapping, StrengthProfile};
+
+    /// Material below y = 0.
+    #[derive(Debug)]
+    struct Flat;
+
+    impl Depth for Flat {
+        fn depth_below(&self, [_, y]: [f64; 2]) -> f64 {
+            -y
+        }
+    }
 
     fn strength(points: &[[f64; 2]]) -> DepthStrength {
-        let mm = |value| PositiveF64::new(value).unwrap();
-        let outline = Outline::of(&Shape::Block(Block { width: mm(10.0), depth: mm(10.0) }));
-        DepthStrength::new(OverDepth::Factors(points.to_vec()).profile(1.0), outline)
+        DepthStrength::new(StrengthProfile::new(points.to_vec()), Flat)
     }
 
     const STRAIN: [f64; 4] = [6e-3, -4e-3, 1e-3, 5e-3];
 
     #[test]
     fn each_depth_has_its_own_curve_under_every_law_and_theory() {
-        for material in materials() {
-            let elastic = ElasticModuli::from(material.elastic());
-            let law = material.hardening_law();
+        for law in laws() {
+            let (elastic, law) = (STEEL, Some(law));
             for oop in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
                 let deformation = |law| DeformationPlasticity::with_law(elastic, law, oop);
                 let flow = |law: Option<Arc<dyn HardeningLaw>>| {
@@ -289,7 +275,7 @@ mod tests {
                     for found in found {
                         for (a, b) in found.stress.iter().zip(expected.stress) {
                             // Half of a layer.
-                            assert!((a - b).abs() < 5e-4 * 1.7 * 900.0, "{material:?} {depth}: {a} {b}");
+                            assert!((a - b).abs() < 5e-4 * 1.7 * 900.0, "{law:?} {depth}: {a} {b}");
                         }
                     }
                 }
@@ -300,12 +286,10 @@ mod tests {
     /// Points of different layers in one element load it as they do one by one.
     #[test]
     fn an_element_across_layers_is_loaded_point_by_point() {
-        let material = &materials()[0];
-        let elastic = ElasticModuli::from(material.elastic());
-        let model =
-            Inhomogeneous::new(material.hardening_law(), Some(strength(&[[0.0, 2.0], [1.0, 1.0]])), |law| {
-                DeformationPlasticity::with_law(elastic, law, OutOfPlane::Strained)
-            });
+        let (elastic, law) = (STEEL, Some(Arc::clone(&laws()[0])));
+        let model = Inhomogeneous::new(law, Some(strength(&[[0.0, 2.0], [1.0, 1.0]])), |law| {
+            DeformationPlasticity::with_law(elastic, law, OutOfPlane::Strained)
+        });
         let initial_stress = [-150.0, 30.0, -80.0, 20.0];
         let states = [0.1, 0.4, 0.45, 0.9]
             .map(|depth| model.at_rest(&PointOrigin { position: [0.0, -depth], initial_stress }));
@@ -333,8 +317,7 @@ mod tests {
 
     #[test]
     fn stress_before_any_load_is_there_without_strain() {
-        let elastic = ElasticModuli::from(materials()[0].elastic());
-        let law = materials()[0].hardening_law();
+        let (elastic, law) = (STEEL, Some(Arc::clone(&laws()[0])));
         for oop in [OutOfPlane::Strained, OutOfPlane::PlaneStress] {
             let initial_stress = [-150.0, 30.0, if oop == OutOfPlane::Strained { -80.0 } else { 0.0 }, 20.0];
             let model = Inhomogeneous::new(law.clone(), None, |law| {

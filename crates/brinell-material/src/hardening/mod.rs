@@ -1,0 +1,116 @@
+//! Uniaxial hardening laws: stress against plastic strain, one file each.
+//!
+//! A law knows nothing of shear: [`crate::ReturnMapping`] combines the two.
+
+mod ludwik;
+mod poly_line;
+mod ramberg_osgood;
+mod straight_line;
+mod swift;
+mod voce;
+
+use std::fmt::Debug;
+
+pub use ludwik::Ludwik;
+pub use poly_line::PolyLine;
+pub use ramberg_osgood::RambergOsgood;
+pub use straight_line::StraightLine;
+pub use swift::Swift;
+pub use voce::Voce;
+
+/// A uniaxial curve `q(ε_p)` of stress \[MPa\] against plastic strain, rising and concave.
+pub trait HardeningLaw: Debug + Send + Sync {
+    /// Stress up to which the response is elastic \[MPa\]; 0 where plastic strain begins at once.
+    fn yield_stress(&self) -> f64;
+
+    /// q at a plastic strain `>= 0` \[MPa\].
+    fn stress(&self, plastic_strain: f64) -> f64;
+
+    /// `dq/dε_p` \[MPa\]; may be infinite at zero.
+    fn slope(&self, plastic_strain: f64) -> f64;
+
+    /// Both at once, for laws that share work between them.
+    fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
+        (self.stress(plastic_strain), self.slope(plastic_strain))
+    }
+
+    /// `ε_p(q)` for a law that is given that way round; `None` for all others.
+    fn inverse(&self, _stress: f64) -> Option<Inverse> {
+        None
+    }
+
+    /// The corners `[ε_p, q]` of a piecewise linear law, the first at zero plastic strain; beyond the last it has the slope
+    /// there. `None` for a curved law.
+    fn polyline(&self) -> Option<Vec<[f64; 2]>> {
+        None
+    }
+
+    /// Stress above which a point counts as yielded \[MPa\]: the yield stress or, for a curve without an elastic limit,
+    /// what convention says.
+    fn nominal_yield_stress(&self) -> f64 {
+        self.yield_stress()
+    }
+
+    /// A stress at which the material flows noticeably \[MPa\]; contacts are sized by it before anything is solved.
+    fn flow_stress(&self) -> f64 {
+        1.2 * self.yield_stress()
+    }
+
+    /// Whether a point in this state counts as yielded: where plastic strain has begun or, for a curve without an elastic
+    /// limit, above the nominal yield stress.
+    fn has_yielded(&self, stress: f64, plastic_strain: f64) -> bool {
+        plastic_strain > 0.0 && (self.yield_stress() > 0.0 || stress > self.nominal_yield_stress())
+    }
+}
+
+/// Plastic strain at a stress.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inverse {
+    /// ε_p.
+    pub plastic_strain: f64,
+    /// `dε_p/dq` \[1/MPa\].
+    pub slope: f64,
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::ElasticModuli;
+
+    pub(crate) const YOUNG: f64 = 210_000.0;
+    pub(crate) const TRIPLE_SHEAR: f64 = 3.0 * YOUNG / 2.6;
+    pub(crate) const STEEL: ElasticModuli = ElasticModuli { bulk: 175_000.0, shear: TRIPLE_SHEAR / 3.0 };
+
+    /// Every law, two of one.
+    pub(crate) fn laws() -> Vec<Arc<dyn HardeningLaw>> {
+        let yield_stress = 500.0;
+        let points = vec![[0.0, 400.0], [1e-3, 520.0], [0.01, 600.0], [0.1, 640.0]];
+        vec![
+            Arc::new(StraightLine::of_tangent(yield_stress, 10_500.0, YOUNG)),
+            Arc::new(StraightLine { yield_stress, plastic_modulus: 0.0 }),
+            Arc::new(RambergOsgood::of_offset(500.0, 0.3, 5.0, YOUNG)),
+            Arc::new(PolyLine { points }),
+            Arc::new(Swift { yield_stress, strain_offset: 2e-3, exponent: 0.15 }),
+            Arc::new(Ludwik { yield_stress, coefficient: 700.0, exponent: 0.4 }),
+            Arc::new(Voce { yield_stress, saturation_stress: 800.0, rate: 30.0 }),
+        ]
+    }
+
+    #[test]
+    fn slopes_are_derivatives_and_inverses_are_inverse() {
+        for law in laws() {
+            for p in [2e-4, 5e-3, 0.05, 2.0] {
+                let step = 1e-6 * p;
+                let derivative = (law.stress(p + step) - law.stress(p - step)) / (2.0 * step);
+                assert!((law.slope(p) - derivative).abs() < 1e-5 * derivative.max(1.0), "{law:?} at {p}");
+                assert_eq!(law.stress_and_slope(p), (law.stress(p), law.slope(p)));
+                if let Some(inverse) = law.inverse(law.stress(p)) {
+                    assert!((inverse.plastic_strain - p).abs() < 1e-12 * p);
+                    assert!((inverse.slope * law.slope(p) - 1.0).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}
