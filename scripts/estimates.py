@@ -47,8 +47,27 @@ SHAPES = [{"type": "parabola", "radius": 15.0, "width": 20.0, "depth": 20.0}, {"
           {"type": "punch", "width": 6.0, "edge_radius": 0.5, "depth": 10.0}]
 
 
+def three_dimensional():
+    """A ball on a half-space that yields where Hertz's peak pressure is some times the yield stress. Not every one is a valid job."""
+    radius, strength, ratio = random.uniform(2, 20), random.uniform(300, 1500), random.uniform(1, 6)
+    rigid, flow, count = random.random() < 0.5, random.random() < 0.3, random.randint(2, 6)
+    steel = {"young_modulus": 210000.0, "poisson_ratio": 0.3}
+    modulus = 210000 / 0.91 / (1 if rigid else 2)
+    force = (ratio * strength) ** 3 * 31.0 * radius**2 / (6 * modulus**2)
+    steps = [{"force": force * (step + 1) / count} for step in range(count)]
+    made = {"analysis": "three_dimensional", "upper": {"shape": {"type": "sphere", "radius": radius}, "material": {"rigid": True} if rigid else steel},
+            "lower": {"shape": {"type": "flat"}, "material": {**steel, "plasticity": {"law": "bilinear", "yield_stress": strength, "tangent_modulus": random.choice([0.0, 5000.0, 50000.0])}}},
+            "load": {"history": [*steps, {"force": 0.0}]} if flow else random.choice([{"force": force}, {"forces": [step["force"] for step in steps]}]),
+            "mesh": {"elements_per_half_width": random.choice([4, 6, 8, 12])}, "output": {"fields": random.random() < 0.5, "subsurface": True}}
+    if flow:
+        made["solver"] = {"theory": "flow"}
+    return f"ball at {ratio:.1f} yield stresses{' flow' * flow} {count}{' fields' * made['output']['fields']}", made
+
+
 def generated():
     """An example with another shape, load, mesh, coupling, theory and output. Not every one is a valid job."""
+    if random.random() < 0.15:
+        return three_dimensional()
     name, example = random.choice(list(EXAMPLES.items()))
     made = json.loads(json.dumps(example))
     force = random.uniform(0.5, 1.5) * (example["load"].get("force") or example["load"].get("forces", [2000.0])[-1])

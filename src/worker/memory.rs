@@ -48,7 +48,7 @@ impl JobMemory {
         }
         let [held, estimate, limit] = [held, estimate, limit].map(|bytes| bytes >> 20);
         Err(format!(
-            "the job takes {held} MiB for factors and increments, was estimated to need {estimate}, and the solvers \
+            "the job takes {held} MiB for bodies and increments, was estimated to need {estimate}, and the solvers \
              may take {limit} together"
         ))
     }

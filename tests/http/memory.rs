@@ -86,7 +86,7 @@ fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
         let id = service.target.submit(&greedy);
         let failed = service.target.wait_for(&id, &["failed"]);
         let detail = failed["error"]["detail"].as_str().unwrap();
-        assert!(detail.contains("MiB for factors and increments"), "{detail}");
+        assert!(detail.contains("MiB for bodies and increments"), "{detail}");
         service.target.get(&format!("{id}/result")).problem(409, "no-result");
     }
     let mut small = job("understated");
