@@ -8,6 +8,7 @@ COPY Cargo.toml Cargo.lock ./
 COPY crates/brinell-contact/Cargo.toml crates/brinell-contact/
 COPY crates/brinell-halfspace/Cargo.toml crates/brinell-halfspace/
 COPY crates/brinell-material/Cargo.toml crates/brinell-material/
+COPY crates/brinell-method/Cargo.toml crates/brinell-method/
 COPY crates/brinell-solver/Cargo.toml crates/brinell-solver/
 COPY crates/sparse-cholesky/Cargo.toml crates/sparse-cholesky/
 COPY tools/Cargo.toml tools/

@@ -8,6 +8,7 @@ use crate::fem::mesh::MeshError;
 use crate::solver::conforming::MAX_HALF_ANGLE;
 use crate::solver::method::force_search::Unreachable;
 use crate::solver::method::observer::Interrupt;
+use crate::solver::method::{self, Interrupted};
 use sparse_cholesky::FactorizationError;
 
 /// Why a job has no solution to report.
@@ -108,4 +109,26 @@ pub enum SolveError {
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),
+}
+
+impl From<method::Error> for SolveError {
+    fn from(error: method::Error) -> Self {
+        match error {
+            method::Error::Factorization(error) => Self::Factorization(error),
+            method::Error::Contact(error) => Self::Contact(error),
+            method::Error::NoLoad => Self::NoLoad,
+            method::Error::Unreachable(nearest) => Self::Unreachable(nearest),
+            method::Error::NoSecantStiffness => Self::NoSecantStiffness,
+            method::Error::Interrupted(interrupt) => Self::Interrupted(interrupt),
+        }
+    }
+}
+
+impl Interrupted for SolveError {
+    fn interrupt(&self) -> Option<Interrupt> {
+        match self {
+            Self::Interrupted(interrupt) => Some(*interrupt),
+            _ => None,
+        }
+    }
 }

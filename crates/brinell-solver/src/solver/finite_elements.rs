@@ -111,6 +111,7 @@ impl Engine for FiniteElements<'_> {
     type System = System;
     type Design = MeshDesign;
     type Answer = MeshSolve;
+    type Error = SolveError;
 
     fn build(
         &self,

@@ -19,13 +19,14 @@ mod load_stepping;
 mod loads;
 mod mesh_sizing;
 mod mesh_solve;
-pub(crate) mod method;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
 mod solution;
 mod strategy;
 mod surface_recovery;
+
+pub(crate) use brinell_method as method;
 
 pub use body_system::contact_patch::ContactPatch;
 pub use body_system::factor_cache::{FactorCache, FactorCacheStats};

@@ -8,11 +8,11 @@ use crate::fem::assembly::{
 };
 use crate::fem::mesh::Mesh;
 use crate::material::{ElasticModuli, ReferenceModuli};
-use crate::solver::SolveError;
 use crate::solver::body_system::elastic_body::ElasticBody;
 use crate::solver::body_system::factor_cache::PooledFactor;
 use crate::solver::body_system::plastic_search_region::{PlasticSearchRegion, nodes_of};
 use crate::solver::body_system::transfer::{NodalField, TransferredField};
+use crate::solver::method;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::GivenStress;
@@ -74,7 +74,7 @@ impl BodyModel {
         search_region: PlasticSearchRegion,
         previous: Option<NodalField<'_>>,
         run: &mut Run<'_>,
-    ) -> Result<(Self, Option<Vec<f64>>), SolveError> {
+    ) -> Result<(Self, Option<Vec<f64>>), method::Error> {
         let BodyMaterial { model, initial_stress } = material;
         let initial_stress = match initial_stress {
             Some(given) => {
@@ -110,7 +110,7 @@ impl BodyModel {
         &mut self,
         at: Option<(&[f64], ReferenceModuli)>,
         run: &mut Run<'_>,
-    ) -> Result<(), SolveError> {
+    ) -> Result<(), method::Error> {
         let ElasticBody { mesh, equations, .. } = &*self.elastic;
         let Some(points) = &mut self.plastic_region.points else { return Ok(()) };
         run.time(Phase::Plasticity, || match at {
@@ -129,7 +129,7 @@ impl BodyModel {
         &mut self,
         previous: NodalField<'_>,
         run: &mut Run<'_>,
-    ) -> Result<Vec<f64>, SolveError> {
+    ) -> Result<Vec<f64>, method::Error> {
         let Self { elastic, plastic_region, .. } = self;
         let transferred = run.time(Phase::Plasticity, || plastic_region.linearize_by(previous, elastic));
         self.factorize(run)?;
@@ -143,7 +143,7 @@ impl BodyModel {
         from: &[f64],
         change: NodalField<'_>,
         run: &mut Run<'_>,
-    ) -> Result<Vec<f64>, SolveError> {
+    ) -> Result<Vec<f64>, method::Error> {
         let Self { elastic, plastic_region, .. } = self;
         let after = run.time(Phase::Plasticity, || plastic_region.linearize_after(from, change, elastic));
         self.factorize(run)?;
@@ -156,7 +156,7 @@ impl BodyModel {
         plastic_region.extend(elastic, &**model, initial_stress.as_deref(), search_region, accepted);
     }
 
-    fn factorize(&mut self, run: &mut Run<'_>) -> Result<(), SolveError> {
+    fn factorize(&mut self, run: &mut Run<'_>) -> Result<(), method::Error> {
         let is_softened = self.plastic_region.is_softened();
         if is_softened || self.is_softened {
             let points = self.plastic_region.points.as_deref();

@@ -9,7 +9,7 @@ use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
 use crate::job::{Elastic, Support};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
-use crate::solver::{Observer, SolveError};
+use crate::solver::{Observer, SolveError, method};
 use sparse_cholesky::dense::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 
@@ -127,7 +127,7 @@ impl ElasticBody {
         factor: &mut Cholesky,
         points: Option<&dyn PlasticPoints>,
         run: &mut Run<'_>,
-    ) -> Result<SymmetricMatrix, SolveError> {
+    ) -> Result<SymmetricMatrix, method::Error> {
         let values = run.time(Phase::Assembly, || self.softened_by(points));
         run.checkpoint()?;
         run.time_observed(Phase::Numeric, |observer| refactor(factor, values, observer))?;
@@ -300,7 +300,7 @@ fn structure(
     mesh: &Mesh,
     restraint: &Restraint,
     run: &mut Run<'_>,
-) -> Result<(Arc<Equations>, Arc<SymbolicCholesky>), SolveError> {
+) -> Result<(Arc<Equations>, Arc<SymbolicCholesky>), method::Error> {
     let (equations, graph) = run.time(Phase::Ordering, || {
         let graph = Graph::from_cells(mesh.nodes.len(), &mesh.elements);
         let order = EliminationOrder::new(&graph, &mesh.lattice, &mesh.contact_nodes);
@@ -319,7 +319,7 @@ pub(crate) fn refactor(
     factor: &mut Cholesky,
     values: Vec<f64>,
     observer: &mut dyn Observer,
-) -> Result<(), SolveError> {
+) -> Result<(), method::Error> {
     let mut interrupt = None;
     let outcome = factor.refactor(values, &mut || match observer.on_checkpoint() {
         ControlFlow::Continue(()) => ControlFlow::Continue(()),
@@ -328,7 +328,7 @@ pub(crate) fn refactor(
             ControlFlow::Break(())
         }
     });
-    interrupt.map_or_else(|| Ok(outcome?), |interrupt| Err(SolveError::Interrupted(interrupt)))
+    interrupt.map_or_else(|| Ok(outcome?), |interrupt| Err(method::Error::Interrupted(interrupt)))
 }
 
 #[cfg(test)]

@@ -190,7 +190,13 @@ mod tests {
 
     fn prepare(radius: f64, cache: Option<&FactorCache>) -> Arc<ElasticBody> {
         let (solution, observer) = (&mut Solution::default(), &mut Unobserved);
-        preparation::prepare(key(radius), None, cache, &mut Run::new(solution, observer)).unwrap()
+        preparation::prepare(
+            key(radius),
+            None,
+            cache,
+            &mut Run::new(&mut solution.phases, &mut solution.passes, observer),
+        )
+        .unwrap()
     }
 
     #[test]

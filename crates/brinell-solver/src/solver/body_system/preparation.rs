@@ -49,7 +49,8 @@ mod tests {
     ) -> Arc<ElasticBody> {
         let (solution, observer) = (&mut Solution::default(), &mut Unobserved);
         let key = key(radius, young, support);
-        prepare(key, other, None, &mut Run::new(solution, observer)).unwrap()
+        prepare(key, other, None, &mut Run::new(&mut solution.phases, &mut solution.passes, observer))
+            .unwrap()
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::fem::assembly::StressField;
-use crate::solver::SolveError;
 use crate::solver::body_system::elastic_body::refactor;
 use crate::solver::body_system::system::{System, total_flexibility};
+use crate::solver::method;
 use crate::solver::method::contact_system::{ContactSystem as _, PlasticAnswer, Response, SecantStiffness};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
@@ -37,7 +37,7 @@ impl SecantStiffness for SecantBodies<'_> {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<Response, SolveError> {
+    ) -> Result<Response, method::Error> {
         let system = self.system;
         let mut parts: Vec<SymmetricMatrix> = Vec::with_capacity(system.bodies.len());
         for (k, body) in system.bodies.iter().enumerate() {
@@ -64,7 +64,7 @@ impl SecantStiffness for SecantBodies<'_> {
         Ok(Response { displacement, contact })
     }
 
-    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, SolveError> {
+    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, method::Error> {
         let system = self.system;
         let (mut plastic_points, mut squares) = (0, 0.0);
         self.fields.clear();
@@ -79,7 +79,7 @@ impl SecantStiffness for SecantBodies<'_> {
         Ok(PlasticAnswer { plastic_points, residual_norm: squares.sqrt() })
     }
 
-    fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, SolveError> {
+    fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, method::Error> {
         let bodies = &self.system.bodies;
         if self.factors.is_empty() {
             self.factors = bodies.iter().map(|body| Cholesky::empty(body.factor.symbolic())).collect();

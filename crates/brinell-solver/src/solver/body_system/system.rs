@@ -7,7 +7,6 @@ use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Refinement};
 use crate::material::ReferenceModuli;
-use crate::solver::SolveError;
 use crate::solver::body_system::axis;
 use crate::solver::body_system::body::{BodyMaterial, BodyModel};
 use crate::solver::body_system::elastic_body::BodyKey;
@@ -24,6 +23,7 @@ use crate::solver::method::observer::Held;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
+use crate::solver::{SolveError, method};
 use sparse_cholesky::Cholesky;
 use sparse_cholesky::dense::SymmetricMatrix;
 
@@ -154,7 +154,7 @@ impl System {
         &mut self,
         previous: &[NodalField<'_>],
         run: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError> {
+    ) -> Result<BlockVector, method::Error> {
         let transferred = self
             .bodies
             .iter_mut()
@@ -172,7 +172,7 @@ impl System {
         from: &BlockVector,
         change: &[NodalField<'_>],
         run: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError> {
+    ) -> Result<BlockVector, method::Error> {
         let mut after = Vec::with_capacity(self.bodies.len());
         for ((body, from), change) in self.bodies.iter_mut().zip(from).zip(change) {
             after.push(body.linearize_after(from, *change, run)?);
@@ -416,7 +416,7 @@ impl ContactSystem for System {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<Response, SolveError> {
+    ) -> Result<Response, method::Error> {
         let (forward, gap_opening) = run.time(Phase::Solves, || self.eliminate(loads));
         let contact = self.contact(&gap_opening, solver, load, start, run)?;
         let displacement = run.time(Phase::Solves, || self.substitute(forward, &contact.force));
@@ -499,7 +499,7 @@ impl Linearize for System {
         &mut self,
         at: Option<(&BlockVector, ReferenceModuli)>,
         run: &mut Run<'_>,
-    ) -> Result<(), SolveError> {
+    ) -> Result<(), method::Error> {
         for (k, body) in self.bodies.iter_mut().enumerate() {
             body.linearize(at.map(|(u, reference)| (u[k].as_slice(), reference)), run)?;
         }

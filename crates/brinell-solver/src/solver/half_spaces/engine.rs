@@ -270,6 +270,7 @@ impl Engine for HalfSpaceEngine<'_> {
     type System = HalfSpaces;
     type Design = GridDesign;
     type Answer = Answer;
+    type Error = SolveError;
 
     fn build(
         &self,

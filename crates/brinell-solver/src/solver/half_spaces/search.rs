@@ -104,6 +104,7 @@ impl ForceSearch<'_> {
 
 impl force_search::Sought for ForceSearch<'_> {
     type Step = HalfSpaceStep;
+    type Error = SolveError;
 
     fn trial(
         &self,

@@ -16,7 +16,7 @@ use brinell_halfspace::{
 
 use super::engine::GridDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::solver::SolveError;
+use crate::solver::method;
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
@@ -156,7 +156,7 @@ impl ContactSystem for HalfSpaces {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<Response, SolveError> {
+    ) -> Result<Response, method::Error> {
         let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
         let contact = self.contact(&gap_opening, solver, load, start, run)?;
         let pressure = self.pressure(&contact.force);

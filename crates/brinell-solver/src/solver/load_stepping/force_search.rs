@@ -277,6 +277,7 @@ impl ForceSearch<'_> {
 
 impl force_search::Sought for ForceSearch<'_> {
     type Step = StepSolution;
+    type Error = SolveError;
 
     fn trial(
         &self,

@@ -143,6 +143,7 @@ impl Engine for HistoryOnMesh<'_> {
     type System = System;
     type Design = MeshDesign;
     type Answer = MeshSolve;
+    type Error = SolveError;
 
     fn build(
         &self,
@@ -246,7 +247,7 @@ impl HistoryEngine for HistoryOnMesh<'_> {
             let fields = path.meshes.iter().zip(&change);
             let fields: Vec<_> =
                 fields.map(|(mesh, displacement)| NodalField { mesh, displacement }).collect();
-            return system.linearize_after(&start, &fields, run);
+            return Ok(system.linearize_after(&start, &fields, run)?);
         }
         let start = progress.extrapolated(start, target.magnitude(), leg);
         system.linearize(Some((&start, ReferenceModuli::Tangent)), run)?;

@@ -87,7 +87,7 @@ pub fn run_each(
     let (with_memory, cache) = (with_memory.as_ref(), options.cache);
     let sequence = LoadSequence { problem: &problem, with_memory, job, contact, cache };
     let mut solution = Solution::default();
-    let mut run = Run::new(&mut solution, observer);
+    let mut run = Run::new(&mut solution.phases, &mut solution.passes, observer);
     match loads(&job.load) {
         Loads::Given(loads) => solution.interrupted = sequence.solve(&loads, &mut run, receiver)?,
         Loads::Sought(sought) => {

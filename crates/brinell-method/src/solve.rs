@@ -6,15 +6,19 @@ use super::couplings::{self, Coupling};
 use super::observer::IterationRecord;
 use super::run::Run;
 use super::steps::CoarseFigures;
-use crate::contact::ContactLoad;
-use crate::solver::SolveError;
+use crate::{Error, Interrupted};
+use brinell_contact::ContactLoad;
 
 /// Bodies that become a [`ContactSystem`] once it is said how finely and how far around the contact.
-pub(crate) trait Engine {
+pub trait Engine {
+    /// The bodies in contact.
     type System: ContactSystem;
     /// How finely, and how far.
     type Design;
+    /// What the engine says of an outcome.
     type Answer: Answer<System = Self::System>;
+    /// Its errors, and those of the alternation.
+    type Error: From<Error> + Interrupted;
 
     /// Makes a system. Returns it with displacements to start from, if any are known.
     ///
@@ -26,7 +30,7 @@ pub(crate) trait Engine {
         &self,
         design: &mut Self::Design,
         run: &mut Run<'_>,
-    ) -> Result<(Self::System, Option<BlockVector>), SolveError>;
+    ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
     /// Prepares a system that another load has left for the loads to come.
     ///
@@ -37,7 +41,7 @@ pub(crate) trait Engine {
         design: &Self::Design,
         system: Self::System,
         run: &mut Run<'_>,
-    ) -> Result<(Self::System, Option<BlockVector>), SolveError>;
+    ) -> Result<(Self::System, Option<BlockVector>), Self::Error>;
 
     /// What becomes of an outcome under a load, after so many rounds of this load on this system. An outcome that was stopped
     /// is accepted.
@@ -51,26 +55,33 @@ pub(crate) trait Engine {
         outcome: Outcome,
         under: Round,
         run: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError>;
+    ) -> Result<VerdictOf<Self>, Self::Error>;
 }
 
 /// A load, and how often it has been continued on the same system.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Round {
+pub struct Round {
+    /// The load.
     pub load: ContactLoad,
+    /// How often it has been continued.
     pub number: usize,
 }
 
 /// An outcome on a system with all that the engine says of it.
-pub(crate) trait Answer {
+pub trait Answer {
+    /// The bodies in contact.
     type System: ContactSystem;
 
+    /// The bodies.
     fn system(&self) -> &Self::System;
 
+    /// How the iteration ended.
     fn outcome(&self) -> &Outcome;
 
+    /// The same, to be changed.
     fn outcome_mut(&mut self) -> &mut Outcome;
 
+    /// Both by themselves.
     fn into_parts(self) -> (Self::System, Outcome);
 
     /// Headline figures, those of no contact where nothing touches.
@@ -81,31 +92,41 @@ pub(crate) trait Answer {
 }
 
 /// What becomes of an outcome.
-pub(crate) enum Verdict<S, D, A> {
+pub enum Verdict<S, D, A> {
+    /// It is the answer.
     Accept(A),
     /// Plastic flow has been found where it was not looked for: from here on it is.
     Continue {
+        /// The same bodies.
         system: S,
+        /// Displacements to start from.
         start: Option<BlockVector>,
+        /// Records so far.
         history: Vec<IterationRecord>,
     },
     /// The contact does not fit: all loads again, by another design.
     Again(D),
 }
 
-pub(crate) type VerdictOf<E> = Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
+/// As an engine gives it.
+pub type VerdictOf<E> = Verdict<<E as Engine>::System, <E as Engine>::Design, <E as Engine>::Answer>;
 
 /// Why loads are left before their end.
-pub(crate) enum Leave<D> {
+pub enum Leave<D, E> {
+    /// The contact does not fit: all loads again, by another design.
     Again(Box<D>),
-    Failed(SolveError),
+    /// There is no answer.
+    Failed(E),
 }
 
-impl<D> From<SolveError> for Leave<D> {
-    fn from(error: SolveError) -> Self {
-        Self::Failed(error)
+impl<D, E: From<Error>> From<Error> for Leave<D, E> {
+    fn from(error: Error) -> Self {
+        Self::Failed(error.into())
     }
 }
+
+/// As an engine leaves them.
+pub type LeaveOf<E> = Leave<<E as Engine>::Design, <E as Engine>::Error>;
 
 /// Solves loads, on one system after another until one serves for all of them.
 ///
@@ -114,18 +135,13 @@ impl<D> From<SolveError> for Leave<D> {
 ///
 /// # Errors
 /// Those of the engine, of a contact solve and of `loads`.
-pub(crate) fn solve<E: Engine, T>(
+pub fn solve<E: Engine, T>(
     engine: &E,
     mut design: E::Design,
     mut known: Option<E::System>,
     run: &mut Run<'_>,
-    mut loads: impl FnMut(
-        &OnSystem<'_, E>,
-        E::System,
-        Option<BlockVector>,
-        &mut Run<'_>,
-    ) -> Result<T, Leave<E::Design>>,
-) -> Result<T, SolveError> {
+    mut loads: impl FnMut(&OnSystem<'_, E>, E::System, Option<BlockVector>, &mut Run<'_>) -> Result<T, LeaveOf<E>>,
+) -> Result<T, E::Error> {
     loop {
         let (system, start) = if let Some(system) = known.take() {
             engine.resume(&design, system, run)?
@@ -143,7 +159,7 @@ pub(crate) fn solve<E: Engine, T>(
 }
 
 /// Solves single loads on a system.
-pub(crate) struct OnSystem<'a, E: Engine> {
+pub struct OnSystem<'a, E: Engine> {
     engine: &'a E,
     design: &'a E::Design,
 }
@@ -160,12 +176,14 @@ impl<E: Engine> OnSystem<'_, E> {
         coupling: &dyn Coupling,
         controls: Controls<'_>,
         run: &mut Run<'_>,
-    ) -> Result<E::Answer, Leave<E::Design>> {
+    ) -> Result<E::Answer, LeaveOf<E>> {
         let mut initial = InitialState { displacement: start, ..InitialState::default() };
         let mut under = Round { load: controls.load, number: 0 };
         loop {
             let outcome = couplings::iterate(&mut system, coupling, controls, initial, run)?;
-            match self.engine.verdict(self.design, system, outcome, under, run)? {
+            let verdict =
+                self.engine.verdict(self.design, system, outcome, under, run).map_err(Leave::Failed)?;
+            match verdict {
                 Verdict::Accept(answer) => return Ok(answer),
                 Verdict::Continue { system: same, start, history } => {
                     system = same;

@@ -3,24 +3,25 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use crate::contact::{ContactError, ContactProblem, ContactSolution, ContactSolver};
-use crate::solver::method::observer::{Held, Interrupt, IterationRecord, Observer, ask};
-use crate::solver::method::phases::{Phase, PhaseTimes};
-use crate::solver::{Solution, SolveError};
+use crate::Error;
+use crate::observer::{Held, Interrupt, IterationRecord, Observer, ask};
+use crate::phases::{Phase, PhaseTimes};
+use brinell_contact::{ContactError, ContactProblem, ContactSolution, ContactSolver};
 
 /// A running solve.
-pub(crate) struct Run<'a> {
+pub struct Run<'a> {
     /// Time by phase.
     pub phases: &'a mut PhaseTimes,
     /// Meshes made.
     pub passes: &'a mut usize,
+    /// Who watches it and may stop it.
     pub observer: &'a mut dyn Observer,
 }
 
 impl<'a> Run<'a> {
-    /// A run whose work is booked in a solution.
-    pub fn new(solution: &'a mut Solution, observer: &'a mut dyn Observer) -> Self {
-        Self { phases: &mut solution.phases, passes: &mut solution.passes, observer }
+    /// A run whose time and meshes are booked there.
+    pub fn new(phases: &'a mut PhaseTimes, passes: &'a mut usize, observer: &'a mut dyn Observer) -> Self {
+        Self { phases, passes, observer }
     }
 
     /// The same run, lent to somebody who keeps it.
@@ -64,14 +65,20 @@ impl<'a> Run<'a> {
     }
 
     /// Asks the observer whether to stop, where there is nothing to report yet.
-    pub fn checkpoint(&mut self) -> Result<(), SolveError> {
-        ask(self.observer).map_err(SolveError::Interrupted)
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`].
+    pub fn checkpoint(&mut self) -> Result<(), Error> {
+        ask(self.observer).map_err(Error::Interrupted)
     }
 
     /// Tells the observer what a part of the solve is about to hold \[bytes\].
-    pub fn hold(&mut self, part: Held, bytes: usize) -> Result<(), SolveError> {
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`].
+    pub fn hold(&mut self, part: Held, bytes: usize) -> Result<(), Error> {
         let told = self.observer.on_held(part, bytes);
-        told.break_value().map_or(Ok(()), |interrupt| Err(SolveError::Interrupted(interrupt)))
+        told.break_value().map_or(Ok(()), |interrupt| Err(Error::Interrupted(interrupt)))
     }
 
     /// Shows an iteration to the observer.

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use sparse_cholesky::{dot, simd_dispatch};
 
 /// Steps that are combined at most.
-pub(crate) const DEPTH: usize = 7;
+pub const DEPTH: usize = 7;
 /// A residual that grows by more than this factor empties the memory.
 const RESTART_GROWTH: f64 = 2.0;
 /// Relative shift that keeps nearly dependent differences from blowing up the combination.
@@ -22,7 +22,7 @@ const REGULARIZATION: f64 = 1e-14;
 
 /// Memory of past steps, as differences of neighbouring ones.
 #[derive(Debug, Default)]
-pub(crate) struct Anderson {
+pub struct Anderson {
     last: Option<Step>,
     differences: VecDeque<Step>,
     /// `ΔF_iᵀ ΔF_j` of the residual differences, in the order of `differences`.

@@ -23,7 +23,7 @@ const LEAST_SLOPE: f64 = 0.05;
 /// What has been tried, as logarithms of the force and of the figure over its wanted value; minus infinity where the figure
 /// is still zero.
 #[derive(Debug, Clone)]
-pub(crate) struct Bracket {
+pub struct Bracket {
     /// Last trials with too small and with too large a figure.
     below: Option<[f64; 2]>,
     above: Option<[f64; 2]>,
@@ -39,7 +39,7 @@ pub(crate) struct Bracket {
 
 /// What to do next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Next {
+pub enum Next {
     /// Try this force.
     Force(f64),
     /// The figure is too small up to the largest force that can be solved.

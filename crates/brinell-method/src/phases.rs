@@ -37,7 +37,7 @@ pub struct PhaseTimes {
 
 impl PhaseTimes {
     /// Books time spent on one kind of work.
-    pub(crate) fn book(&mut self, phase: Phase, time: Duration) {
+    pub fn book(&mut self, phase: Phase, time: Duration) {
         self.spent[phase as usize] += time;
     }
 

@@ -2,16 +2,16 @@
 //! and condensed to a new flexibility in every iteration. The paper's rival method.
 
 use super::Coupling;
-use crate::solver::SolveError;
-use crate::solver::method::contact_system::{PlasticAnswer, Response};
-use crate::solver::method::couplings::iteration::{Iteration, Outcome, State};
-use crate::solver::method::observer::Interrupt;
+use crate::Error;
+use crate::contact_system::{PlasticAnswer, Response};
+use crate::couplings::iteration::{Iteration, Outcome, State};
+use crate::observer::Interrupt;
 
 /// The stiffness takes the secant moduli of each iterate.
-pub(crate) struct SecantStiffness;
+pub struct SecantStiffness;
 
 impl Coupling for SecantStiffness {
-    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error> {
         run(iteration)
     }
 
@@ -20,9 +20,9 @@ impl Coupling for SecantStiffness {
     }
 }
 
-fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
     let system = iteration.system;
-    let mut stiffness = system.secant_stiffness().ok_or(SolveError::NoSecantStiffness)?;
+    let mut stiffness = system.secant_stiffness().ok_or(Error::NoSecantStiffness)?;
     let mut previous: Option<Response> = None;
     loop {
         let state = iteration.secant_equilibrium(&*stiffness).and_then(|response| {
@@ -30,8 +30,8 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
             Ok((response, answer))
         });
         let (response, PlasticAnswer { plastic_points, residual_norm }) = match state {
-            Err(SolveError::Interrupted(interrupt)) => {
-                return stop(iteration, previous.ok_or(SolveError::Interrupted(interrupt))?, interrupt);
+            Err(Error::Interrupted(interrupt)) => {
+                return stop(iteration, previous.ok_or(Error::Interrupted(interrupt))?, interrupt);
             }
             state => state?,
         };
@@ -43,7 +43,7 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
         }
         // Factorized whole, as in the paper: the comparison is between methods, without partial refactorization.
         match stiffness.renew(&mut iteration.run) {
-            Err(SolveError::Interrupted(interrupt)) => return stop(iteration, response, interrupt),
+            Err(Error::Interrupted(interrupt)) => return stop(iteration, response, interrupt),
             renewed => iteration.count_factorizations(renewed?),
         }
         previous = Some(response);
@@ -51,7 +51,7 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
 }
 
 /// Ends with the iterations made so far.
-fn stop(iteration: Iteration<'_>, response: Response, interrupt: Interrupt) -> Result<Outcome, SolveError> {
+fn stop(iteration: Iteration<'_>, response: Response, interrupt: Interrupt) -> Result<Outcome, Error> {
     let loads = iteration.system.zeros();
     iteration.finish(State { response, loads, is_complete: true }, Some(interrupt.into()))
 }

@@ -8,13 +8,14 @@ use super::super::history;
 use super::super::observer::{Interrupt, IterationRecord, Observer};
 use super::super::steps::each_load;
 use super::*;
-use crate::contact::{ContactSolver, SimplexSolver, kkt, never};
-use crate::solver::{Solution, Unobserved};
+use crate::observer::Unobserved;
+use crate::phases::PhaseTimes;
+use brinell_contact::{ContactSolver, SimplexSolver, kkt, never};
 
 fn with_run<T>(observer: &mut dyn Observer, work: impl FnOnce(&mut Run<'_>) -> T) -> (T, usize) {
-    let mut solution = Solution::default();
-    let answer = work(&mut Run::new(&mut solution, observer));
-    (answer, solution.passes)
+    let (mut phases, mut passes) = (PhaseTimes::default(), 0);
+    let answer = work(&mut Run::new(&mut phases, &mut passes, observer));
+    (answer, passes)
 }
 
 /// One force from rest, and how many systems were made.
@@ -134,7 +135,7 @@ fn a_sweep_hands_over_each_load() {
     let mut steps = Vec::new();
     let (end, _) = with_run(&mut Unobserved, |run| {
         each_load(&loads, &mut steps, run, |load, _, run| {
-            Ok(springs.answer(load, run)?.step(load, LeastScales::default()))
+            Ok::<_, Error>(springs.answer(load, run)?.step(load, LeastScales::default()))
         })
     });
     assert_eq!(end, Ok(None));
@@ -215,5 +216,5 @@ fn bodies_without_a_stiffness_have_no_secant_moduli() {
     let (outcome, _) = with_run(&mut Unobserved, |run| {
         couplings::iterate(&mut system, &SecantStiffness, controls, InitialState::default(), run)
     });
-    assert_eq!(outcome.err(), Some(SolveError::NoSecantStiffness));
+    assert_eq!(outcome.err(), Some(Error::NoSecantStiffness));
 }

@@ -3,8 +3,8 @@
 use super::contact_system::ContactSystem;
 use super::couplings::iteration::Outcome;
 use super::observer::SolveStatus;
-use crate::contact::kkt::{self, ContactScales};
-use crate::contact::{ContactLoad, KktReport};
+use brinell_contact::kkt::{self, ContactScales};
+use brinell_contact::{ContactLoad, KktReport};
 
 /// The residual over whole bodies may exceed that of the iteration's active equations by rounding only.
 const RESIDUAL_SLACK: f64 = 1.5;
@@ -12,11 +12,11 @@ const RESIDUAL_SLACK: f64 = 1.5;
 const RESIDUAL_FLOOR: f64 = 1e-9;
 
 /// Plastic strain beyond which a state is the collapse of a body and no answer of a theory of small strains.
-pub(crate) const COLLAPSE_STRAIN: f64 = 1.0;
+pub const COLLAPSE_STRAIN: f64 = 1.0;
 
 /// What the checks of a step are relative to, at least: loads before it in a history may have been much larger.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct LeastScales {
+pub struct LeastScales {
     /// `‖R‖` \[N/mm\].
     pub residual: f64,
     /// Of the contact conditions.
@@ -24,7 +24,7 @@ pub(crate) struct LeastScales {
 }
 
 /// The quantities of the final state that are checked. Nothing that the iteration computed is reused.
-pub(crate) struct Evidence {
+pub struct Evidence {
     /// Initial gap and the displacements of both bodies that open it further, at each pair \[mm\].
     pub unloaded_gap: Vec<f64>,
     /// `‖∫Bᵀσ dV - R‖ / ‖R‖`.
@@ -51,7 +51,7 @@ impl Evidence {
 }
 
 /// How a solve has ended, and the contact conditions with the gap that the displacements leave, `δ0 + w_u + w_l - α`.
-pub(crate) fn judge(
+pub fn judge(
     system: &impl ContactSystem,
     outcome: &Outcome,
     evidence: &Evidence,

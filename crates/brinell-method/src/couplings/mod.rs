@@ -10,32 +10,32 @@
 //!
 //! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`.
 //!
-//! A coupling is one file with a type that implements [`Coupling`], and a line in `solver/strategy.rs`.
+//! A coupling is one file with a type that implements [`Coupling`], and a line in `strategy.rs` of the solver.
 
-pub(crate) mod anderson;
-pub(crate) mod iteration;
-pub(crate) mod newton;
+pub mod anderson;
+pub mod iteration;
+pub mod newton;
 mod secant;
 mod strong;
 mod weak;
 
 use iteration::{Controls, InitialState, Iteration, Outcome};
-pub(crate) use secant::SecantStiffness;
-pub(crate) use strong::{Accelerated, Strong};
-pub(crate) use weak::Weak;
+pub use secant::SecantStiffness;
+pub use strong::{Accelerated, Strong};
+pub use weak::Weak;
 
 use super::contact_system::ContactSystem;
 use super::run::Run;
-use crate::material::ReferenceModuli;
-use crate::solver::SolveError;
+use crate::Error;
+use brinell_material::ReferenceModuli;
 
 /// A way to alternate contact and plasticity.
-pub(crate) trait Coupling {
+pub trait Coupling {
     /// Iterates until the state is in equilibrium, or the iteration says that it ends.
     ///
     /// # Errors
     /// Those of a contact solve or a factorization.
-    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError>;
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error>;
 
     /// Whether the stiffness takes the tangent moduli of a known state, and takes them anew where the iteration stalls.
     fn uses_tangent_moduli(&self) -> bool {
@@ -54,13 +54,13 @@ pub(crate) trait Coupling {
 ///
 /// # Errors
 /// Those of a contact solve or a factorization.
-pub(crate) fn iterate(
+pub fn iterate(
     system: &mut dyn ContactSystem,
     coupling: &dyn Coupling,
     mut controls: Controls<'_>,
     initial: InitialState,
     run: &mut Run<'_>,
-) -> Result<Outcome, SolveError> {
+) -> Result<Outcome, Error> {
     controls.renewable = coupling.uses_tangent_moduli() && system.linearizable().is_some();
     let first = coupling.iterate(Iteration::new(&*system, controls, initial, run.reborrow()))?;
     let Some(system) = system.linearizable().filter(|_| first.stalled) else { return Ok(first) };
@@ -68,8 +68,8 @@ pub(crate) fn iterate(
     match system.linearize(Some(at), run) {
         Ok(()) => {}
         // The iterations made so far are kept.
-        Err(SolveError::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
-        Err(SolveError::Factorization(_)) => return newton::run(system, controls, first, run),
+        Err(Error::Interrupted(interrupt)) => return Ok(Outcome { status: interrupt.into(), ..first }),
+        Err(Error::Factorization(_)) => return newton::run(system, controls, first, run),
         Err(error) => return Err(error),
     }
     let Outcome { state, history, .. } = first;

@@ -1,6 +1,6 @@
 //! How a load of a history is divided into increments.
 
-use crate::contact::ContactLoad;
+use brinell_contact::ContactLoad;
 
 /// By how much the contact grows in one increment of the coarsest division, over what it grows to.
 const GROWTH: f64 = 0.12;
@@ -9,7 +9,7 @@ const UNKNOWN_ONSET: f64 = 0.05;
 
 /// The division of every load of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Division {
+pub enum Division {
     /// So many equal increments for each load.
     Fixed(u32),
     /// By the growth of the contact, which is halved from one level to the next.
@@ -18,6 +18,7 @@ pub(crate) enum Division {
 
 impl Division {
     /// The division to compare with, which has half as large increments.
+    #[must_use]
     pub fn finer(self) -> Self {
         match self {
             Self::Fixed(n) => Self::Fixed(2 * n),
@@ -39,7 +40,7 @@ pub struct LastIncrement {
 
 /// How a contact grows with its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Growth {
+pub struct Growth {
     /// Measure of the load at which plastic flow begins on the way up from rest, if that is known.
     pub onset: Option<f64>,
     /// Power of the half-width with which the measure grows.
@@ -48,7 +49,7 @@ pub(crate) struct Growth {
 
 /// One load of a history, in its own measure: force or approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Leg {
+pub struct Leg {
     /// Whether the measure is the force.
     pub is_force: bool,
     /// The measure where the leg begins.
@@ -57,6 +58,7 @@ pub(crate) struct Leg {
     pub to: f64,
     /// Largest measure that the history has reached so far.
     pub reached: f64,
+    /// How the contact grows on the way.
     pub growth: Growth,
 }
 
@@ -123,16 +125,18 @@ const MAX_HALVINGS: u32 = 5;
 
 /// The ends of the increments of a leg, which become more where one is divided.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct IncrementEnds {
+pub struct IncrementEnds {
     /// Measures, and how often their increments have been halved.
     ends: Vec<(f64, u32)>,
 }
 
 impl IncrementEnds {
+    /// Ends of the increments of a leg.
     pub fn of(leg: &Leg, division: Division) -> Self {
         Self { ends: leg.ends(division).into_iter().map(|end| (end, 0)).collect() }
     }
 
+    /// How many there are.
     pub fn count(&self) -> usize {
         self.ends.len()
     }

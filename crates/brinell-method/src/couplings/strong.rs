@@ -3,23 +3,23 @@
 use super::Coupling;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, Outcome, State};
-use crate::solver::SolveError;
-use crate::solver::method::phases::Phase;
+use crate::Error;
+use crate::phases::Phase;
 
 /// The paper's choice: the next loads are those that the plastic law answers with.
-pub(crate) struct Strong;
+pub struct Strong;
 
 /// Strong coupling with tangent moduli and Anderson acceleration.
-pub(crate) struct Accelerated;
+pub struct Accelerated;
 
 impl Coupling for Strong {
-    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error> {
         run(iteration, None)
     }
 }
 
 impl Coupling for Accelerated {
-    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error> {
         run(iteration, Some(Anderson::default()))
     }
 
@@ -34,7 +34,7 @@ impl Coupling for Accelerated {
 /// itself; with acceleration the next loads are the combination of past answers that Anderson's method chooses. The
 /// contact is solved inside the map, so that it is exact in every iteration. The residual that is combined is the one that decides convergence: the
 /// residual of the map is the true out-of-balance force.
-fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, SolveError> {
+fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, Error> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();
     loop {

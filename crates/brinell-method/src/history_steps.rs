@@ -6,7 +6,7 @@
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
 use super::steps::{CoarseFigures, Step, StepReceiver};
-use crate::solver::SolveError;
+use crate::Error;
 
 /// What the coarse mesh says of the errors of each step.
 pub(super) struct Estimates<'a> {
@@ -84,16 +84,16 @@ impl<'a, S: Step> HistorySteps<'a, S> {
 /// Of a job that is stopped: hands over what the coarse mesh has found of the loads from the number `done` on.
 ///
 /// # Errors
-/// [`SolveError::Interrupted`] where there is nothing to keep at all.
+/// [`Error::Interrupted`] where there is nothing to keep at all.
 pub(super) fn keep_preliminary<S: Step>(
     steps: Vec<S>,
     done: usize,
     interrupt: Interrupt,
     receiver: &mut dyn StepReceiver<S>,
     run: &mut Run<'_>,
-) -> Result<Interrupt, SolveError> {
+) -> Result<Interrupt, Error> {
     if steps.len().max(done) == 0 {
-        return Err(SolveError::Interrupted(interrupt));
+        return Err(Error::Interrupted(interrupt));
     }
     for mut step in steps.into_iter().skip(done) {
         step.set_status(interrupt.into());

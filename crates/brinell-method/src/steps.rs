@@ -4,8 +4,8 @@ use super::couplings::iteration::Outcome;
 use super::increments::LastIncrement;
 use super::observer::{Interrupt, Observer, SolveStatus};
 use super::run::Run;
-use crate::contact::ContactLoad;
-use crate::solver::SolveError;
+use crate::Interrupted;
+use brinell_contact::ContactLoad;
 
 /// Headline figures of a contact.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -40,7 +40,8 @@ pub struct IncrementRecord {
 }
 
 impl IncrementRecord {
-    pub(crate) fn of(figures: CoarseFigures, outcome: &Outcome) -> Self {
+    /// The record of an increment.
+    pub fn of(figures: CoarseFigures, outcome: &Outcome) -> Self {
         let CoarseFigures { force, approach, peak_pressure, half_width } = figures;
         Self {
             force,
@@ -55,18 +56,22 @@ impl IncrementRecord {
 }
 
 /// The end of a load of a history.
-pub(crate) struct LoadEnd {
+pub struct LoadEnd {
     /// What was asked for. Less of it was applied where a body has collapsed.
     pub load: ContactLoad,
+    /// The increment that reached it.
     pub last_increment: LastIncrement,
+    /// All increments of the load.
     pub increments: Vec<IncrementRecord>,
     /// Largest approach and half-width of the history so far \[mm\].
     pub reached: [f64; 2],
 }
 
 /// What an engine reports of a load.
-pub(crate) trait Step {
+pub trait Step {
+    /// How it ended.
     fn status(&self) -> SolveStatus;
+    /// Changes how it ended.
     fn set_status(&mut self, status: SolveStatus);
     /// Whether the contact is wider than what can be solved.
     fn reaches_edge(&self) -> bool;
@@ -106,13 +111,13 @@ impl<S> StepReceiver<S> for Vec<S> {
 /// Where the observer stops it, the steps that are done are kept, and the interrupt says why the others are missing.
 ///
 /// # Errors
-/// Those of `solve`; [`SolveError::Interrupted`] before the first step is done.
-pub(crate) fn each_load<S: Step>(
+/// Those of `solve`, which may be that it was stopped before the first step is done.
+pub fn each_load<S: Step, E: Interrupted>(
     loads: &[ContactLoad],
     receiver: &mut dyn StepReceiver<S>,
     run: &mut Run<'_>,
-    mut solve: impl FnMut(ContactLoad, Option<ContactLoad>, &mut Run<'_>) -> Result<S, SolveError>,
-) -> Result<Option<Interrupt>, SolveError> {
+    mut solve: impl FnMut(ContactLoad, Option<ContactLoad>, &mut Run<'_>) -> Result<S, E>,
+) -> Result<Option<Interrupt>, E> {
     for (k, &load) in loads.iter().enumerate() {
         match solve(load, loads.get(k + 1).copied(), run) {
             Ok(step) => {
@@ -123,7 +128,7 @@ pub(crate) fn each_load<S: Step>(
                 }
             }
             // The steps that are done are worth keeping.
-            Err(SolveError::Interrupted(interrupt)) if k > 0 => return Ok(Some(interrupt)),
+            Err(error) if k > 0 => return error.interrupt().ok_or(error).map(Some),
             Err(error) => return Err(error),
         }
     }

@@ -10,11 +10,12 @@
 //! Engng 1 (1969) 275–277.
 
 use super::Coupling;
-use crate::solver::method::contact_system::{BlockVector, Response};
-use crate::solver::method::couplings::anderson::Anderson;
-use crate::solver::method::couplings::iteration::{Iteration, Outcome, State, norm};
-use crate::solver::method::phases::Phase;
-use crate::solver::{SolveError, SolveStatus};
+use crate::Error;
+use crate::contact_system::{BlockVector, Response};
+use crate::couplings::anderson::Anderson;
+use crate::couplings::iteration::{Iteration, Outcome, State, norm};
+use crate::observer::SolveStatus;
+use crate::phases::Phase;
 
 const FIRST_FACTOR: f64 = 0.3;
 const SMALLEST_FACTOR: f64 = 0.02;
@@ -33,15 +34,15 @@ const INNER_FLOOR: f64 = 0.01;
 const BALANCE: f64 = 100.0;
 
 /// Plasticity is converged between contact solves.
-pub(crate) struct Weak;
+pub struct Weak;
 
 impl Coupling for Weak {
-    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+    fn iterate(&self, iteration: Iteration<'_>) -> Result<Outcome, Error> {
         run(iteration)
     }
 }
 
-fn run(mut iteration: Iteration<'_>) -> Result<Outcome, SolveError> {
+fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
     let system = iteration.system;
     let mut relaxation = Aitken::new(system.initial_gap().len());
     let (mut start, mut loads) = iteration.initial_state();

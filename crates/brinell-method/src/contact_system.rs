@@ -2,24 +2,25 @@
 
 use super::phases::Phase;
 use super::run::Run;
-use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
-use crate::material::ReferenceModuli;
-use crate::solver::SolveError;
+use crate::Error;
+use brinell_contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
+use brinell_material::ReferenceModuli;
 
 /// One vector for each model of a body.
-pub(crate) type BlockVector = Vec<Vec<f64>>;
+pub type BlockVector = Vec<Vec<f64>>;
 
 /// Displacements and contact for a given initial stress.
 #[derive(Debug, Clone)]
-pub(crate) struct Response {
+pub struct Response {
     /// Displacements where plastic flow and contact are evaluated \[mm\].
     pub displacement: BlockVector,
+    /// The contact: forces of pairs, gaps, approach.
     pub contact: ContactSolution,
 }
 
 /// Figures of the whole contact, both sides of an axis of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ContactFigures {
+pub struct ContactFigures {
     /// Contact force \[N/mm, or N in axisymmetry\].
     pub force: f64,
     /// Approach α \[mm\].
@@ -34,7 +35,7 @@ pub(crate) struct ContactFigures {
 ///
 /// Initial stress is the load that plastic flow puts on the elastic bodies: nodal forces of finite elements. Symmetry and equal
 /// bodies are the affair of the system: loads and figures are those of the whole contact.
-pub(crate) trait ContactSystem {
+pub trait ContactSystem {
     /// An initial stress, or displacements, of nothing.
     fn zeros(&self) -> BlockVector;
 
@@ -58,7 +59,7 @@ pub(crate) trait ContactSystem {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<ContactSolution, SolveError> {
+    ) -> Result<ContactSolution, Error> {
         let gap: Vec<f64> =
             self.initial_gap().iter().zip(gap_opening).map(|(gap, opening)| gap + opening).collect();
         Ok(run.solve_contact(solver, &self.contact_problem(&gap, load), start)?)
@@ -79,7 +80,7 @@ pub(crate) trait ContactSystem {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<Response, SolveError> {
+    ) -> Result<Response, Error> {
         let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
         let contact = self.contact(&gap_opening, solver, load, start, run)?;
         let displacement = run.time(Phase::Solves, || self.displacement(initial_stress, &contact.force));
@@ -124,7 +125,7 @@ pub(crate) trait ContactSystem {
 }
 
 /// Bodies whose stiffness can take the moduli of plastic flow.
-pub(crate) trait Linearize: ContactSystem {
+pub trait Linearize: ContactSystem {
     /// Factorizes with moduli of plastic flow at displacements or, without any, with the elastic ones.
     ///
     /// # Errors
@@ -133,7 +134,7 @@ pub(crate) trait Linearize: ContactSystem {
         &mut self,
         at: Option<(&BlockVector, ReferenceModuli)>,
         run: &mut Run<'_>,
-    ) -> Result<(), SolveError>;
+    ) -> Result<(), Error>;
 
     /// Factorizations that take.
     fn factorizations(&self) -> usize;
@@ -146,7 +147,7 @@ pub(crate) trait Linearize: ContactSystem {
 }
 
 /// A stiffness with the secant moduli of the last state.
-pub(crate) trait SecantStiffness {
+pub trait SecantStiffness {
     /// Contact and displacements, the latter on all equations, without any initial stress.
     ///
     /// # Errors
@@ -157,24 +158,24 @@ pub(crate) trait SecantStiffness {
         load: ContactLoad,
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
-    ) -> Result<Response, SolveError>;
+    ) -> Result<Response, Error>;
 
     /// What the plastic law says of a state, whose secant moduli it keeps.
     ///
     /// # Errors
     /// Where the observer stops it.
-    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, SolveError>;
+    fn evaluate(&mut self, response: &Response, run: &mut Run<'_>) -> Result<PlasticAnswer, Error>;
 
     /// Factorizes with the secant moduli of the last state. Returns the number of factorizations.
     ///
     /// # Errors
     /// Those of a factorization, and where the observer stops it.
-    fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, SolveError>;
+    fn renew(&mut self, run: &mut Run<'_>) -> Result<usize, Error>;
 }
 
 /// What the plastic law says of a state.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct PlasticAnswer {
+pub struct PlasticAnswer {
     /// Points beyond yield.
     pub plastic_points: usize,
     /// Out-of-balance force \[N/mm\].

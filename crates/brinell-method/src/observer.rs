@@ -3,12 +3,11 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
-
 /// How a solve ended. Not converging is a status, not an error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SolveStatus {
     /// Displacement change and equilibrium residual are below the tolerance, and the final state passes the
     /// independent contact check.
@@ -56,7 +55,8 @@ impl From<Interrupt> for SolveStatus {
 }
 
 /// One outer iteration. Counts are of this iteration alone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Iteration))]
 pub struct IterationRecord {
     /// One-based.
@@ -84,12 +84,13 @@ pub struct IterationRecord {
     /// Since the start of the job \[ms >= 0\].
     pub elapsed_ms: f64,
     /// The increment of a history to which the iteration belongs; absent where loads are not divided.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub increment: Option<IncrementNumber>,
 }
 
 /// Where a history of loads is. All numbers are one-based.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = IncrementNumber))]
 pub struct IncrementNumber {
     /// Number of the increment within its load.
@@ -138,7 +139,10 @@ pub enum Held {
 }
 
 /// Asks the observer whether to stop.
-pub(crate) fn ask(observer: &mut dyn Observer) -> Result<(), Interrupt> {
+///
+/// # Errors
+/// Its interrupt.
+pub fn ask(observer: &mut dyn Observer) -> Result<(), Interrupt> {
     observer.on_checkpoint().break_value().map_or(Ok(()), Err)
 }
 

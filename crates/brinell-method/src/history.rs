@@ -19,10 +19,10 @@ use super::increments::{Division, Growth, IncrementEnds, Leg};
 use super::observer::{Held, IncrementNumber, Interrupt, SolveStatus};
 use super::progress::Progress;
 use super::run::Run;
-use super::solve::{Answer, Engine, Leave, OnSystem, solve};
+use super::solve::{Answer, Engine, Leave, LeaveOf, OnSystem, solve};
 use super::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step, StepReceiver};
-use crate::contact::ContactLoad;
-use crate::solver::SolveError;
+use crate::{Error, Interrupted as _};
+use brinell_contact::ContactLoad;
 
 /// Relative differences of the figures of two divisions that end the search for increments. The peak pressure scatters with
 /// the discrete edge of the contact; the approach that is left without force is a small part of the approach that was.
@@ -39,11 +39,13 @@ const WITHIN_LOAD: f64 = 100.0;
 const LARGEST_WITHIN_LOAD: f64 = 1e-4;
 
 /// An engine whose systems go on from accepted states.
-pub(crate) trait HistoryEngine: Engine {
+pub trait HistoryEngine: Engine {
+    /// A load as a step.
     type Step: Step;
     /// What a history leaves behind beside the accepted state: it sizes the next one, and guides its increments.
     type Memory;
 
+    /// What alternates contact and plasticity.
     fn coupling(&self) -> &dyn Coupling;
 
     /// What increments are iterated with; their load and number are filled in.
@@ -70,7 +72,7 @@ pub(crate) trait HistoryEngine: Engine {
         system: &mut Self::System,
         increment: &NextIncrement<'_, Self::Memory>,
         run: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError>;
+    ) -> Result<BlockVector, Self::Error>;
 
     /// Takes over what an increment has found, before the system accepts it.
     fn remember(&self, answer: &mut Self::Answer, memory: &mut Self::Memory, time: f64, falls: bool);
@@ -90,31 +92,38 @@ pub(crate) trait HistoryEngine: Engine {
 }
 
 /// What an increment is prepared by.
-pub(crate) struct NextIncrement<'a, M> {
+pub struct NextIncrement<'a, M> {
+    /// Load at the end of the increment.
     pub target: ContactLoad,
     /// Number of the load plus the part of it that is done at the end.
     pub time: f64,
+    /// The load as a leg of the history.
     pub leg: &'a Leg,
+    /// Where the history is.
     pub progress: &'a Progress,
     /// What a coarser history has left.
     pub guide: Option<&'a M>,
 }
 
 /// The bodies of a history at two densities.
-pub(crate) trait TwoDensities {
+pub trait TwoDensities {
+    /// The engine at both densities.
     type Engine: HistoryEngine;
 
     /// The coarse engine, sized for the largest load.
     ///
     /// # Errors
     /// Those of a design.
-    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, SolveError>;
+    fn coarse(&self, run: &mut Run<'_>) -> Result<EngineAndDesign<Self::Engine>, ErrorOf<Self::Engine>>;
 
     /// The engine that was asked for, sized by the coarse history.
     fn fine(&self, found: &<Self::Engine as HistoryEngine>::Memory) -> EngineAndDesign<Self::Engine>;
 }
 
-pub(crate) type EngineAndDesign<E> = (E, <E as Engine>::Design);
+/// An engine, and how finely and how far it makes its systems.
+pub type EngineAndDesign<E> = (E, <E as Engine>::Design);
+
+type ErrorOf<E> = <E as Engine>::Error;
 
 /// Solves the history; each load becomes a step. Increments of each load are chosen where none are given.
 ///
@@ -123,13 +132,13 @@ pub(crate) type EngineAndDesign<E> = (E, <E as Engine>::Design);
 ///
 /// # Errors
 /// Those of the engines and of a contact solve.
-pub(crate) fn run<B: TwoDensities>(
+pub fn run<B: TwoDensities>(
     bodies: &B,
     loads: &[ContactLoad],
     increments: Option<u32>,
     run: &mut Run<'_>,
     receiver: &mut dyn StepReceiver<<B::Engine as HistoryEngine>::Step>,
-) -> Result<Option<Interrupt>, SolveError> {
+) -> Result<Option<Interrupt>, ErrorOf<B::Engine>> {
     let (engine, design) = bodies.coarse(run)?;
     let mut preliminary = Vec::new();
     let chosen = run.silently(|run| {
@@ -138,10 +147,11 @@ pub(crate) fn run<B: TwoDensities>(
         history.choose_increments(design, &mut preliminary, run)
     });
     let (coarse, division, errors) = match chosen {
-        Err(SolveError::Interrupted(interrupt)) => {
-            return keep_preliminary(preliminary, 0, interrupt, receiver, run).map(Some);
+        Ok(chosen) => chosen,
+        Err(error) => {
+            let interrupt = error.interrupt().ok_or(error)?;
+            return Ok(Some(keep_preliminary(preliminary, 0, interrupt, receiver, run)?));
         }
-        chosen => chosen?,
     };
     let (engine, design) = bodies.fine(&coarse.memory);
     let history = History { engine: &engine, loads, division, guide: Some(&coarse.memory) };
@@ -149,11 +159,11 @@ pub(crate) fn run<B: TwoDensities>(
     let mut steps = HistorySteps::new(estimates, &mut *receiver);
     let interrupt = match history.solve(design, &mut steps, run) {
         Ok(found) => found.interrupted,
-        Err(SolveError::Interrupted(interrupt)) => Some(interrupt),
-        Err(error) => return Err(error),
+        Err(error) => Some(error.interrupt().ok_or(error)?),
     };
     let done = steps.done();
-    interrupt.map(|interrupt| keep_preliminary(preliminary, done, interrupt, receiver, run)).transpose()
+    let Some(interrupt) = interrupt else { return Ok(None) };
+    Ok(Some(keep_preliminary(preliminary, done, interrupt, receiver, run)?))
 }
 
 /// What a history has found.
@@ -188,7 +198,7 @@ impl<E: HistoryEngine> History<'_, E> {
         mut design: E::Design,
         preliminary: &mut Vec<E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Chosen<E::Memory>, SolveError> {
+    ) -> Result<Chosen<E::Memory>, E::Error> {
         let given = self.division;
         let mut division = given;
         let mut last: Option<Found<E::Memory>> = None;
@@ -229,7 +239,7 @@ impl<E: HistoryEngine> History<'_, E> {
         design: E::Design,
         steps: &mut HistorySteps<'_, E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Memory>, SolveError> {
+    ) -> Result<Found<E::Memory>, E::Error> {
         let mut is_begun = false;
         solve(self.engine, design, None, run, |on, system, _, run| {
             if std::mem::replace(&mut is_begun, true) {
@@ -246,7 +256,7 @@ impl<E: HistoryEngine> History<'_, E> {
         mut system: E::System,
         steps: &mut HistorySteps<'_, E::Step>,
         run: &mut Run<'_>,
-    ) -> Result<Found<E::Memory>, Leave<E::Design>> {
+    ) -> Result<Found<E::Memory>, LeaveOf<E>> {
         let engine = self.engine;
         let mut found = Found {
             memory: engine.begin(&system),
@@ -298,7 +308,7 @@ impl<E: HistoryEngine> History<'_, E> {
                 found.has_collapsed = answer.has_collapsed();
                 found.interrupted = interrupted;
                 if let (false, Some(interrupt)) = (steps.are_final(), interrupted) {
-                    return Err(SolveError::Interrupted(interrupt).into());
+                    return Err(Error::Interrupted(interrupt).into());
                 }
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
                     found.figures.push(Some(figures));
@@ -334,7 +344,7 @@ impl<E: HistoryEngine> History<'_, E> {
     }
 
     /// Tells the observer what this history and the one before hold.
-    fn hold(&self, memory: &E::Memory, run: &mut Run<'_>) -> Result<(), SolveError> {
+    fn hold(&self, memory: &E::Memory, run: &mut Run<'_>) -> Result<(), Error> {
         run.hold(Held::Increments, E::bytes(memory) + self.guide.map_or(0, E::bytes))
     }
 
@@ -365,14 +375,14 @@ impl<E: HistoryEngine> History<'_, E> {
         mut system: E::System,
         next: &NextIncrement<'_, E::Memory>,
         run: &mut Run<'_>,
-    ) -> Result<E::Answer, Leave<E::Design>> {
+    ) -> Result<E::Answer, LeaveOf<E>> {
         let Progress { scales, number, .. } = *next.progress;
         let mut controls =
             Controls { load: next.target, scales, increment: Some(number), ..self.engine.controls() };
         if number.number < number.count {
             controls.tolerance = within_load(controls.tolerance);
         }
-        let start = self.engine.prepare(&mut system, next, run)?;
+        let start = self.engine.prepare(&mut system, next, run).map_err(Leave::Failed)?;
         on.solve(system, Some(start), self.engine.coupling(), controls, run)
     }
 }

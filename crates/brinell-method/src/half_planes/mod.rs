@@ -20,9 +20,9 @@ use super::progress::Progress;
 use super::run::Run;
 use super::solve::{Answer, Engine, Round, Verdict, VerdictOf, solve};
 use super::steps::{CoarseFigures, LoadEnd, Step};
-use crate::contact::kkt::ContactScales;
-use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
-use crate::solver::SolveError;
+use crate::Error;
+use brinell_contact::kkt::ContactScales;
+use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
 use sparse_cholesky::dense::SymmetricMatrix;
 
 /// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where displacements are zero \[mm\].
@@ -279,12 +279,13 @@ impl Engine for Springs {
     type System = HalfPlanes;
     type Design = Design;
     type Answer = SpringAnswer;
+    type Error = Error;
 
     fn build(
         &self,
         design: &mut Design,
         _: &mut Run<'_>,
-    ) -> Result<(HalfPlanes, Option<BlockVector>), SolveError> {
+    ) -> Result<(HalfPlanes, Option<BlockVector>), Error> {
         Ok((HalfPlanes::new(*design, self.spacing), None))
     }
 
@@ -293,7 +294,7 @@ impl Engine for Springs {
         _: &Design,
         system: HalfPlanes,
         _: &mut Run<'_>,
-    ) -> Result<(HalfPlanes, Option<BlockVector>), SolveError> {
+    ) -> Result<(HalfPlanes, Option<BlockVector>), Error> {
         Ok((system, None))
     }
 
@@ -304,7 +305,7 @@ impl Engine for Springs {
         outcome: Outcome,
         under: Round,
         _: &mut Run<'_>,
-    ) -> Result<VerdictOf<Self>, SolveError> {
+    ) -> Result<VerdictOf<Self>, Error> {
         let contact = &outcome.state.response.contact;
         let continued = under.number;
         if outcome.status.is_stopped() {
@@ -326,7 +327,7 @@ impl Engine for Springs {
 
 impl Springs {
     /// One load from rest.
-    fn answer(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<SpringAnswer, SolveError> {
+    fn answer(&self, load: ContactLoad, run: &mut Run<'_>) -> Result<SpringAnswer, Error> {
         let design = Design { pairs: 41, watched: 21 };
         solve(self, design, None, run, |on, system, start, run| {
             on.solve(system, start, self.coupling, Controls { load, ..self.controls() }, run)
@@ -376,7 +377,7 @@ impl HistoryEngine for Springs {
         system: &mut HalfPlanes,
         increment: &NextIncrement<'_, Self::Memory>,
         _: &mut Run<'_>,
-    ) -> Result<BlockVector, SolveError> {
+    ) -> Result<BlockVector, Error> {
         let NextIncrement { target, leg, progress, .. } = increment;
         Ok(progress.extrapolated(system.accepted().clone(), target.magnitude(), leg))
     }
@@ -420,7 +421,7 @@ impl Bodies {
 impl TwoDensities for Bodies {
     type Engine = Springs;
 
-    fn coarse(&self, _: &mut Run<'_>) -> Result<EngineAndDesign<Springs>, SolveError> {
+    fn coarse(&self, _: &mut Run<'_>) -> Result<EngineAndDesign<Springs>, Error> {
         Ok((self.springs(Density::Coarse), Design { pairs: 21, watched: 11 }))
     }
 
@@ -434,13 +435,9 @@ struct Peak(f64);
 
 impl Sought for Peak {
     type Step = SpringStep;
+    type Error = Error;
 
-    fn trial(
-        &self,
-        density: Density,
-        force: f64,
-        run: &mut Run<'_>,
-    ) -> Result<Tried<SpringStep>, SolveError> {
+    fn trial(&self, density: Density, force: f64, run: &mut Run<'_>) -> Result<Tried<SpringStep>, Error> {
         let load = ContactLoad::Force(force);
         let answer = Bodies(&super::couplings::Accelerated).springs(density).answer(load, run)?;
         let ratio = answer.figures().peak_pressure / self.0;

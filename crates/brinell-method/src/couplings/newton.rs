@@ -18,11 +18,12 @@
 //! from any start and for any moduli that are not too soft; with tangent moduli it is quadratic in the end.
 
 use super::iteration::{Controls, InitialState, Iteration, Outcome, State};
-use crate::contact::ContactLoad;
-use crate::material::ReferenceModuli;
-use crate::solver::method::contact_system::{BlockVector, Linearize};
-use crate::solver::method::run::Run;
-use crate::solver::{SolveError, SolveStatus};
+use crate::Error;
+use crate::contact_system::{BlockVector, Linearize};
+use crate::observer::SolveStatus;
+use crate::run::Run;
+use brinell_contact::ContactLoad;
+use brinell_material::ReferenceModuli;
 
 /// Steps at most. Each costs a factorization.
 const MAX_STEPS: usize = 60;
@@ -42,19 +43,22 @@ const STIFFENING: f64 = 1e-3;
 const LEAST_STIFFENING: f64 = 1e-5;
 
 /// Goes on from where another iteration has ended.
-pub(crate) fn run(
+///
+/// # Errors
+/// Those of a contact solve or a factorization.
+pub fn run(
     system: &mut dyn Linearize,
     controls: Controls<'_>,
     from: Outcome,
     run: &mut Run<'_>,
-) -> Result<Outcome, SolveError> {
+) -> Result<Outcome, Error> {
     let mut outcome = from;
     let mut point = Point::of(system, &outcome.state);
     let mut stiffening = STIFFENING;
     for _ in 0..MAX_STEPS {
         match linearize(system, &point.displacement, &mut stiffening, run) {
             // What has been iterated is worth keeping.
-            Err(SolveError::Interrupted(interrupt)) => {
+            Err(Error::Interrupted(interrupt)) => {
                 return Ok(Outcome { status: interrupt.into(), ..outcome });
             }
             linearized => linearized?,
@@ -96,11 +100,11 @@ fn linearize(
     at: &BlockVector,
     stiffening: &mut f64,
     run: &mut Run<'_>,
-) -> Result<(), SolveError> {
+) -> Result<(), Error> {
     loop {
         let reference = ReferenceModuli::Stiffened(*stiffening);
         match system.linearize(Some((at, reference)), run) {
-            Err(SolveError::Factorization(_)) if *stiffening < 1.0 => {
+            Err(Error::Factorization(_)) if *stiffening < 1.0 => {
                 *stiffening = (10.0 * *stiffening).min(1.0);
             }
             linearized => return linearized,

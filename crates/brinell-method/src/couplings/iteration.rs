@@ -2,21 +2,23 @@
 
 use std::ops::ControlFlow;
 
-use crate::contact::{ContactLoad, ContactSolution, ContactSolver};
-use crate::solver::method::contact_system::{
-    BlockVector, ContactFigures, ContactSystem, Response, SecantStiffness,
-};
-use crate::solver::method::phases::Phase;
-use crate::solver::method::run::Run;
-use crate::solver::{IncrementNumber, Interrupt, IterationRecord, SolveError, SolveStatus};
+use crate::Error;
+use crate::contact_system::{BlockVector, ContactFigures, ContactSystem, Response, SecantStiffness};
+use crate::observer::{IncrementNumber, Interrupt, IterationRecord, SolveStatus};
+use crate::phases::Phase;
+use crate::run::Run;
+use brinell_contact::{ContactLoad, ContactSolution, ContactSolver};
 
 /// What an iteration is run with.
 #[derive(Clone, Copy)]
-pub(crate) struct Controls<'a> {
+pub struct Controls<'a> {
+    /// Solves the contact conditions.
     pub contact: &'a dyn ContactSolver,
     /// Load of the whole contact.
     pub load: ContactLoad,
+    /// Relative change and residual at which the iteration has converged \[1 > 0\].
     pub tolerance: f64,
+    /// Iterations at most.
     pub max_iterations: usize,
     /// Whether to stop where another linearization would pay.
     pub renewable: bool,
@@ -29,7 +31,7 @@ pub(crate) struct Controls<'a> {
 /// The largest norms of a load history so far. Unloaded bodies have no contact forces that a residual could be relative
 /// to.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Scales {
+pub struct Scales {
     /// `‖R‖` \[N/mm\].
     pub force: f64,
     /// `‖u‖` on the active equations \[mm\].
@@ -37,7 +39,7 @@ pub(crate) struct Scales {
 }
 
 /// The state an iteration ended in.
-pub(crate) struct State {
+pub struct State {
     /// Displacements on the active equations and contact forces, in equilibrium with [`Self::loads`].
     pub response: Response,
     /// Initial-stress loads that were applied.
@@ -47,9 +49,12 @@ pub(crate) struct State {
 }
 
 /// How an iteration ended.
-pub(crate) struct Outcome {
+pub struct Outcome {
+    /// The last state.
     pub state: State,
+    /// How the iteration ended.
     pub status: SolveStatus,
+    /// One record for each iteration.
     pub history: Vec<IterationRecord>,
     /// Whether it ended because another linearization would pay.
     pub stalled: bool,
@@ -59,7 +64,7 @@ pub(crate) struct Outcome {
 
 /// Where an iteration begins.
 #[derive(Default)]
-pub(crate) struct InitialState {
+pub struct InitialState {
     /// Displacements to start from.
     pub displacement: Option<BlockVector>,
     /// Iterations made before, on other linearizations.
@@ -94,9 +99,12 @@ struct Counts {
 }
 
 /// A running iteration.
-pub(crate) struct Iteration<'a> {
+pub struct Iteration<'a> {
+    /// The bodies.
     pub system: &'a dyn ContactSystem,
+    /// What it is iterated with.
     pub controls: Controls<'a>,
+    /// Who watches it.
     pub run: Run<'a>,
     counts: Counts,
     history: Vec<IterationRecord>,
@@ -111,6 +119,7 @@ pub(crate) struct Iteration<'a> {
 }
 
 impl<'a> Iteration<'a> {
+    /// An iteration from an initial state.
     pub fn new(
         system: &'a dyn ContactSystem,
         controls: Controls<'a>,
@@ -144,7 +153,10 @@ impl<'a> Iteration<'a> {
     }
 
     /// Contact and equilibrium for given initial-stress loads, warm-started from the last contact.
-    pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, SolveError> {
+    ///
+    /// # Errors
+    /// Those of the contact solver.
+    pub fn solve_equilibrium(&mut self, loads: &BlockVector) -> Result<Response, Error> {
         let Controls { contact, load, .. } = self.controls;
         let start = self.previous.as_ref();
         let response = self.system.equilibrium(loads, contact, load, start, &mut self.run)?;
@@ -153,7 +165,10 @@ impl<'a> Iteration<'a> {
     }
 
     /// Contact alone, for a gap that plastic flow has widened by `gap_opening`.
-    pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, SolveError> {
+    ///
+    /// # Errors
+    /// Those of the contact solver.
+    pub fn contact(&mut self, gap_opening: &[f64]) -> Result<ContactSolution, Error> {
         let Controls { contact, load, .. } = self.controls;
         let start = self.previous.as_ref();
         let contact = self.system.contact(gap_opening, contact, load, start, &mut self.run)?;
@@ -162,7 +177,10 @@ impl<'a> Iteration<'a> {
     }
 
     /// Contact and equilibrium with secant moduli, warm-started from the last contact.
-    pub fn secant_equilibrium(&mut self, stiffness: &dyn SecantStiffness) -> Result<Response, SolveError> {
+    ///
+    /// # Errors
+    /// Those of the contact solver, and where the observer stops it.
+    pub fn secant_equilibrium(&mut self, stiffness: &dyn SecantStiffness) -> Result<Response, Error> {
         let Controls { contact, load, .. } = self.controls;
         let start = self.previous.as_ref();
         let response = stiffness.equilibrium(contact, load, start, &mut self.run)?;
@@ -310,7 +328,7 @@ impl<'a> Iteration<'a> {
     ///
     /// # Errors
     /// Those of a contact solve.
-    pub fn finish(mut self, state: State, status: Option<SolveStatus>) -> Result<Outcome, SolveError> {
+    pub fn finish(mut self, state: State, status: Option<SolveStatus>) -> Result<Outcome, Error> {
         let state = if self.has_diverged {
             let loads = self.system.zeros();
             State { response: self.solve_equilibrium(&loads)?, loads, is_complete: false }
@@ -328,7 +346,7 @@ impl<'a> Iteration<'a> {
 }
 
 /// Euclidean norm.
-pub(crate) fn norm(v: &[f64]) -> f64 {
+pub fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
@@ -337,6 +355,6 @@ fn distance(v: &[f64], w: &[f64]) -> f64 {
 }
 
 /// A quotient that is zero where there is nothing to compare.
-pub(crate) fn relative(part: f64, whole: f64) -> f64 {
+pub fn relative(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole.max(f64::MIN_POSITIVE) }
 }

@@ -4,19 +4,24 @@ use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Outcome, Scales, norm};
 use super::increments::Leg;
 use super::observer::IncrementNumber;
-use crate::contact::ContactLoad;
-use crate::contact::kkt::{self, ContactScales};
+use brinell_contact::ContactLoad;
+use brinell_contact::kkt::{self, ContactScales};
 
 /// Where a history is.
-pub(crate) struct Progress {
+pub struct Progress {
     /// Displacements one increment before, and the load measure then.
     pub before: Option<(BlockVector, f64)>,
+    /// Loads that are done, with the part of the one that is applied.
     pub time: f64,
+    /// The increment.
     pub number: IncrementNumber,
+    /// Contact force \[N or N/mm\].
     pub force: f64,
+    /// Approach \[mm\].
     pub approach: f64,
     /// Largest force and approach so far.
     pub reached: [f64; 2],
+    /// Sizes that changes and residuals are compared with.
     pub scales: Scales,
     /// Largest scales of the contact conditions so far.
     pub contact_scales: ContactScales,
@@ -50,6 +55,7 @@ impl Progress {
         lines.map(|(u, v)| u.iter().zip(v).map(|(u, v)| v + part * (v - u)).collect()).collect()
     }
 
+    /// The measure of a leg up to where the bodies are.
     pub fn reached_measure(&self, leg: &Leg) -> f64 {
         if leg.is_force { self.force } else { self.approach }
     }

@@ -11,7 +11,7 @@ use super::bracket::{Bracket, Next};
 use super::observer::SolveStatus;
 use super::run::Run;
 use super::steps::Step;
-use crate::solver::SolveError;
+use crate::Error;
 
 /// Deviation of the figure that is near enough at the lower density, which is itself off by as much.
 const NEAR: f64 = 0.01;
@@ -30,7 +30,7 @@ const LARGEST_CORRECTION: f64 = 0.3;
 
 /// How finely a trial is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Density {
+pub enum Density {
     /// As coarsely as looking for a force allows.
     Coarse,
     /// As it was asked for.
@@ -39,32 +39,40 @@ pub(crate) enum Density {
 
 /// What is asked of a force.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Terms {
+pub struct Terms {
     /// The force to start from \[N/mm or N\].
     pub first_force: f64,
     /// What is expected of `d ln figure / d ln force`.
     pub expected_slope: f64,
     /// Deviation that ends the search, and the most fine solves.
     pub tolerance: f64,
+    /// The most solves at the density that was asked for.
     pub most_fine: usize,
     /// Deviation from which on the value counts as missed.
     pub missed: f64,
 }
 
 /// Bodies whose contact has a figure that is sought.
-pub(crate) trait Sought {
+pub trait Sought {
+    /// A load as a step.
     type Step: Step;
+    /// Its errors, and those of the search.
+    type Error: From<Error>;
 
     /// Solves under one force.
     ///
     /// # Errors
     /// Those of a solve that say nothing of the force.
-    fn trial(&self, density: Density, force: f64, run: &mut Run<'_>)
-    -> Result<Tried<Self::Step>, SolveError>;
+    fn trial(
+        &self,
+        density: Density,
+        force: f64,
+        run: &mut Run<'_>,
+    ) -> Result<Tried<Self::Step>, Self::Error>;
 }
 
 /// What a force has given.
-pub(crate) struct Trial<S> {
+pub struct Trial<S> {
     /// The figure over its wanted value.
     pub ratio: f64,
     /// Of the force itself and of the loads that follow it.
@@ -72,10 +80,11 @@ pub(crate) struct Trial<S> {
 }
 
 /// A trial, or why its force is too large to be solved.
-pub(crate) type Tried<S> = Result<Trial<S>, String>;
+pub type Tried<S> = Result<Trial<S>, String>;
 
 /// What a search has found.
-pub(crate) struct ForceFound<S> {
+pub struct ForceFound<S> {
+    /// The trial that meets the value.
     pub trial: Trial<S>,
     /// Relative change of the figure over that of the force.
     pub sensitivity: f64,
@@ -113,12 +122,8 @@ pub enum UnreachableReason {
 /// Looks for the force.
 ///
 /// # Errors
-/// [`SolveError::Unreachable`], and those of a solve.
-pub(crate) fn find<B: Sought>(
-    bodies: &B,
-    terms: Terms,
-    run: &mut Run<'_>,
-) -> Result<ForceFound<B::Step>, SolveError> {
+/// [`Error::Unreachable`], and those of a solve.
+pub fn find<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<ForceFound<B::Step>, B::Error> {
     let (force, sensitivity) = run.silently(|run| coarse(bodies, terms, run))?;
     let mut found = fine(bodies, terms, force, sensitivity, run)?;
     // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
@@ -131,7 +136,7 @@ pub(crate) fn find<B: Sought>(
 }
 
 /// A force that meets the value nearly, and the slope of the logarithms there.
-fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64, f64), SolveError> {
+fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64, f64), B::Error> {
     let mut bracket = Bracket::new(terms.expected_slope);
     let mut force = terms.first_force;
     let mut reason = UnreachableReason::LargestForce;
@@ -145,7 +150,7 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
                 }
                 let is_flat = || bracket.slope_at(force).is_some_and(|slope| slope < INSENSITIVE);
                 if trial.deviation() <= FLAT && is_flat() {
-                    return Err(unreachable(force, trial.ratio, UnreachableReason::Insensitive));
+                    return Err(unreachable(force, trial.ratio, UnreachableReason::Insensitive).into());
                 }
             }
             Ok(trial) => {
@@ -162,7 +167,7 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
         if let Some(near) = near.or_else(|| bracket.jump()) {
             match bracket.slope_at(near) {
                 Some(slope) if slope < INSENSITIVE => {
-                    return Err(unreachable(near, 1.0, UnreachableReason::Insensitive));
+                    return Err(unreachable(near, 1.0, UnreachableReason::Insensitive).into());
                 }
                 Some(slope) => return Ok((near, slope)),
                 None => force = near * NEIGHBOUR,
@@ -172,14 +177,14 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
         match bracket.next() {
             Next::Force(next) => force = next,
             Next::NoSmaller => {
-                return Err(unreachable(force, f64::NAN, UnreachableReason::SmallestForce));
+                return Err(unreachable(force, f64::NAN, UnreachableReason::SmallestForce).into());
             }
             Next::AtLimit => break,
         }
     }
     let (force, nearest) = bracket.largest().unwrap_or((force, 0.0));
     let largest_force = bracket.largest_force().unwrap_or(force);
-    Err(SolveError::Unreachable(Unreachable { nearest, force, largest_force, reason }))
+    Err(Error::Unreachable(Unreachable { nearest, force, largest_force, reason }).into())
 }
 
 /// From a force that is nearly right to the answer.
@@ -189,7 +194,7 @@ fn fine<B: Sought>(
     mut force: f64,
     sensitivity: f64,
     run: &mut Run<'_>,
-) -> Result<ForceFound<B::Step>, SolveError> {
+) -> Result<ForceFound<B::Step>, B::Error> {
     let mut slope = sensitivity;
     let mut best: Option<Trial<B::Step>> = None;
     let mut last: Option<[f64; 2]> = None;
@@ -198,7 +203,7 @@ fn fine<B: Sought>(
             Ok(trial) => trial,
             Err(why) => {
                 let ratio = best.map_or(0.0, |best| best.ratio);
-                return Err(unreachable(force, ratio, UnreachableReason::Limit(why)));
+                return Err(unreachable(force, ratio, UnreachableReason::Limit(why)).into());
             }
         };
         if !trial.is_converged() {
@@ -220,15 +225,16 @@ fn fine<B: Sought>(
         last = Some(at);
         force *= (-at[1] / slope).clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION).exp();
     }
-    best.map(|trial| ForceFound { trial, sensitivity, slope }).ok_or(SolveError::NoLoad)
+    best.map(|trial| ForceFound { trial, sensitivity, slope }).ok_or_else(|| Error::NoLoad.into())
 }
 
 /// The error of a value that no force gives; `nearest` is what the force that was solved gives of it.
-fn unreachable(force: f64, nearest: f64, reason: UnreachableReason) -> SolveError {
-    SolveError::Unreachable(Unreachable { nearest, force, largest_force: force, reason })
+fn unreachable(force: f64, nearest: f64, reason: UnreachableReason) -> Error {
+    Error::Unreachable(Unreachable { nearest, force, largest_force: force, reason })
 }
 
 impl<S: Step> Trial<S> {
+    /// Whether all its steps have converged.
     pub fn is_converged(&self) -> bool {
         self.steps.iter().all(|step| step.status() == SolveStatus::Converged)
     }

@@ -1,0 +1,24 @@
+//! The method: contact and plasticity in alternation, over bodies of any kind.
+//!
+//! [`ContactSystem`](contact_system::ContactSystem) is all that it asks of two bodies. Nothing here knows a mesh, an element or a
+//! job.
+
+pub mod bracket;
+pub mod contact_system;
+pub mod couplings;
+mod error;
+pub mod final_check;
+pub mod force_search;
+#[cfg(test)]
+mod half_planes;
+pub mod history;
+mod history_steps;
+pub mod increments;
+pub mod observer;
+pub mod phases;
+pub mod progress;
+pub mod run;
+pub mod solve;
+pub mod steps;
+
+pub use error::{Error, Interrupted};
