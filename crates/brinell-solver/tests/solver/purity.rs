@@ -54,6 +54,7 @@ fn the_solver_and_its_factorization_are_pure() {
         "../brinell-contact/src",
         "../brinell-halfspace/src",
         "../brinell-material/src",
+        "../brinell-method/src",
         "../sparse-cholesky/src",
     ] {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(root), &mut files);
