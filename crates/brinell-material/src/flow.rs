@@ -7,18 +7,12 @@
 //! ```
 //!
 //! The path from the strain of the last accepted increment to the strain asked for is straight. Where it leaves the
-//! elastic domain the rest of it is divided into equal parts. With isotropic hardening alone the stress returns along the
-//! mean of the normals before and after each part (Rice and Tracey), whose error is of second order in the parts:
+//! elastic domain the rest of it is divided into equal parts. In each of them the stress returns along the mean of the normals before and
+//! after it (Rice and Tracey), whose error is of second order in the parts, where a path has one part by backward Euler:
 //!
 //! ```text
-//! n = 3/2 (s + s_tr)/|s + s_tr|_eq        s' = s_tr - 2G Δp n,   |s'|_eq = q(p+Δp)
-//! ```
-//!
-//! With backstress, and where a path has one part, by backward Euler:
-//!
-//! ```text
-//! |s_tr - ΣX_i e_i|_eq - 3G Δp - Σ C_i/γ_i (1 - e_i) - q(p+Δp) = 0      e_i = exp(-γ_i Δp)
-//! X_i' = X_i e_i + 2/3 C_i/γ_i (1 - e_i) n,   s = s_tr - 2G Δp n
+//! n = 3/2 m/|m|_eq,   m = s + s_tr - 2 ΣX_i,   by backward Euler m = s_tr - ΣX_i e_i        e_i = exp(-γ_i Δp)
+//! X_i' = X_i e_i + 2/3 C_i/γ_i (1 - e_i) n,   s' = s_tr - 2G Δp n,   |s' - ΣX_i'|_eq = q(p+Δp)
 //! ```
 //!
 //! With n constant over a part the backstress is thereby integrated exactly, so that a uniaxial loop has no error at all.
@@ -37,8 +31,8 @@ use super::{
     ReferenceModuli, ReturnMapping, deviator, equivalent_strain,
 };
 
-/// Parts into which the plastic part of a strain path is divided, with backstress and without.
-const SUBSTEPS: [u32; 2] = [16, 6];
+/// Parts into which the plastic part of a strain path is divided.
+const SUBSTEPS: u32 = 6;
 
 /// Plastic over elastic strain of a path that needs no parts, on curves without an elastic domain.
 const SMALL_FLOW: f64 = 1e-4;
@@ -141,7 +135,7 @@ impl<const N: usize> FlowPlasticity<N> {
         backstress: [BackstressTerm; N],
         out_of_plane: OutOfPlane,
     ) -> Self {
-        Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS[usize::from(N == 0)] }
+        Self { elastic, mapping, backstress, out_of_plane, substeps: SUBSTEPS }
     }
 
     /// The same with another number of parts of a strain path.
@@ -227,13 +221,13 @@ impl<const N: usize> FlowPlasticity<N> {
         // A part much larger than the yield surface ends where the path points to, wherever it began.
         let weight = 1.0 / (1.0 + 1.5 * product(step, step) / (radius * radius));
         // A curve without an elastic domain has no normal to begin with.
-        let has_mean_normal = N == 0 && parts > 1 && weight > 0.0;
+        let weight = if parts > 1 { weight } else { 0.0 };
         for k in 1..=parts {
-            if has_mean_normal {
+            if N == 0 && weight > 0.0 {
                 self.flow_along_mean_normal(step, &mut now, &mut yield_stress, weight, k == parts);
             } else {
                 let before = now.accumulated;
-                self.flow(step, &mut now, &mut yield_stress, flow);
+                self.flow(step, &mut now, &mut yield_stress, flow, weight);
                 flow = now.accumulated - before;
             }
         }
@@ -267,7 +261,7 @@ impl<const N: usize> FlowPlasticity<N> {
         let excess = radial - q;
         if excess <= 0.0 {
             // Along the surface, which is crossed, if at all, by what was left of the step before.
-            return self.flow(change, now, yield_stress, 0.0);
+            return self.flow(change, now, yield_stress, 0.0, 0.0);
         }
         let dp = excess / triple_shear;
         now.plastic_work += 0.5 * (equivalent_along(now.stress, mean, size) + along - excess) * dp;
@@ -280,8 +274,8 @@ impl<const N: usize> FlowPlasticity<N> {
         }
     }
 
-    /// One backward Euler step for an elastic change of the stress deviator, from the yield stress before to that after it; about
-    /// as much flow is expected.
+    /// One step for an elastic change of the stress deviator, from the yield stress before to that after it, by backward Euler or, with
+    /// backstress, along the mean of the normals before, with this weight, and after. About as much flow is expected.
     #[inline]
     fn flow<const D: usize>(
         &self,
@@ -289,6 +283,7 @@ impl<const N: usize> FlowPlasticity<N> {
         now: &mut Flowing<N, D>,
         yield_stress: &mut f64,
         expected: f64,
+        weight: f64,
     ) {
         let triple_shear = 3.0 * self.elastic.shear;
         let trial: [f64; D] = std::array::from_fn(|k| now.stress[k] + change[k]);
@@ -308,18 +303,28 @@ impl<const N: usize> FlowPlasticity<N> {
             now.stress = trial.map(|s| ratio * s);
             return;
         }
-        let dp = self.multiplier(trial, now, yield_stress, expected);
+        let mut expected = expected;
+        let direction = (weight > 0.0).then(|| {
+            let shift = sum(&now.backstress);
+            if expected <= 0.0 {
+                let size = equivalent_stress::<D>(std::array::from_fn(|k| trial[k] - shift[k]));
+                expected = (size - *yield_stress).max(0.0) / (triple_shear + self.kinematic_modulus());
+            }
+            let recovery = self.backstress.map(|term| term.recovery(expected));
+            let after = after_recovery(trial, &now.backstress, recovery);
+            std::array::from_fn(|k| after[k] + weight * (now.stress[k] - shift[k]))
+        });
+        let dp = self.multiplier(trial, now, yield_stress, expected, direction);
+        if dp <= 0.0 && weight > 0.0 {
+            // Along the surface.
+            return self.flow(change, now, yield_stress, expected, 0.0);
+        }
         if dp <= 0.0 {
             now.stress = trial;
             return;
         }
-        let mut relative = trial;
         let recovery = self.backstress.map(|term| term.recovery(dp));
-        for (x, recovery) in now.backstress.iter().zip(recovery) {
-            for (r, x) in relative.iter_mut().zip(x) {
-                *r -= x * (1.0 + recovery);
-            }
-        }
+        let relative = direction.unwrap_or_else(|| after_recovery(trial, &now.backstress, recovery));
         let size = equivalent_stress(relative);
         let n = relative.map(|r| 1.5 * r / size);
         let before = now.stress;
@@ -337,16 +342,23 @@ impl<const N: usize> FlowPlasticity<N> {
         now.accumulated += dp;
     }
 
-    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after it.
+    /// Δp, zero if the trial lies within the yield stress that is given; then that stress after it. The return is along a direction or,
+    /// without one, by backward Euler.
     ///
-    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. `|ξ|_eq²` is a quadratic form of the `e_i`,
-    /// whose coefficients are known beforehand.
+    /// Newton's method from the expected Δp, in a bracket that begins as `[0, ∞)`. With `ξ = s_tr - ΣX_i e_i`, whose `|ξ|_eq²` is a quadratic
+    /// form of the `e_i` with coefficients that are known beforehand, and with `c` its part along the direction,
+    ///
+    /// ```text
+    /// backward Euler   |ξ|_eq = 3G Δp + Σ C_i/γ_i (1 - e_i) + q
+    /// along n          c = 3G Δp + Σ C_i/γ_i (1 - e_i) + √(q² - |ξ|_eq² + c²)
+    /// ```
     fn multiplier<const D: usize>(
         &self,
         trial: [f64; D],
         now: &Flowing<N, D>,
         yield_stress: &mut f64,
         expected: f64,
+        direction: Option<[f64; D]>,
     ) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
         let square = 1.5 * product(trial, trial);
@@ -355,18 +367,26 @@ impl<const N: usize> FlowPlasticity<N> {
             std::array::from_fn(|j| 1.5 * product(now.backstress[i], now.backstress[j]))
         });
         let first: f64 = gram.iter().flatten().sum::<f64>() - 2.0 * along.iter().sum::<f64>() + square;
-        if first <= *yield_stress * *yield_stress {
+        let onto = direction.map(|direction| {
+            let size = equivalent_stress(direction);
+            let backstress = now.backstress.map(|x| equivalent_along(x, direction, size));
+            (equivalent_along(trial, direction, size), backstress)
+        });
+        let excess = match onto {
+            None => first.max(0.0).sqrt() - *yield_stress,
+            Some((part, backstress)) => {
+                let part = part - backstress.iter().sum::<f64>();
+                part - (*yield_stress * *yield_stress - first + part * part).max(0.0).sqrt()
+            }
+        };
+        if excess <= 0.0 {
             return 0.0;
         }
         let law = self.mapping.law();
         let (mut low, mut high) = (0.0, f64::INFINITY);
         // That of a backstress that does not recover and of perfect plasticity is too large.
-        let hardening: f64 = self.backstress.iter().map(|term| term.modulus).sum();
-        let mut dp = if expected > 0.0 {
-            expected
-        } else {
-            (first.sqrt() - *yield_stress) / (triple_shear + hardening)
-        };
+        let mut dp =
+            if expected > 0.0 { expected } else { excess / (triple_shear + self.kinematic_modulus()) };
         for _ in 0..100 {
             let recovery = self.backstress.map(|term| term.recovery(dp));
             let (mut size, mut change) = (square, 0.0);
@@ -377,12 +397,24 @@ impl<const N: usize> FlowPlasticity<N> {
                 size -= decay * (along[i] + part);
                 change += self.backstress[i].rate * decay * part;
             }
-            let size = size.max(0.0).sqrt();
             let (q, slope) = law.stress_and_slope(now.accumulated + dp);
             *yield_stress = q;
-            let (mut rest, mut rate) = (size - triple_shear * dp - q, -triple_shear - slope);
-            if size > 0.0 {
-                rate += change / size;
+            let (mut rest, mut rate) = (-triple_shear * dp, -triple_shear);
+            match onto {
+                None => {
+                    let size = size.max(0.0).sqrt();
+                    rest += size - q;
+                    rate -= slope - if size > 0.0 { change / size } else { 0.0 };
+                }
+                Some((mut part, backstress)) => {
+                    for ((x, term), recovery) in backstress.iter().zip(&self.backstress).zip(recovery) {
+                        part -= x * (1.0 + recovery);
+                        rate += term.rate * x * (1.0 + recovery);
+                    }
+                    let along = (q * q - size + part * part).max(0.0).sqrt();
+                    rest += part - along;
+                    rate -= slope * (q / along.max(0.5 * q));
+                }
             }
             for (term, recovery) in self.backstress.iter().zip(recovery) {
                 rest -= term.growth(dp, recovery);
@@ -413,6 +445,11 @@ impl<const N: usize> FlowPlasticity<N> {
         dp
     }
 
+    /// dX/dp of backstress that has not recovered \[MPa\].
+    fn kinematic_modulus(&self) -> f64 {
+        self.backstress.iter().map(|term| term.modulus).sum()
+    }
+
     /// Δp of a trial of this size, in the direction of the relative stress, if the backstress stays; with backstress that is too much.
     fn isotropic_flow(&self, size: f64, accumulated: f64) -> f64 {
         let triple_shear = 3.0 * self.elastic.shear;
@@ -428,8 +465,7 @@ impl<const N: usize> FlowPlasticity<N> {
             let q =
                 self.mapping.stress((size - triple_shear * dp).max(0.0) / triple_shear + accumulated + dp);
             let kinematic: f64 = self.backstress.iter().map(|term| term.growth(dp, term.recovery(dp))).sum();
-            let hardening: f64 = self.backstress.iter().map(|term| term.modulus).sum();
-            let step = (size - triple_shear * dp - kinematic - q) / (triple_shear + hardening);
+            let step = (size - triple_shear * dp - kinematic - q) / (triple_shear + self.kinematic_modulus());
             dp = (dp + step).max(0.0);
             if step.abs() <= 1e-6 * dp {
                 break;
@@ -651,6 +687,21 @@ fn elastic_part<const D: usize>(from: [f64; D], step: [f64; D], radius: f64) -> 
     let root = (b * b - a * inside).max(0.0).sqrt();
     let part = if b >= 0.0 { -inside / (b + root).max(f64::MIN_POSITIVE) } else { (root - b) / a };
     Some(part.clamp(0.0, 1.0))
+}
+
+/// `s_tr - ΣX_i e_i` by the `e_i - 1` \[MPa\].
+#[inline(always)]
+fn after_recovery<const N: usize, const D: usize>(
+    mut trial: [f64; D],
+    backstress: &[[f64; D]; N],
+    recovery: [f64; N],
+) -> [f64; D] {
+    for (x, recovery) in backstress.iter().zip(recovery) {
+        for (r, x) in trial.iter_mut().zip(x) {
+            *r -= x * (1.0 + recovery);
+        }
+    }
+    trial
 }
 
 #[cfg(test)]
