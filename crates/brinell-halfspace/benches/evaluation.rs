@@ -1,16 +1,14 @@
-//! An evaluation beside the Fourier transforms it consists of, an elastic contact, and a whole load.
+//! An evaluation beside the Fourier transforms it consists of, and an elastic contact.
 //!
 //! `cargo bench -p brinell-halfspace`. The ratio of `evaluation` to `transforms` within one run is what counts.
 #![expect(clippy::unwrap_used, reason = "a benchmark that cannot go on says where")]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-
 use std::hint::black_box;
 
 use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, never};
-use brinell_halfspace::{EllipticContact, HalfSpaceSystem, LinearHardening, SurfaceFlexibility, SurfaceGrid};
-use common::{Built, Case, force_of, solve};
+use brinell_halfspace::{
+    Elasticity, EllipticContact, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid, TensorField,
+};
 use criterion::{Criterion, criterion_group, criterion_main};
 use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
@@ -60,27 +58,42 @@ impl Transforms {
     }
 }
 
-/// A loaded ball with its converged increment.
-fn loaded(
-    n: usize,
-) -> (HalfSpaceSystem<LinearHardening>, Vec<brinell_halfspace::TensorField>, ContactLoad, usize) {
-    let Built { mut system, force, .. } = Case::ball(n, 4.0, 0.05, 1.17).build();
-    let load = ContactLoad::Force(force);
-    let (increment, _, _) = solve(&mut system, load, 1e-4);
-    let layers = increment[0].n_layers();
-    (system, increment, load, layers)
+/// The operators of a ball's half-space, 3.2 semi-axes long, with layers to 2.6 of them.
+fn space(n: usize) -> HalfSpace {
+    let side = 3.2 / n as f64;
+    let grid = SurfaceGrid::new(n, n, side, side).unwrap();
+    let layers = Layers::graded(0.75 * side, 1.0 + 1.92 / n as f64, 2.6).unwrap();
+    HalfSpace::new(grid, layers, Elasticity::new(210_000.0, 0.3).unwrap(), &mut || false).unwrap()
+}
+
+/// A deviator in a half ball of radius 1, which is where a ball yields.
+fn strain(space: &HalfSpace) -> TensorField {
+    let (grid, layers) = (space.grid(), space.layers());
+    let mut field = TensorField::deviators(layers.len(), grid.n_cells());
+    for layer in 0..layers.len() {
+        let depth = layers.middle(layer);
+        let inside = grid.sample(|x, y| f64::from(x * x + y * y + depth * depth < 1.0));
+        for (k, part) in [0.5, 0.5, 0.1, 0.1, 0.1].into_iter().enumerate() {
+            let values = field.component_mut(layer, k).iter_mut().zip(&inside);
+            values.for_each(|(value, inside)| *value = 1e-3 * part * inside);
+        }
+    }
+    field
 }
 
 fn evaluation(criterion: &mut Criterion) {
     for n in [32, 64] {
         let mut group = criterion.benchmark_group(format!("{n}"));
         group.sample_size(20);
-        let (mut system, increment, load, layers) = loaded(n);
-        let mut next = system.zeros();
+        let space = space(n);
+        let (strain, layers) = (strain(&space), space.layers().len());
+        let pressure = space.grid().sample(|x, y| (1.0 - x * x - y * y).max(0.0).sqrt());
+        let mut stress = TensorField::deviators(layers, pressure.len());
+        let (mut work, mut opening) = (space.work(), vec![0.0; pressure.len()]);
         group.bench_function("evaluation", |bencher| {
             bencher.iter(|| {
-                system.equilibrium(&increment, load, &mut never).unwrap();
-                system.initial_stress(&increment, &mut next)
+                space.opening(&strain, &mut work, &mut opening, &mut || false).unwrap();
+                space.stress(&pressure, &mut work, &mut stress, &mut || false).unwrap();
             });
         });
         // Five components of each layer: the sixth follows from them.
@@ -88,9 +101,7 @@ fn evaluation(criterion: &mut Criterion) {
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         group
             .bench_function("transforms", |bencher| bencher.iter(|| transforms.run(&mut real, &mut complex)));
-        group.bench_function("build", |bencher| {
-            bencher.iter(|| Case::ball(n, 4.0, 0.05, 1.17).build().force);
-        });
+        group.bench_function("build", |bencher| bencher.iter(|| self::space(n).layers().len()));
         group.finish();
     }
 }
@@ -122,31 +133,5 @@ fn elastic(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn loads(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("ball");
-    group.sample_size(10);
-    let case = Case::ball(32, 4.0, 0.05, 1.17);
-    group.bench_function("deformation", |bencher| {
-        bencher.iter(|| {
-            let mut built = case.build();
-            let load = ContactLoad::Force(built.force);
-            solve(&mut built.system, load, 1e-6).1
-        });
-    });
-    group.bench_function("flow and unloading", |bencher| {
-        bencher.iter(|| {
-            let mut built = case.build();
-            for k in 1..=10 {
-                let load = ContactLoad::Force(force_of(&case, &built, k, 10));
-                let tolerance = if k < 10 { 1e-4 } else { 1e-5 };
-                let (increment, _, _) = solve(&mut built.system, load, tolerance);
-                built.system.commit(&increment);
-            }
-            solve(&mut built.system, ContactLoad::Force(0.0), 1e-5).1
-        });
-    });
-    group.finish();
-}
-
-criterion_group!(benches, elastic, evaluation, loads);
+criterion_group!(benches, elastic, evaluation);
 criterion_main!(benches);

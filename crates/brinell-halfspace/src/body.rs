@@ -12,7 +12,8 @@
 use std::sync::Arc;
 
 use crate::half_space::{HalfSpace, HalfSpaceWork};
-use crate::tensors::{DEVIATOR_COMPONENTS, TensorField, isometric};
+use crate::stop::{Stop, Stopped};
+use crate::tensors::{DEVIATOR_COMPONENTS, TensorField};
 
 /// The plastic law of the cells of a body, with what they remember. Cells count through the layers:
 /// `layer * n_cells + cell`.
@@ -120,21 +121,39 @@ impl YieldingBody {
     }
 
     /// Adds u_p of all the bodies that this one stands for to `opening` \[mm\], positive where it opens the gap.
-    pub fn open(&mut self, increment: &[f64], opening: &mut [f64]) {
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn open(
+        &mut self,
+        increment: &[f64],
+        opening: &mut [f64],
+        stop: &mut Stop<'_>,
+    ) -> Result<(), Stopped> {
         let compliance = 1.0 / self.double_shear();
         let total = self.total.values_mut().iter_mut();
         for ((e, accepted), stress) in total.zip(self.strain.values()).zip(increment) {
             *e = accepted + compliance * stress;
         }
-        self.space.opening(&self.total, &mut self.work, &mut self.displacement);
+        self.space.opening(&self.total, &mut self.work, &mut self.displacement, stop)?;
         for (u, part) in opening.iter_mut().zip(&self.displacement) {
             *u += self.count * part;
         }
+        Ok(())
     }
 
     /// The trial deviators under pressures \[MPa\], with the increment of the last [`open`](Self::open), which it uses up.
-    pub fn trial(&mut self, pressure: &[f64], increment: &[f64], into: &mut [f64]) {
-        self.space.stress(pressure, &mut self.work, &mut self.stress);
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn trial(
+        &mut self,
+        pressure: &[f64],
+        increment: &[f64],
+        into: &mut [f64],
+        stop: &mut Stop<'_>,
+    ) -> Result<(), Stopped> {
+        self.space.stress(pressure, &mut self.work, &mut self.stress, stop)?;
         for ((trial, stress), added) in into.iter_mut().zip(self.stress.values()).zip(increment) {
             *trial = stress + added;
         }
@@ -145,6 +164,7 @@ impl YieldingBody {
                 *value += initial;
             }
         }
+        Ok(())
     }
 
     /// What the plastic law answers a trial with. Calls `flowing` for each cell that flows.
@@ -190,23 +210,29 @@ impl YieldingBody {
         (&self.total, self.displacement.as_slice())
     }
 
-    /// `-½ ∫ ε_p : G ε_p dV` with this increment \[N mm\]: the elastic energy of the plastic strain alone, of one body.
-    pub fn residual_energy(&mut self, increment: &[f64]) -> f64 {
-        let nothing = vec![0.0; self.displacement.len()];
-        self.open(increment, &mut nothing.clone());
-        self.space.stress(&nothing, &mut self.work, &mut self.stress);
+    /// `-½ ∫ ε_p : G ε_p dV` \[N mm\]: the elastic energy of the plastic strain of the last [`open`](Self::open) alone, of one body,
+    /// from the trial deviators under pressures \[MPa\] with that increment.
+    ///
+    /// By reciprocity the stress of the pressures works `Σ p u_p hx hy` on the plastic strain, which is a deviator.
+    pub fn residual_energy(&self, pressure: &[f64], trial: &[f64], increment: &[f64]) -> f64 {
         let (area, layers) = (self.space.grid().cell_area(), self.space.layers());
         let n_cells = self.strain.n_cells();
-        let of_layer = |layer: usize| {
-            let (stress, strain) = (self.stress.layer(layer), self.total.layer(layer));
-            let pair = |cell: usize| {
-                let [stress, strain] = [stress, strain]
-                    .map(|field| isometric(std::array::from_fn(|k| field[k * n_cells + cell])));
-                stress.iter().zip(strain).map(|(s, e)| s * e).sum::<f64>()
+        let strains = self.total.values().chunks_exact(n_cells);
+        let stresses = trial.chunks_exact(n_cells).zip(increment.chunks_exact(n_cells));
+        let rows = strains.zip(stresses).zip(self.initial.iter().flatten());
+        // a:b = Σ weight a b + tr over xx and yy, for zz = -xx - yy.
+        let mut of_all = 0.0;
+        for (n, ((strain, (trial, increment)), initial)) in rows.enumerate() {
+            let (layer, k) = (n / DEVIATOR_COMPONENTS, n % DEVIATOR_COMPONENTS);
+            let other = if k < 2 { Some(self.total.component(layer, 1 - k)) } else { None };
+            let work = |cell: usize| {
+                let coupled = other.map_or(strain[cell], |other| strain[cell] + 0.5 * other[cell]);
+                2.0 * coupled * (trial[cell] - increment[cell] - initial)
             };
-            layers.thickness(layer) * (0..n_cells).map(pair).sum::<f64>()
-        };
-        -0.5 * area * (0..self.strain.n_layers()).map(of_layer).sum::<f64>()
+            of_all += layers.thickness(layer) * (0..n_cells).map(work).sum::<f64>();
+        }
+        let of_pressure: f64 = pressure.iter().zip(&self.displacement).map(|(p, u)| p * u).sum();
+        0.5 * area * (of_pressure - of_all)
     }
 
     /// How many bodies this one stands for.
@@ -215,12 +241,20 @@ impl YieldingBody {
     }
 
     /// All six stresses \[MPa\] under pressures with this increment, without σ0.
-    pub fn stresses(&mut self, pressure: &[f64], increment: &[f64]) -> TensorField {
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn stresses(
+        &mut self,
+        pressure: &[f64],
+        increment: &[f64],
+        stop: &mut Stop<'_>,
+    ) -> Result<TensorField, Stopped> {
         let mut nothing = vec![0.0; self.displacement.len()];
-        self.open(increment, &mut nothing);
+        self.open(increment, &mut nothing, stop)?;
         let mut stress = TensorField::tensors(self.strain.n_layers(), self.strain.n_cells());
-        self.space.stress(pressure, &mut self.work, &mut stress);
-        stress
+        self.space.stress(pressure, &mut self.work, &mut stress, stop)?;
+        Ok(stress)
     }
 }
 

@@ -5,6 +5,7 @@ use realfft::num_complex::Complex64;
 use crate::eigenstrain_stress::{EigenstrainStress, SweepWork};
 use crate::images::{FarField, FarFieldWork};
 use crate::pressure_stress::PressureStress;
+use crate::stop::{Stop, Stopped, ask};
 use crate::tensors::{COMPONENTS, TensorField};
 use crate::transform::{Scratch, Transform, fast_length};
 use crate::{Elasticity, Layers, SurfaceGrid};
@@ -37,21 +38,46 @@ pub struct HalfSpaceWork {
 
 impl HalfSpace {
     /// The operators of a body. The images of plastic strain are removed.
-    pub fn new(grid: SurfaceGrid, layers: Layers, elastic: Elasticity) -> Self {
-        let mut body = Self::periodic(grid, layers, elastic);
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn new(
+        grid: SurfaceGrid,
+        layers: Layers,
+        elastic: Elasticity,
+        stop: &mut Stop<'_>,
+    ) -> Result<Self, Stopped> {
+        let mut body = Self::periodic(grid, layers, elastic, stop)?;
         body.far_field = Some(FarField::new(&body.transform, &body.grid, &body.layers, elastic));
-        body
+        Ok(body)
     }
 
     /// The same with a G of period two grid sides.
-    pub fn periodic(grid: SurfaceGrid, layers: Layers, elastic: Elasticity) -> Self {
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn periodic(
+        grid: SurfaceGrid,
+        layers: Layers,
+        elastic: Elasticity,
+        stop: &mut Stop<'_>,
+    ) -> Result<Self, Stopped> {
         let (nx, ny) = (grid.nx(), grid.ny());
         let transform = Transform::new(nx, ny, fast_length(2 * nx), fast_length(2 * ny));
-        let pressure_stress = PressureStress::new(&transform, &grid, &layers, elastic.poisson());
+        let pressure_stress = PressureStress::new(&transform, &grid, &layers, elastic.poisson(), stop)?;
         let sides = [grid.hx(), grid.hy()];
         let eigenstrain_stress = EigenstrainStress::new(&transform, sides, &layers, elastic);
         let arch = pulp::Arch::new();
-        Self { grid, layers, elastic, transform, pressure_stress, eigenstrain_stress, far_field: None, arch }
+        Ok(Self {
+            grid,
+            layers,
+            elastic,
+            transform,
+            pressure_stress,
+            eigenstrain_stress,
+            far_field: None,
+            arch,
+        })
     }
 
     /// Cells of the surface.
@@ -95,7 +121,16 @@ impl HalfSpace {
     /// `u_p = Sᵀ ε_p`, positive into the body \[mm\]. Keeps the spectra of `G ε_p` for [`stress`](Self::stress).
     ///
     /// `strain` has as many components as the work space is for.
-    pub fn opening(&self, strain: &TensorField, work: &mut HalfSpaceWork, opening: &mut [f64]) {
+    ///
+    /// # Errors
+    /// [`Stopped`]; `stop` is asked for each layer and each wave number.
+    pub fn opening(
+        &self,
+        strain: &TensorField,
+        work: &mut HalfSpaceWork,
+        opening: &mut [f64],
+        stop: &mut Stop<'_>,
+    ) -> Result<(), Stopped> {
         debug_assert_eq!(strain.n_components(), work.n_components);
         let n_fields = self.layers.len() * COMPONENTS;
         let mx = self.transform.mx;
@@ -105,9 +140,10 @@ impl HalfSpace {
         if !work.strained.contains(&true) {
             work.stack.fill(Complex64::ZERO);
             opening.fill(0.0);
-            return;
+            return Ok(());
         }
         for (layer, _) in work.strained.iter().enumerate().filter(|(_, strained)| **strained) {
+            ask(stop)?;
             for (component, row) in strain.rows().iter().enumerate() {
                 let field = strain.component(layer, component);
                 let index = layer * COMPONENTS + row;
@@ -117,6 +153,7 @@ impl HalfSpace {
         let deviator = work.n_components < COMPONENTS;
         let blocks = work.stack.chunks_exact_mut(n_fields * mx).zip(work.surface.chunks_exact_mut(mx));
         for (iy, (block, surface)) in blocks.enumerate() {
+            ask(stop)?;
             for (rows, strained) in block.chunks_exact_mut(COMPONENTS * mx).zip(&work.strained) {
                 if !strained {
                     rows.fill(Complex64::ZERO);
@@ -146,17 +183,28 @@ impl HalfSpace {
         if let (Some(far_field), Some(far_work)) = (&self.far_field, &mut work.far_field) {
             far_field.evaluate(self.arch, strain, far_work);
         }
+        Ok(())
     }
 
     /// `σ = S p + G ε_p` \[MPa\] with the strain of the last [`opening`](Self::opening), as tensors or as deviators. Uses up the
     /// spectra kept.
-    pub fn stress(&self, pressure: &[f64], work: &mut HalfSpaceWork, stress: &mut TensorField) {
+    ///
+    /// # Errors
+    /// [`Stopped`]; `stop` is asked for each layer and each wave number.
+    pub fn stress(
+        &self,
+        pressure: &[f64],
+        work: &mut HalfSpaceWork,
+        stress: &mut TensorField,
+        stop: &mut Stop<'_>,
+    ) -> Result<(), Stopped> {
         let n_fields = self.layers.len() * COMPONENTS;
         let mx = self.transform.mx;
         self.transform.forward(pressure, &mut work.surface, &mut work.scratch);
         let deviator = stress.n_components() < COMPONENTS;
         let blocks = work.stack.chunks_exact_mut(n_fields * mx).zip(work.surface.chunks_exact(mx));
         for (iy, (block, surface)) in blocks.enumerate() {
+            ask(stop)?;
             self.arch.dispatch(
                 #[inline(always)]
                 || {
@@ -178,6 +226,7 @@ impl HalfSpace {
         }
         let rows = stress.rows();
         for layer in 0..self.layers.len() {
+            ask(stop)?;
             for (component, row) in rows.iter().enumerate() {
                 let index = layer * COMPONENTS + row;
                 let field = stress.component_mut(layer, component);
@@ -189,6 +238,7 @@ impl HalfSpace {
         {
             far_field.add(far_work, stress);
         }
+        Ok(())
     }
 
     /// Bytes of the operators and of one work space.

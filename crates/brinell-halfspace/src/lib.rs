@@ -5,7 +5,7 @@
 //!
 //! - [`SurfaceFlexibility`] is A: contact forces to displacements, for `brinell-contact`;
 //! - [`HalfSpace`] is S (pressures to stresses), Sᵀ (plastic strains to displacements) and G (plastic strains to stresses);
-//! - [`HalfSpaceSystem`] is contact and plastic bodies: the evaluation `Δε → Δε_new` that an iteration drives;
+//! - [`YieldingBody`] is a body with plastic strain: gap and trial stress for an increment, and what its [`PlasticLaw`] answers;
 //! - [`EllipticContact`] is Hertz.
 //!
 //! All formulas with their sources: `docs/theory_three_dimensions.md`.
@@ -18,10 +18,9 @@ mod half_space;
 mod hertz;
 mod images;
 mod offsets;
-mod plasticity;
 mod pressure_stress;
+mod stop;
 mod surface;
-mod system;
 mod tensors;
 mod transform;
 
@@ -30,7 +29,6 @@ pub use elasticity::{Elasticity, ElasticityError};
 pub use grid::{GridError, Layers, SurfaceGrid};
 pub use half_space::{HalfSpace, HalfSpaceWork};
 pub use hertz::EllipticContact;
-pub use plasticity::{Hardening, LinearHardening};
+pub use stop::{Stop, Stopped};
 pub use surface::SurfaceFlexibility;
-pub use system::{HalfSpaceSystem, Increment, PlasticBody};
 pub use tensors::{COMPONENTS, DEVIATOR_COMPONENTS, TensorField, from_isometric, isometric};

@@ -32,6 +32,7 @@ use std::f64::consts::PI;
 use realfft::num_complex::Complex64;
 
 use crate::offsets::{Offsets, Parity};
+use crate::stop::{Stop, Stopped, ask};
 use crate::tensors::{COMPONENTS, WEIGHTS};
 use crate::transform::Transform;
 use crate::{Layers, SurfaceGrid};
@@ -50,13 +51,20 @@ pub(crate) struct PressureStress {
 }
 
 impl PressureStress {
-    pub fn new(transform: &Transform, grid: &SurfaceGrid, layers: &Layers, poisson: f64) -> Self {
+    pub fn new(
+        transform: &Transform,
+        grid: &SurfaceGrid,
+        layers: &Layers,
+        poisson: f64,
+        stop: &mut Stop<'_>,
+    ) -> Result<Self, Stopped> {
         let (half, n_layers) = (transform.mx / 2 + 1, layers.len());
         let block = n_layers * COMPONENTS * half;
         let mut spectra = vec![0.0; transform.n_rows() * block];
         let mut offsets = Offsets::new(transform, grid);
         let mut kernels: [Vec<f64>; COMPONENTS] = std::array::from_fn(|_| vec![0.0; grid.n_cells()]);
         for layer in 0..n_layers {
+            ask(stop)?;
             let (middle, reach) = (layers.middle(layer), 0.5 * layers.thickness(layer) / 3.0_f64.sqrt());
             for kernel in &mut kernels {
                 kernel.fill(0.0);
@@ -71,7 +79,7 @@ impl PressureStress {
                 }
             }
         }
-        Self { half, n_layers, spectra }
+        Ok(Self { half, n_layers, spectra })
     }
 
     fn block(&self, iy: usize) -> &[f64] {

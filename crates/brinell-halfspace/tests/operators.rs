@@ -6,12 +6,18 @@ use std::f64::consts::PI;
 use brinell_halfspace::{COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceGrid, TensorField};
 use proptest::prelude::*;
 
+/// Work that is not stopped.
+fn never() -> bool {
+    false
+}
+
 const WEIGHTS: [f64; COMPONENTS] = [1.0, 1.0, 1.0, 2.0, 2.0, 2.0];
 
 fn body(grid: SurfaceGrid, faces: &[f64], young: f64, images: bool) -> HalfSpace {
     let layers = Layers::new(faces.to_vec()).unwrap();
     let elastic = Elasticity::new(young, 0.3).unwrap();
-    if images { HalfSpace::new(grid, layers, elastic) } else { HalfSpace::periodic(grid, layers, elastic) }
+    let build = if images { HalfSpace::new } else { HalfSpace::periodic };
+    build(grid, layers, elastic, &mut never).unwrap()
 }
 
 /// Numbers between -1 and 1 that a seed determines.
@@ -36,9 +42,9 @@ fn random_strain(body: &HalfSpace, seed: u64) -> TensorField {
 fn response(body: &HalfSpace, strain: &TensorField, pressure: &[f64]) -> (Vec<f64>, TensorField) {
     let mut work = if strain.n_components() == COMPONENTS { body.work_for_tensors() } else { body.work() };
     let mut opening = vec![0.0; pressure.len()];
-    body.opening(strain, &mut work, &mut opening);
+    body.opening(strain, &mut work, &mut opening, &mut never).unwrap();
     let mut stress = TensorField::tensors(strain.n_layers(), strain.n_cells());
-    body.stress(pressure, &mut work, &mut stress);
+    body.stress(pressure, &mut work, &mut stress, &mut never).unwrap();
     (opening, stress)
 }
 
@@ -197,9 +203,9 @@ fn deviators_take_the_short_way_to_the_same_answer() {
     }
     let (opening, stress) = response(&body, &whole, &[1.0; 48]);
     let (mut work, mut found) = (body.work(), vec![0.0; 48]);
-    body.opening(&short, &mut work, &mut found);
+    body.opening(&short, &mut work, &mut found, &mut never).unwrap();
     let mut deviator = TensorField::deviators(3, 48);
-    body.stress(&[1.0; 48], &mut work, &mut deviator);
+    body.stress(&[1.0; 48], &mut work, &mut deviator, &mut never).unwrap();
     for (a, b) in opening.iter().zip(&found) {
         assert!((a - b).abs() < 1e-13);
     }
@@ -368,4 +374,26 @@ fn a_dilating_sphere_stretches_the_surface_above_it() {
     let (radial, hoop) = (c * (d2 - 3.0 * r2) / d2.powf(2.5), c / d2.powf(1.5));
     let expected = 0.5 * (radial + hoop) / 0.7;
     assert!((found / expected - 1.0).abs() < 1e-2, "{found} {expected}");
+}
+
+#[test]
+fn work_ends_when_it_is_asked_to() {
+    let grid = SurfaceGrid::new(6, 8, 0.7, 0.4).unwrap();
+    let faces = [0.0, 0.3, 0.8, 1.1];
+    let layers = Layers::new(faces.to_vec()).unwrap();
+    let elastic = Elasticity::new(2.0, 0.3).unwrap();
+    assert!(HalfSpace::new(grid, layers, elastic, &mut || true).is_err());
+    let body = body(grid, &faces, 2.0, true);
+    let strain = random_strain(&body, 4);
+    let (mut work, mut opening) = (body.work_for_tensors(), vec![0.0; 48]);
+    // Each layer is asked about, and each of the nine wave numbers along y of 16 padded cells.
+    let mut asked = 0;
+    body.opening(&strain, &mut work, &mut opening, &mut || {
+        asked += 1;
+        false
+    })
+    .unwrap();
+    assert_eq!(asked, 3 + 9);
+    let mut stress = TensorField::tensors(3, 48);
+    assert!(body.stress(&[1.0; 48], &mut work, &mut stress, &mut || true).is_err());
 }

@@ -2,12 +2,16 @@
 //! finer grids. An executable of its own, because nothing of it is shared with plane problems.
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails")]
 
+use std::ops::ControlFlow;
+
 use brinell_solver::job::{
     Bilinear, Coupling, Deformable, Elastic, Hardening, History, HistoryLoad, Load, NonNegativeF64,
     PoissonRatio, PositiveF64, SolverSettings, Target, TargetFigure, Theory,
 };
-use brinell_solver::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, run_each};
-use brinell_solver::solver::{SolveError, SolveStatus, Unobserved};
+use brinell_solver::solver::half_spaces::{HalfSpaceProblem, HalfSpaceStep, estimate, run_each};
+use brinell_solver::solver::{
+    Held, Interrupt, IterationRecord, Observer, SolveError, SolveStatus, Unobserved,
+};
 
 const YIELD_STRESS: f64 = 500.0;
 const RADIUS: f64 = 10.0;
@@ -68,6 +72,89 @@ fn solved(problem: &HalfSpaceProblem) -> Vec<HalfSpaceStep> {
 fn under(mut problem: HalfSpaceProblem, ratio: f64) -> HalfSpaceStep {
     problem.load = Load::Forces(positive(force_of(&problem, ratio)).into());
     solved(&problem).remove(0)
+}
+
+/// Counts what it is asked, keeps the largest memory it is told of, and stops a solve after so many questions.
+#[derive(Default)]
+struct Watch {
+    asked: usize,
+    held: usize,
+    iterations: usize,
+    stop_after: Option<usize>,
+}
+
+impl Observer for Watch {
+    fn on_iteration(&mut self, _: &IterationRecord) -> ControlFlow<Interrupt> {
+        self.iterations += 1;
+        self.on_checkpoint()
+    }
+
+    fn on_checkpoint(&mut self) -> ControlFlow<Interrupt> {
+        self.asked += 1;
+        let is_over = self.stop_after.is_some_and(|most| self.asked > most);
+        if is_over { ControlFlow::Break(Interrupt::Cancelled) } else { ControlFlow::Continue(()) }
+    }
+
+    fn on_held(&mut self, part: Held, bytes: usize) -> ControlFlow<Interrupt> {
+        assert_eq!(part, Held::Bodies);
+        self.held = self.held.max(bytes);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Grids of soft bodies are as large as `estimate` says before anything is solved, however far plastic strain reaches.
+#[test]
+fn soft_bodies_keep_to_the_estimate() {
+    for (radius_y, tangent, ratio) in
+        [(10.0, 0.0, 6.0), (10.0, 0.0, 14.0), (10.0, 0.05, 10.0), (100.0, 0.0, 6.0)]
+    {
+        let mut problem = on_flat(radius_y, steel(Some(tangent)), 4);
+        problem.load = Load::Forces(positive(force_of(&problem, ratio)).into());
+        let expected = estimate(&problem).unwrap();
+        let (mut watch, mut steps): (_, Vec<HalfSpaceStep>) = (Watch::default(), Vec::new());
+        run_each(&problem, &mut watch, &mut steps).unwrap();
+        let step = &steps[0];
+        let grid = &step.surface.grid;
+        let axis = step.figures.semi_axes[0];
+        println!("{radius_y} {ratio}: {} enlargements, {:.1} cells", step.enlargements, axis / grid.hx());
+        assert_eq!(step.status, SolveStatus::Converged);
+        assert!(grid.nx() <= expected.cells[0] && grid.ny() <= expected.cells[1]);
+        assert!(step.bodies[1].as_ref().unwrap().layers.len() <= expected.layers);
+        assert!(watch.held as u64 <= expected.bytes && watch.held > 0);
+        assert!(axis > 2.9 * grid.hx(), "the grid is coarser than asked for");
+    }
+}
+
+#[test]
+fn loads_that_no_small_strain_bears_are_refused() {
+    let mut problem = on_flat(10.0, steel(Some(0.0)), 10);
+    problem.load = Load::Forces(positive(force_of(&problem, 41.0)).into());
+    let refused = |error| matches!(error, SolveError::Overloaded { most, .. } if most < 41.0);
+    assert!(refused(estimate(&problem).unwrap_err()));
+    let mut steps: Vec<HalfSpaceStep> = Vec::new();
+    assert!(refused(run_each(&problem, &mut Unobserved, &mut steps).unwrap_err()));
+}
+
+/// A stop waits for a part of an evaluation, wherever it comes.
+#[test]
+fn a_solve_stops_within_an_evaluation() {
+    let mut problem = on_flat(10.0, steel(Some(0.0)), 6);
+    problem.load = Load::Forces(positive(force_of(&problem, 4.0)).into());
+    let (mut watch, mut steps): (_, Vec<HalfSpaceStep>) = (Watch::default(), Vec::new());
+    run_each(&problem, &mut watch, &mut steps).unwrap();
+    // A question for each layer and each wave number, there and back.
+    assert!(watch.asked > 40 * watch.iterations, "{} in {}", watch.asked, watch.iterations);
+    for part in 1..8 {
+        let most = part * watch.asked / 8;
+        let mut stopped = Watch { stop_after: Some(most), ..Watch::default() };
+        steps.clear();
+        let ended = run_each(&problem, &mut stopped, &mut steps);
+        assert!(
+            ended == Err(SolveError::Interrupted(Interrupt::Cancelled))
+                || steps[0].status == SolveStatus::Cancelled
+        );
+        assert!(stopped.asked <= most + 3, "{} after {most}", stopped.asked);
+    }
 }
 
 /// Loaded and unloaded by flow theory.

@@ -106,6 +106,17 @@ pub enum SolveError {
     /// The bodies have no stiffness that could take secant moduli.
     #[error("the coupling by secant stiffness needs bodies whose stiffness is assembled")]
     NoSecantStiffness,
+    /// The load is far beyond what half-spaces bear with small strains.
+    #[error(
+        "elastic bodies would press on each other with {overload:.0} times the stress at which these flow; half-spaces with \
+         small strains are solved up to {most} times: reduce the load"
+    )]
+    Overloaded {
+        /// Largest pressure of elastic bodies over the stress under which the material flows.
+        overload: f64,
+        /// What is solved.
+        most: f64,
+    },
     /// Stopped before there was anything to report.
     #[error("stopped before the first iteration")]
     Interrupted(Interrupt),

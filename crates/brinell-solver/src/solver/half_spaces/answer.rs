@@ -9,16 +9,18 @@ use brinell_contact::{Flexibility as _, KktReport};
 use brinell_halfspace::DEVIATOR_COMPONENTS;
 
 use super::engine::{Answer, HalfSpaceEngine, ends_reached};
-use super::measure::{Measured, measure};
-use super::step::HalfSpaceStep;
-use super::system::HalfSpaces;
+use super::measure::{Measured, measure, stresses};
+use super::step::{HalfSpaceBody, HalfSpaceStep};
+use super::system::{HalfSpaces, watched};
 use crate::contact::ContactLoad;
 use crate::contact::kkt::ContactScales;
-use crate::solver::SolveStatus;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{norm, relative};
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
+use crate::solver::method::phases::Phase;
+use crate::solver::method::run::Run;
 use crate::solver::method::solve::Answer as _;
+use crate::solver::{SolveStatus, method};
 
 impl Answer {
     /// The step of a load, checked; `last_peak` is where the pressure was largest before.
@@ -28,13 +30,26 @@ impl Answer {
         load: ContactLoad,
         last_peak: [f64; 2],
         least: LeastScales,
+        run: &mut Run<'_>,
     ) -> HalfSpaceStep {
         if self.outcome.status.is_stopped() {
             return self.step_as_iterated(engine, load, last_peak);
         }
-        let evidence = self.evidence(least.residual);
+        let stresses = watched(run, Phase::Output, |stop| stresses(&self.system, &self.outcome, stop));
+        let stresses = match stresses {
+            Ok(stresses) => stresses,
+            Err(error) => {
+                let status = match error {
+                    method::Error::Interrupted(interrupt) => interrupt.into(),
+                    _ => SolveStatus::NotConverged,
+                };
+                return HalfSpaceStep { status, ..self.step_as_iterated(engine, load, last_peak) };
+            }
+        };
+        let measured = measure(&self.system, &self.outcome, last_peak, Some(stresses));
+        let evidence = self.evidence(&measured.bodies, least.residual);
         let judged = judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least.contact);
-        self.reported(engine, load, last_peak, &evidence, judged)
+        self.reported(engine, load, measured, &evidence, judged)
     }
 
     /// The same as the last iteration has left it.
@@ -47,20 +62,25 @@ impl Answer {
         let evidence = Evidence::of_iteration(&self.system, &self.outcome, false);
         let least = ContactScales::default();
         let judged = judge(&self.system, &self.outcome, &evidence, load, engine.tolerance, least);
-        self.reported(engine, load, last_peak, &evidence, judged)
+        let measured = measure(&self.system, &self.outcome, last_peak, None);
+        self.reported(engine, load, measured, &evidence, judged)
     }
 
-    fn evidence(&self, least_residual: f64) -> Evidence {
+    fn evidence(&self, bodies: &[Option<Arc<HalfSpaceBody>>; 2], least_residual: f64) -> Evidence {
         let (system, state) = (&self.system, &self.outcome.state);
         let force = &state.response.contact.force;
-        let trial = trial_of_tensors(system, &state.loads, force);
+        let trial = trial_of_tensors(system, &state.loads, bodies);
         let mut answer = system.zeros();
         system.initial_stress(&trial, &mut answer);
         let mut unloaded_gap = vec![0.0; force.len()];
         system.surface.apply(force, &mut unloaded_gap);
-        let opening = system.gap_opening(&state.loads);
-        for ((gap, initial), opening) in unloaded_gap.iter_mut().zip(&system.initial_gap).zip(opening) {
-            *gap += initial + opening;
+        for (gap, initial) in unloaded_gap.iter_mut().zip(&system.initial_gap) {
+            *gap += initial;
+        }
+        for body in bodies.iter().flatten() {
+            for (gap, plastic) in unloaded_gap.iter_mut().zip(&body.plastic_displacement) {
+                *gap += plastic;
+            }
         }
         Evidence {
             unloaded_gap,
@@ -77,11 +97,10 @@ impl Answer {
         &self,
         engine: &HalfSpaceEngine<'_>,
         load: ContactLoad,
-        last_peak: [f64; 2],
+        measured: Measured,
         evidence: &Evidence,
         (status, contact_check): (SolveStatus, KktReport),
     ) -> HalfSpaceStep {
-        let measured = measure(&self.system, &self.outcome, last_peak);
         let Measured { figures, peak_position, largest_cell_pressure, surface, energy, bodies } = measured;
         HalfSpaceStep {
             status,
@@ -108,19 +127,20 @@ impl Answer {
 }
 
 /// `dev(σ + σ0) + 2μ Δε` from all six stresses.
-fn trial_of_tensors(system: &HalfSpaces, loads: &BlockVector, force: &[f64]) -> BlockVector {
-    let area = system.grid().cell_area();
-    let n_cells = force.len();
-    let pressure: Vec<f64> = force.iter().map(|force| force / area).collect();
+fn trial_of_tensors(
+    system: &HalfSpaces,
+    loads: &BlockVector,
+    bodies: &[Option<Arc<HalfSpaceBody>>; 2],
+) -> BlockVector {
+    let n_cells = system.grid().n_cells();
     let mut trial = loads.clone();
-    let mut yielding = system.yielding.borrow_mut();
-    for (n, (body, trial)) in yielding.bodies.iter_mut().zip(&mut trial).enumerate() {
-        let stress = body.stresses(&pressure, &loads[n]);
-        let elastic = system.elastic.iter().flatten().find(|elastic| elastic.yielding == Some(n));
+    for (n, trial) in trial.iter_mut().enumerate() {
+        let sides = system.elastic.iter().zip(bodies);
+        let mut of_body =
+            sides.filter(|(elastic, _)| elastic.as_ref().is_some_and(|e| e.yielding == Some(n)));
+        let Some((_, Some(body))) = of_body.next() else { continue };
         for (layer, trial) in trial.chunks_exact_mut(DEVIATOR_COMPONENTS * n_cells).enumerate() {
-            let [xx, yy, xy] = elastic.map_or([0.0; 3], |elastic| elastic.initial[layer]);
-            let initial = [xx, yy, 0.0, xy, 0.0, 0.0];
-            let tensor = |k: usize, cell: usize| stress.component(layer, k)[cell] + initial[k];
+            let tensor = |k: usize, cell: usize| body.stress.component(layer, k)[cell];
             for cell in 0..n_cells {
                 let mean = (tensor(0, cell) + tensor(1, cell) + tensor(2, cell)) / 3.0;
                 for (k, (row, mean)) in

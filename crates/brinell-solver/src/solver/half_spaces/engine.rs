@@ -6,23 +6,26 @@ use brinell_halfspace::{
     DEVIATOR_COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceFlexibility, SurfaceGrid, YieldingBody,
 };
 
+use super::estimate::bytes;
 use super::law::law_of_cells;
-use super::measure::semi_axes;
-use super::problem::HalfSpaceProblem;
+use super::measure::{place, semi_axes};
+use super::problem::{Expected, HalfSpaceProblem};
 use super::step::HalfSpaceFigures;
-use super::system::{ElasticBody, HalfSpaces, Yielding};
+use super::system::{ElasticBody, HalfSpaces, Yielding, watched};
 use crate::contact::{ConjugateGradientSolver, ContactLoad};
 use crate::job::{self, Deformable, InitialStressProfile, Theory};
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem as _};
 use crate::solver::method::couplings::Coupling;
 use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::final_check::COLLAPSE_STRAIN;
+use crate::solver::method::observer::Held;
+use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{self, Engine, Round, Verdict, VerdictOf};
 use crate::solver::method::steps::CoarseFigures;
 use crate::solver::{SolveError, strategy};
 
-/// Half a side of the grid over the expected semi-axis. From the prototype in Python.
+/// Half a side of the grid over the semi-axis. From the prototype in Python.
 const REACH: f64 = 1.6;
 /// Thickness of the first layer over the shorter side of a cell, and growth of the layers times cells along a side. From the
 /// prototype in Python.
@@ -30,14 +33,21 @@ const FIRST_LAYER: f64 = 0.75;
 const GROWTH: f64 = 1.92;
 /// Depth of the layers over the shorter semi-axis. From the prototype in Python.
 const DEPTH: f64 = 2.6;
-/// Factor by which a grid grows that contact or plastic strain has reached the end of, and how often it does.
+/// Overload of a ball, and what is left of it for a line, beyond which plastic zones are wider and deeper than that; they grow with its
+/// square root. Perfectly plastic balls and ellipsoids of radii 10 and 100 mm, overloads 3 to 30, reach within 0.9 of these grids.
+const WIDE_ZONE: f64 = 8.0;
+const WIDE_ZONE_OF_LINES: f64 = 4.0;
+/// Factor by which cells grow at least where contact or plastic strain has reached the end of a grid, and how often they do.
 const ENLARGEMENT: f64 = 1.3;
 const MAX_ENLARGEMENTS: usize = 8;
+/// Half a side and depth of a grid over what yields on it.
+const MARGIN: f64 = 1.1;
 
-/// How a grid is laid out.
+/// How a grid is laid out. Its cells are as many as its extent asks for: where contact or plastic strain reaches further than that, the
+/// cells grow and not their number, which bounds the memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GridDesign {
-    /// Expected semi-axes along x and y \[mm\].
+    /// Semi-axes along x and y, or more where plastic strain reaches far beyond them \[mm\].
     pub semi_axes: [f64; 2],
     /// Cells over each of them.
     pub cells: f64,
@@ -45,17 +55,61 @@ pub(super) struct GridDesign {
     reach: [f64; 2],
     /// Depth of the layers over the shorter semi-axis.
     depth: f64,
+    /// Factor on all depths.
+    stretch: f64,
     pub enlargements: usize,
 }
 
 impl GridDesign {
-    pub const fn new(semi_axes: [f64; 2], cells: f64) -> Self {
-        Self { semi_axes, cells, reach: [REACH; 2], depth: DEPTH, enlargements: 0 }
+    /// For the contact that is expected.
+    pub fn new(expected: Expected, cells: f64) -> Self {
+        let Expected { semi_axes: [a, b], overload, .. } = expected;
+        let wide = WIDE_ZONE_OF_LINES + (WIDE_ZONE - WIDE_ZONE_OF_LINES) * (a / b);
+        let beyond = (overload / wide).sqrt().max(1.0) - 1.0;
+        // Beyond the ends of a long contact plastic strain reaches as far as beside it.
+        let reach = [1.0 + beyond, 1.0 + beyond * a / b].map(|factor| REACH * factor);
+        let depth = DEPTH * (1.0 + beyond);
+        Self { semi_axes: [a, b], cells, reach, depth, stretch: 1.0, enlargements: 0 }
     }
 
-    /// The same extent for other semi-axes and cells.
-    pub fn with(self, semi_axes: [f64; 2], cells: f64) -> Self {
-        Self { semi_axes, cells, ..self }
+    /// The same extent in other cells.
+    pub fn with_cells(self, cells: f64) -> Self {
+        Self { cells, ..self }
+    }
+
+    /// A grid for both.
+    pub fn union(self, other: Self) -> Self {
+        let larger = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        Self {
+            semi_axes: larger(self.semi_axes, other.semi_axes),
+            reach: larger(self.reach, other.reach),
+            depth: self.depth.max(other.depth),
+            stretch: self.stretch.max(other.stretch),
+            ..self
+        }
+    }
+
+    /// The same number of cells around this contact and what yields below it; this design where nothing touches.
+    pub fn fitted(self, system: &HalfSpaces, force: &[f64]) -> Self {
+        let axes = semi_axes(system.grid(), force);
+        if axes[0].min(axes[1]) <= 0.0 {
+            return self;
+        }
+        let zone = plastic_zone(system).map(|reach| MARGIN * reach);
+        let semi_axes = [0, 1].map(|k| axes[k].max(zone[k] / self.reach[k]));
+        let stretch = (zone[2] / (self.depth * semi_axes[0].min(semi_axes[1]))).max(1.0);
+        Self { semi_axes, stretch, ..self }
+    }
+
+    /// A larger grid, for one whose ends along x, along y or in depth are reached.
+    fn enlarged(self, system: &HalfSpaces, force: &[f64], reached: [bool; 3]) -> Self {
+        let factor = reached.map(|reached| if reached { ENLARGEMENT } else { 1.0 });
+        let [x, y] = self.semi_axes;
+        let least =
+            Self { semi_axes: [factor[0] * x, factor[1] * y], enlargements: self.enlargements + 1, ..self };
+        let next = least.union(self.fitted(system, force));
+        let stretch = factor[2] * self.stretch * self.shorter() / next.shorter();
+        Self { stretch: stretch.max(1.0), ..next }
     }
 
     fn shorter(&self) -> f64 {
@@ -73,8 +127,9 @@ impl GridDesign {
         let counts = self.reach.map(|reach| 2 * (reach * self.cells).ceil() as usize);
         let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
         let growth = 1.0 + GROWTH / (2.0 * REACH * self.cells);
+        let first = FIRST_LAYER * sides[0].min(sides[1]);
         let layers =
-            Layers::graded(FIRST_LAYER * sides[0].min(sides[1]), growth, self.depth * self.shorter())?;
+            Layers::graded(self.stretch * first, growth, self.stretch * self.depth * self.shorter())?;
         Ok((grid, layers))
     }
 }
@@ -163,16 +218,19 @@ impl solve::Answer for Answer {
 }
 
 impl HalfSpaceEngine<'_> {
-    fn system(&self, design: &GridDesign) -> Result<HalfSpaces, SolveError> {
+    fn system(&self, design: &GridDesign, run: &mut Run<'_>) -> Result<HalfSpaces, SolveError> {
         let (grid, layers) = design.grid()?;
         let problem = self.problem;
+        run.hold(Held::Bodies, bytes(problem, &grid, &layers))?;
         let [kx, ky] = problem.principal_curvatures();
         let initial_gap = grid.sample(|x, y| 0.5 * (kx * x * x + ky * y * y));
         let are_equal = problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
         let mut bodies = Vec::new();
         let mut body = |material: &Option<Deformable>, count: u8| {
             let material = material.as_ref();
-            material.map(|material| self.body(material, &grid, &layers, count, &mut bodies)).transpose()
+            let built =
+                material.map(|material| self.body(material, &grid, &layers, (count, run), &mut bodies));
+            built.transpose()
         };
         let [upper, lower] = &problem.materials;
         let elastic = if are_equal {
@@ -206,18 +264,19 @@ impl HalfSpaceEngine<'_> {
         material: &Deformable,
         grid: &SurfaceGrid,
         layers: &Layers,
-        count: u8,
+        (count, run): (u8, &mut Run<'_>),
         bodies: &mut Vec<YieldingBody>,
     ) -> Result<ElasticBody, SolveError> {
         let constants = material.elastic();
         let constants = Elasticity::new(constants.young_modulus.get(), constants.poisson_ratio.get())?;
         let initial = initial_stress(material, self.problem.orientation(), layers);
         let law = law_of_cells(material, self.theory, layers, grid.n_cells());
+        let build = if law.is_some() { HalfSpace::new } else { HalfSpace::periodic };
+        let space = watched(run, Phase::Flexibility, |stop| build(*grid, layers.clone(), constants, stop))?;
+        let space = Arc::new(space);
         let Some(law) = law else {
-            let space = Arc::new(HalfSpace::periodic(*grid, layers.clone(), constants));
             return Ok(ElasticBody { space, initial, yielding: None });
         };
-        let space = Arc::new(HalfSpace::new(*grid, layers.clone(), constants));
         let deviators = initial.iter().map(|stress| deviator(*stress)).collect();
         let begins_there = self.theory == Theory::Flow;
         bodies.push(YieldingBody::new(Arc::clone(&space), law, count, deviators, begins_there));
@@ -240,6 +299,24 @@ fn initial_stress(material: &Deformable, angle: f64, layers: &Layers) -> Vec<[f6
 fn deviator([xx, yy, xy]: [f64; 3]) -> [f64; DEVIATOR_COMPONENTS] {
     let mean = (xx + yy) / 3.0;
     [xx - mean, yy - mean, xy, 0.0, 0.0]
+}
+
+/// How far plastic strain reaches along x, along y and in depth \[mm\].
+fn plastic_zone(system: &HalfSpaces) -> [f64; 3] {
+    let grid = system.grid();
+    let mut zone = [0.0_f64; 3];
+    for body in &system.yielding.borrow().bodies {
+        let layers = body.space().layers();
+        for cell in 0..layers.len() * grid.n_cells() {
+            let (layer, of_layer) = (cell / grid.n_cells(), cell % grid.n_cells());
+            if body.law().has_yielded(layer, cell) {
+                let [x, y] = place(grid, of_layer);
+                let reach = [x.abs() + 0.5 * grid.hx(), y.abs() + 0.5 * grid.hy(), layers.faces()[layer + 1]];
+                zone = std::array::from_fn(|k| zone[k].max(reach[k]));
+            }
+        }
+    }
+    zone
 }
 
 /// Where contact or plastic strain comes to the end of a grid: along x, along y, in depth.
@@ -275,9 +352,9 @@ impl Engine for HalfSpaceEngine<'_> {
     fn build(
         &self,
         design: &mut GridDesign,
-        _: &mut Run<'_>,
+        run: &mut Run<'_>,
     ) -> Result<(HalfSpaces, Option<BlockVector>), SolveError> {
-        Ok((self.system(design)?, None))
+        Ok((self.system(design, run)?, None))
     }
 
     fn resume(
@@ -302,12 +379,7 @@ impl Engine for HalfSpaceEngine<'_> {
         if !may_enlarge || reached == [false; 3] {
             return Ok(Verdict::Accept(Answer { system, outcome }));
         }
-        let factor = reached.map(|reached| if reached { ENLARGEMENT } else { 1.0 });
-        Ok(Verdict::Again(GridDesign {
-            reach: [design.reach[0] * factor[0], design.reach[1] * factor[1]],
-            depth: design.depth * factor[2],
-            enlargements: design.enlargements + 1,
-            ..*design
-        }))
+        let force = &outcome.state.response.contact.force;
+        Ok(Verdict::Again(design.enlarged(&system, force, reached)))
     }
 }

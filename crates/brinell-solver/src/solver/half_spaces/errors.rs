@@ -8,6 +8,7 @@
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
+use crate::solver::SolveStatus;
 use crate::solver::method::steps::CoarseFigures;
 
 const OF_GRID: f64 = 0.7;
@@ -20,12 +21,22 @@ const SCATTER_OF_AXES: f64 = 1.5e-2;
 const FORCE_OVER_APPROACH: f64 = 1.5;
 
 impl HalfSpaceStep {
-    /// Errors by what a grid of half the cells has found.
-    pub(super) fn errors_beside(&self, coarse: &HalfSpaceFigures) -> HalfSpaceFigures {
+    /// Errors by what a grid of half the cells has found; `None` of a step without an answer.
+    pub(super) fn errors_beside(&self, coarse: &HalfSpaceFigures) -> Option<HalfSpaceFigures> {
+        if self.status != SolveStatus::Converged {
+            return None;
+        }
         let figures = self.figures.values();
         let of_grid = difference(&self.figures, coarse).values();
         let floors = floors(self).values();
-        HalfSpaceFigures::of(std::array::from_fn(|k| OF_GRID * of_grid[k] + floors[k] * figures[k].abs()))
+        let mut errors: [f64; 14] =
+            std::array::from_fn(|k| OF_GRID * of_grid[k] + floors[k] * figures[k].abs());
+        // What is prescribed is not found.
+        match self.load {
+            ContactLoad::Force(_) => errors[0] = 0.0,
+            ContactLoad::Approach(_) => errors[1] = 0.0,
+        }
+        Some(HalfSpaceFigures::of(errors))
     }
 
     fn yields(&self) -> bool {

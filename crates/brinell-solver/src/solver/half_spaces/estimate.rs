@@ -1,10 +1,12 @@
 //! What a problem will take, before it is solved.
 
-use brinell_halfspace::{DEVIATOR_COMPONENTS, HalfSpace};
+use brinell_halfspace::{DEVIATOR_COMPONENTS, HalfSpace, Layers, SurfaceGrid};
 
 use super::engine::GridDesign;
-use super::problem::HalfSpaceProblem;
+use super::problem::{Expected, HalfSpaceProblem};
+use crate::contact::ContactLoad;
 use crate::solver::SolveError;
+use crate::solver::loads::{Loads, Sought, largest_loads, loads};
 use crate::solver::method::couplings::anderson::DEPTH;
 
 /// Part of the cells that flows.
@@ -23,17 +25,43 @@ pub struct HalfSpaceEstimate {
     pub bytes: u64,
 }
 
+/// Overload for which a search for a force is prepared.
+const SEARCHED_OVERLOAD: f64 = 12.0;
+
 /// Estimates the grid that a problem asks for, and its memory.
 ///
 /// # Errors
 /// Those of a grid.
 pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, SolveError> {
-    let contact = problem.hertz(1.0);
-    let design =
-        GridDesign::new([contact.semi_axis_x, contact.semi_axis_y], f64::from(problem.cells_per_semi_axis));
+    let mut design: Option<GridDesign> = None;
+    for expected in of_loads(problem) {
+        let next = GridDesign::new(expected.bearable()?, problem.cells());
+        design = Some(design.map_or(next, |design| design.union(next)));
+    }
+    let design = design.ok_or(SolveError::NoLoad)?;
     let (grid, layers) = design.grid()?;
+    let bytes = bytes(problem, &grid, &layers) as u64;
+    Ok(HalfSpaceEstimate { cells: [grid.nx(), grid.ny()], layers: layers.len(), bytes })
+}
+
+/// What is expected under the largest loads.
+fn of_loads(problem: &HalfSpaceProblem) -> Vec<Expected> {
+    match loads(&problem.load) {
+        Loads::Given(loads) => {
+            largest_loads(&loads).into_iter().filter_map(|load| problem.expected(load)).collect()
+        }
+        Loads::Sought(sought) => {
+            let overload = if sought == Sought::Onset { 0.0 } else { SEARCHED_OVERLOAD };
+            let under_unit = problem.expected(ContactLoad::Force(1.0));
+            under_unit.map(|expected| Expected { overload, ..expected }).into_iter().collect()
+        }
+    }
+}
+
+/// Bytes that a solve on a grid holds.
+pub(super) fn bytes(problem: &HalfSpaceProblem, grid: &SurfaceGrid, layers: &Layers) -> usize {
     let field = layers.len() * grid.n_cells() * DEVIATOR_COMPONENTS * size_of::<f64>();
-    let operators = HalfSpace::bytes(&grid, layers.len());
+    let operators = HalfSpace::bytes(grid, layers.len());
     let are_equal = problem.materials[0] == problem.materials[1];
     let bodies = if are_equal { 1 } else { problem.materials.iter().flatten().count() };
     let yielding =
@@ -43,6 +71,5 @@ pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, SolveEr
     let anderson = (2.0 * (DEPTH + 2) as f64 * FLOWING * field as f64) as usize;
     // Strain, stress before, total and stress of the body, and fields of the answer.
     let of_yielding = (VECTORS + 4) * field + anderson;
-    let bytes = bodies * (operators + 3 * field) + yielding * of_yielding;
-    Ok(HalfSpaceEstimate { cells: [grid.nx(), grid.ny()], layers: layers.len(), bytes: bytes as u64 })
+    bodies * (operators + 3 * field) + yielding * of_yielding
 }

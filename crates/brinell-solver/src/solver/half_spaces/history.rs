@@ -2,11 +2,11 @@
 //! asked for.
 
 use super::engine::{Answer, GridDesign, HalfSpaceEngine};
-use super::measure::{measure, place, semi_axes};
+use super::measure::{measure, place, stresses};
 use super::problem::HalfSpaceProblem;
 use super::run::size;
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
-use super::system::HalfSpaces;
+use super::system::{HalfSpaces, never};
 use crate::contact::ContactLoad;
 use crate::job::Theory;
 use crate::solver::SolveError;
@@ -29,8 +29,8 @@ const APPROACH_EXPONENT: f64 = 2.0;
 /// What a history leaves beside the accepted state.
 pub(super) struct Memory {
     design: GridDesign,
-    /// Largest semi-axes.
-    semi_axes: [f64; 2],
+    /// A design for all of the history.
+    fitted: Option<GridDesign>,
     /// Where the pressure was largest under the last load above zero.
     peak: [f64; 2],
     /// Figures at the end of each load.
@@ -50,7 +50,7 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 
     fn begin(&self, system: &HalfSpaces) -> Memory {
-        Memory { design: system.design, semi_axes: [0.0; 2], peak: [0.0; 2], figures: Vec::new() }
+        Memory { design: system.design, fitted: None, peak: [0.0; 2], figures: Vec::new() }
     }
 
     fn bytes(memory: &Memory) -> usize {
@@ -85,14 +85,15 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     fn remember(&self, answer: &mut Answer, memory: &mut Memory, time: f64, _: bool) {
         let Answer { system, outcome } = answer;
         let contact = &outcome.state.response.contact;
-        let axes = semi_axes(system.grid(), &contact.force);
-        memory.semi_axes = [memory.semi_axes[0].max(axes[0]), memory.semi_axes[1].max(axes[1])];
         if contact.total_force > 0.0 {
+            let fitted = system.design.fitted(system, &contact.force);
+            memory.fitted = Some(memory.fitted.map_or(fitted, |before| before.union(fitted)));
             memory.peak = place(system.grid(), system.peak(&contact.force).1);
         }
         // What a coarse grid has found is compared at the end of each load.
         if time.fract() == 0.0 && self.coarse.is_empty() {
-            memory.figures.push(measure(system, outcome, memory.peak).figures);
+            let stresses = stresses(system, outcome, &mut never).ok();
+            memory.figures.push(measure(system, outcome, memory.peak, stresses).figures);
         }
     }
 
@@ -102,12 +103,12 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
         load: ContactLoad,
         memory: &mut Memory,
         progress: &Progress,
-        _: &mut Run<'_>,
+        run: &mut Run<'_>,
     ) -> HalfSpaceStep {
         let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
-        let mut step = answer.step(self, load, memory.peak, least);
+        let mut step = answer.step(self, load, memory.peak, least, run);
         let coarse = progress.number.load.checked_sub(1).and_then(|load| self.coarse.get(load));
-        step.errors = coarse.map(|coarse| step.errors_beside(coarse));
+        step.errors = coarse.and_then(|coarse| step.errors_beside(coarse));
         step
     }
 
@@ -135,19 +136,17 @@ impl<'a> TwoDensities for OnTwoGrids<'a> {
         let mut design: Option<GridDesign> = None;
         for load in largest_loads(self.loads) {
             let next = size(problem, load, run)?;
-            let is_wider = design.is_none_or(|design| next.semi_axes[0] > design.semi_axes[0]);
-            design = if is_wider { Some(next) } else { design };
+            design = Some(design.map_or(next, |design| design.union(next)));
         }
         let design = design.ok_or(SolveError::NoLoad)?;
         let engine = HalfSpaceEngine::auxiliary(problem, Theory::Flow, problem.solver.tolerance.get());
-        Ok((engine, design.with(design.semi_axes, 0.5 * problem.cells())))
+        Ok((engine, design.with_cells(0.5 * problem.cells())))
     }
 
     fn fine(&self, found: &Memory) -> EngineAndDesign<Self::Engine> {
         let problem = self.problem;
         let mut engine = HalfSpaceEngine::new(problem, Theory::Flow);
         engine.coarse.clone_from(&found.figures);
-        let axes = if found.semi_axes[0] > 0.0 { found.semi_axes } else { found.design.semi_axes };
-        (engine, found.design.with(axes, problem.cells()))
+        (engine, found.fitted.unwrap_or(found.design).with_cells(problem.cells()))
     }
 }

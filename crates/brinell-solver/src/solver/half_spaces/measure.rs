@@ -4,12 +4,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use brinell_contact::Flexibility as _;
-use brinell_halfspace::{SurfaceGrid, TensorField, YieldingBody};
+use brinell_halfspace::{Stop, Stopped, SurfaceGrid, TensorField, YieldingBody};
 
 use super::step::{HalfSpaceBody, HalfSpaceFigures, LargestStrain, SurfaceMap};
 use super::system::{ElasticBody, HalfSpaces};
 use crate::solver::Energy;
-use crate::solver::method::contact_system::BlockVector;
 use crate::solver::method::couplings::iteration::Outcome;
 
 /// An answer as far as it can be read off one state.
@@ -22,19 +21,52 @@ pub(super) struct Measured {
     pub bodies: [Option<Arc<HalfSpaceBody>>; 2],
 }
 
-/// Reads off an answer after its check; `last_peak` is where the pressure was largest before, for bodies that do not touch.
-pub(super) fn measure(system: &HalfSpaces, outcome: &Outcome, last_peak: [f64; 2]) -> Measured {
+/// Stresses of the upper and lower body \[MPa\], without those before the load; `None` of a rigid one and of an upper one that is
+/// like the lower one.
+pub(super) type Stresses = [Option<TensorField>; 2];
+
+/// Evaluates the stresses of an answer.
+///
+/// # Errors
+/// [`Stopped`].
+pub(super) fn stresses(
+    system: &HalfSpaces,
+    outcome: &Outcome,
+    stop: &mut Stop<'_>,
+) -> Result<Stresses, Stopped> {
+    let state = &outcome.state;
+    let pressure: Vec<f64> = system.pressure(&state.response.contact.force).collect();
+    let mut yielding = system.yielding.borrow_mut();
+    let mut of = |body: &ElasticBody| match body.yielding {
+        Some(n) => yielding.bodies[n].stresses(&pressure, &state.loads[n], stop),
+        None => elastic_stress(body, &pressure, stop),
+    };
+    let [upper, lower] = &system.elastic;
+    let upper = upper.as_ref().filter(|_| !system.is_shared());
+    Ok([upper.map(&mut of).transpose()?, lower.as_ref().map(of).transpose()?])
+}
+
+/// Reads off an answer. Without stresses none are reported, nor what follows from them; `last_peak` is where the pressure was largest
+/// before, for bodies that do not touch.
+pub(super) fn measure(
+    system: &HalfSpaces,
+    outcome: &Outcome,
+    last_peak: [f64; 2],
+    stresses: Option<Stresses>,
+) -> Measured {
     let contact = &outcome.state.response.contact;
     let grid = *system.grid();
-    let pressure: Vec<f64> = contact.force.iter().map(|force| force / grid.cell_area()).collect();
+    let pressure: Vec<f64> = system.pressure(&contact.force).collect();
     let touches = contact.total_force > 0.0;
     let (peak_pressure, peak_cell) = system.peak(&contact.force);
     let peak_position = if touches { place(&grid, peak_cell) } else { last_peak };
     let axes = semi_axes(&grid, &pressure);
-    let bodies = fields(system, &outcome.state.loads, &pressure);
+    let bodies = fields(system, stresses.unwrap_or_default());
+    let gap = contact.gap.iter().zip(&pressure);
+    let gap = gap.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap }).collect();
     let figures = HalfSpaceFigures {
         force: contact.total_force,
-        approach: contact.approach,
+        approach: system.approach(contact),
         peak_pressure,
         semi_axes: axes,
         area: PI * axes[0] * axes[1],
@@ -50,22 +82,24 @@ pub(super) fn measure(system: &HalfSpaces, outcome: &Outcome, last_peak: [f64; 2
         figures,
         peak_position,
         largest_cell_pressure: pressure.iter().copied().fold(0.0, f64::max),
-        surface: SurfaceMap { grid, pressure, gap: contact.gap.clone() },
-        energy: energy(system, outcome),
+        energy: energy(system, outcome, &pressure),
+        surface: SurfaceMap { grid, pressure, gap },
         bodies,
     }
 }
 
 /// Elastic energy of the pressure, `½ RᵀF R`, and of plastic strain, whose cross terms cancel; and the work of plastic flow.
-fn energy(system: &HalfSpaces, outcome: &Outcome) -> Energy {
-    let force = &outcome.state.response.contact.force;
+fn energy(system: &HalfSpaces, outcome: &Outcome, pressure: &[f64]) -> Energy {
+    let (state, force) = (&outcome.state, &outcome.state.response.contact.force);
     let mut displacement = vec![0.0; force.len()];
     system.surface.apply(force, &mut displacement);
     let of_pressure = 0.5 * force.iter().zip(&displacement).map(|(r, u)| r * u).sum::<f64>();
     let mut energy = Energy { elastic: of_pressure, ..Energy::default() };
-    let mut yielding = system.yielding.borrow_mut();
-    for (body, increment) in yielding.bodies.iter_mut().zip(&outcome.state.loads) {
-        energy.elastic += body.count() * body.residual_energy(increment);
+    let yielding = system.yielding.borrow();
+    for ((body, increment), trial) in
+        yielding.bodies.iter().zip(&state.loads).zip(&state.response.displacement)
+    {
+        energy.elastic += body.count() * body.residual_energy(pressure, trial, increment);
         let (n_cells, layers) = (force.len(), body.space().layers());
         for cell in 0..layers.len() * n_cells {
             let layer = cell / n_cells;
@@ -88,33 +122,36 @@ pub(super) fn place(grid: &SurfaceGrid, cell: usize) -> [f64; 2] {
 }
 
 /// Fields of both bodies; equal ones share them.
-fn fields(system: &HalfSpaces, loads: &BlockVector, pressure: &[f64]) -> [Option<Arc<HalfSpaceBody>>; 2] {
-    let [upper, lower] = &system.elastic;
-    let is_shared = matches!((upper, lower), (Some(a), Some(b)) if Arc::ptr_eq(&a.space, &b.space));
-    let of = |body: &ElasticBody| Arc::new(field(system, body, loads, pressure));
-    let upper = upper.as_ref().map(of);
-    let lower = if is_shared { upper.clone() } else { lower.as_ref().map(of) };
-    [upper, lower]
+fn fields(system: &HalfSpaces, [upper, lower]: Stresses) -> [Option<Arc<HalfSpaceBody>>; 2] {
+    let of = |side: usize, stress: Option<TensorField>| {
+        system.elastic[side].as_ref().map(|body| Arc::new(field(system, body, stress)))
+    };
+    let lower = of(1, lower);
+    [if system.is_shared() { lower.clone() } else { of(0, upper) }, lower]
 }
 
-fn field(system: &HalfSpaces, body: &ElasticBody, loads: &BlockVector, pressure: &[f64]) -> HalfSpaceBody {
+fn field(system: &HalfSpaces, body: &ElasticBody, stress: Option<TensorField>) -> HalfSpaceBody {
     let (grid, layers) = (*body.space.grid(), body.space.layers().clone());
-    let mut yielding = system.yielding.borrow_mut();
-    let mut result = match body.yielding {
-        Some(n) => field_of_yielding(&mut yielding.bodies[n], &loads[n], pressure),
-        None => HalfSpaceBody {
-            stress: elastic_stress(body, pressure),
-            grid,
-            layers,
-            plastic_strain: None,
-            equivalent_plastic_strain: Vec::new(),
-            yield_stress: Vec::new(),
-            plastic_displacement: vec![0.0; grid.n_cells()],
-            largest_strain: None,
-            plastic_volume: 0.0,
-        },
+    let (n_layers, n_cells) = (layers.len(), grid.n_cells());
+    let has_stress = stress.is_some();
+    let stress = stress.unwrap_or_else(|| TensorField::tensors(n_layers, n_cells));
+    let elastic = HalfSpaceBody {
+        stress,
+        grid,
+        layers,
+        plastic_strain: None,
+        equivalent_plastic_strain: Vec::new(),
+        yield_stress: Vec::new(),
+        plastic_displacement: vec![0.0; n_cells],
+        largest_strain: None,
+        plastic_volume: 0.0,
     };
-    for (layer, [xx, yy, xy]) in body.initial.iter().enumerate() {
+    let yielding = system.yielding.borrow();
+    let mut result = match body.yielding {
+        Some(n) => field_of_yielding(&yielding.bodies[n], elastic),
+        None => elastic,
+    };
+    for (layer, [xx, yy, xy]) in body.initial.iter().enumerate().filter(|_| has_stress) {
         for (k, initial) in [(0, xx), (1, yy), (3, xy)] {
             for stress in result.stress.component_mut(layer, k) {
                 *stress += initial;
@@ -124,19 +161,19 @@ fn field(system: &HalfSpaces, body: &ElasticBody, loads: &BlockVector, pressure:
     result
 }
 
-fn elastic_stress(body: &ElasticBody, pressure: &[f64]) -> TensorField {
+fn elastic_stress(body: &ElasticBody, pressure: &[f64], stop: &mut Stop<'_>) -> Result<TensorField, Stopped> {
     let (n_layers, n_cells) = (body.space.layers().len(), body.space.grid().n_cells());
     let mut work = body.space.work();
     let mut opening = vec![0.0; n_cells];
-    body.space.opening(&TensorField::deviators(n_layers, n_cells), &mut work, &mut opening);
+    body.space.opening(&TensorField::deviators(n_layers, n_cells), &mut work, &mut opening, stop)?;
     let mut stress = TensorField::tensors(n_layers, n_cells);
-    body.space.stress(pressure, &mut work, &mut stress);
-    stress
+    body.space.stress(pressure, &mut work, &mut stress, stop)?;
+    Ok(stress)
 }
 
-fn field_of_yielding(body: &mut YieldingBody, increment: &[f64], pressure: &[f64]) -> HalfSpaceBody {
-    let stress = body.stresses(pressure, increment);
-    let (grid, layers) = (*body.space().grid(), body.space().layers().clone());
+/// What a body that can yield has beside its stresses.
+fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBody {
+    let HalfSpaceBody { grid, ref layers, .. } = elastic;
     let n_cells = grid.n_cells();
     let cells = 0..layers.len() * n_cells;
     let law = body.law();
@@ -152,15 +189,13 @@ fn field_of_yielding(body: &mut YieldingBody, increment: &[f64], pressure: &[f64
     let yield_stress = cells.map(|cell| law.yield_stress(cell / n_cells, cell)).collect();
     let (plastic_strain, displacement) = body.opened();
     HalfSpaceBody {
-        stress,
         plastic_strain: Some(plastic_strain.clone()),
         plastic_displacement: displacement.to_vec(),
         equivalent_plastic_strain: strain,
         yield_stress,
         largest_strain,
         plastic_volume,
-        grid,
-        layers,
+        ..elastic
     }
 }
 

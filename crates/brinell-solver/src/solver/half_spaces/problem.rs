@@ -4,9 +4,20 @@ use brinell_halfspace::EllipticContact;
 
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Load, SolverSettings};
+use crate::material::HardeningLaw;
+use crate::solver::SolveError;
 
 /// Curvatures closer than this part of their sum are those of a circle, whose axes have no direction.
 const CIRCLE: f64 = 1e-12;
+/// Mean pressure of a fully plastic contact over the flow stress, and the strain at which that is taken over half-width times
+/// curvature.
+///
+/// # Reference
+/// D. Tabor, *The Hardness of Metals* (1951).
+const CONSTRAINT: f64 = 3.0;
+const INDENTATION_STRAIN: f64 = 0.2;
+/// Overload beyond which nothing is solved. A perfectly plastic ball of steel has strains of 13 % at 30.
+const MOST_OVERLOAD: f64 = 40.0;
 
 /// Two bodies, the curvature of the gap between them, and what presses them together.
 #[derive(Debug, Clone)]
@@ -56,11 +67,45 @@ impl HalfSpaceProblem {
 
     /// Lowest nominal yield stress of all depths \[MPa\].
     pub(super) fn weakest(&self) -> Option<f64> {
-        let weakest = |material: &Deformable| {
+        self.least_stress(|law| law.nominal_yield_stress())
+    }
+
+    /// The least of a stress of the hardening curves, of all depths \[MPa\].
+    fn least_stress(&self, of: impl Fn(&dyn HardeningLaw) -> f64) -> Option<f64> {
+        let least = |material: &Deformable| {
             let factor = material.strength().map_or(1.0, |strength| strength.range().0);
-            material.hardening_law().map(|law| factor * law.nominal_yield_stress())
+            material.hardening_law().map(|law| factor * of(&*law))
         };
-        self.materials.iter().flatten().filter_map(weakest).reduce(f64::min)
+        self.materials.iter().flatten().filter_map(least).reduce(f64::min)
+    }
+
+    /// Semi-axes that are expected of a contact, and its overload; `None` where the bodies do not touch.
+    ///
+    /// They are those of elastic bodies, or `√(P/3πσ)` where that is more: a fully plastic contact has a mean pressure of 3σ. At a
+    /// given approach the surface of such a contact neither sinks nor rises, and its area is twice that of elastic bodies.
+    pub(super) fn expected(&self, load: ContactLoad) -> Option<Expected> {
+        let elastic = self.elastic_contact(load)?;
+        let (a, b, peak) = (elastic.semi_axis_x, elastic.semi_axis_y, elastic.peak_pressure);
+        let most = match load {
+            ContactLoad::Force(_) => f64::INFINITY,
+            ContactLoad::Approach(_) => 2.0,
+        };
+        // P = 2/3 p0 π a b.
+        let area_ratio = |stress: f64| 2.0 * peak / (3.0 * CONSTRAINT * stress);
+        let strain = |area: f64| INDENTATION_STRAIN * a * area.sqrt() * self.principal_curvatures()[0];
+        let mut area: f64 = 1.0;
+        for _ in 0..2 {
+            let flow = self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
+            area = flow.map_or(1.0, area_ratio).clamp(1.0, most);
+        }
+        let of_yield = self.weakest().map_or(0.0, |weakest| peak / weakest);
+        let flow = self.least_stress(|law| law.stress(strain(area)).max(law.nominal_yield_stress()));
+        let share = self.weakest().map_or(1.0, |weakest| (most / area_ratio(weakest)).min(1.0));
+        Some(Expected {
+            semi_axes: [a, b].map(|axis| area.sqrt() * axis),
+            overload: share.cbrt() * of_yield,
+            over_flow: share.cbrt() * flow.map_or(0.0, |flow| peak / flow),
+        })
     }
 
     /// Cells over each semi-axis.
@@ -82,6 +127,28 @@ impl HalfSpaceProblem {
             ContactLoad::Approach(approach) => (approach / self.hertz(1.0).approach).max(0.0).powf(1.5),
         };
         (force > 0.0).then(|| self.hertz(force))
+    }
+}
+
+/// What is expected of a contact before it is solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Expected {
+    /// Along x and y \[mm\].
+    pub semi_axes: [f64; 2],
+    /// Largest pressure of elastic bodies under the same force over the lowest yield stress; 0 of elastic bodies.
+    pub overload: f64,
+    /// The same over the stress at which the material flows.
+    pub over_flow: f64,
+}
+
+impl Expected {
+    /// Fails under loads that small strains do not bear.
+    ///
+    /// # Errors
+    /// [`SolveError::Overloaded`].
+    pub fn bearable(self) -> Result<Self, SolveError> {
+        let (overload, most) = (self.over_flow, MOST_OVERLOAD);
+        if overload > most { Err(SolveError::Overloaded { overload, most }) } else { Ok(self) }
     }
 }
 

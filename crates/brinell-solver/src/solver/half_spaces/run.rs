@@ -23,7 +23,7 @@ const SIZING_CELLS: f64 = 4.0;
 const SIZING_TOLERANCE: f64 = 1e-3;
 
 /// What a run leaves beside its steps.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct HalfSpaceRun {
     /// Time by phase.
     pub phases: PhaseTimes,
@@ -81,14 +81,14 @@ fn step(
 ) -> Result<HalfSpaceStep, SolveError> {
     let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, problem.solver.tolerance.get());
     let design = size(problem, load, run)?;
-    let design = design.with(design.semi_axes, 0.5 * problem.cells());
-    let (coarse, design) = run.silently(|run| under(&engine, load, design, run))?;
+    let (coarse, design) =
+        run.silently(|run| under(&engine, load, design.with_cells(0.5 * problem.cells()), run))?;
     interrupted(coarse.status)?;
-    let design = design.with(semi_axes_or(&coarse, design.semi_axes), problem.cells());
     let engine = HalfSpaceEngine::new(problem, Theory::Deformation);
-    let (mut fine, _) = under(&engine, load, design, run)?;
-    let has_answer = coarse.status == SolveStatus::Converged;
-    fine.errors = has_answer.then(|| fine.errors_beside(&coarse.figures));
+    let (mut fine, _) = under(&engine, load, design.with_cells(problem.cells()), run)?;
+    if coarse.status == SolveStatus::Converged {
+        fine.errors = fine.errors_beside(&coarse.figures);
+    }
     Ok(fine)
 }
 
@@ -98,18 +98,17 @@ pub(super) fn size(
     load: ContactLoad,
     run: &mut Run<'_>,
 ) -> Result<GridDesign, SolveError> {
-    let elastic = problem.elastic_contact(load).ok_or(SolveError::NoLoad)?;
-    let design = GridDesign::new([elastic.semi_axis_x, elastic.semi_axis_y], SIZING_CELLS);
+    let design = GridDesign::new(problem.expected(load).ok_or(SolveError::NoLoad)?.bearable()?, SIZING_CELLS);
     if !problem.can_yield() {
         return Ok(design);
     }
     let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, SIZING_TOLERANCE);
     let (found, design) = run.silently(|run| under(&engine, load, design, run))?;
     interrupted(found.status)?;
-    Ok(design.with(semi_axes_or(&found, design.semi_axes), SIZING_CELLS))
+    Ok(design)
 }
 
-/// One load from rest, and the grid in the end.
+/// One load from rest, and a design for what was found.
 fn under(
     engine: &HalfSpaceEngine<'_>,
     load: ContactLoad,
@@ -119,13 +118,8 @@ fn under(
     let answer: Answer = solve(engine, design, None, run, |grid, system, start, run| {
         grid.solve(system, start, engine.coupling, Controls { load, ..engine.controls() }, run)
     })?;
-    Ok((answer.step(engine, load, [0.0; 2], LeastScales::default()), answer.system.design))
-}
-
-/// Semi-axes of the contact, or these where nothing touches.
-fn semi_axes_or(step: &HalfSpaceStep, other: [f64; 2]) -> [f64; 2] {
-    let axes = step.figures.semi_axes;
-    if axes[0] > 0.0 && axes[1] > 0.0 { axes } else { other }
+    let fitted = answer.system.design.fitted(&answer.system, &answer.outcome.state.response.contact.force);
+    Ok((answer.step(engine, load, [0.0; 2], LeastScales::default(), run), fitted))
 }
 
 /// Fails where a solve that nothing is reported of was stopped.

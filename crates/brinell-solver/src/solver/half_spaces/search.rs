@@ -122,7 +122,10 @@ impl force_search::Sought for ForceSearch<'_> {
             loads.push(ContactLoad::Force(0.0));
         }
         let mut steps: Vec<HalfSpaceStep> = Vec::new();
-        let interrupt = given(&problem, &loads, run, &mut steps)?;
+        let interrupt = match given(&problem, &loads, run, &mut steps) {
+            Err(error @ SolveError::Overloaded { .. }) => return Ok(Err(error.to_string())),
+            ended => ended?,
+        };
         if let Some(interrupt) = interrupt.or_else(|| steps.iter().find_map(|step| step.status.interrupt())) {
             return Err(SolveError::Interrupted(interrupt));
         }

@@ -96,7 +96,7 @@ pub struct HalfSpaceBody {
     pub grid: SurfaceGrid,
     /// Layers from the surface down.
     pub layers: Layers,
-    /// `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included.
+    /// `xx yy zz xy xz yz` \[MPa\], tension positive, initial stress included; zero where a solve was stopped, or is preliminary.
     pub stress: TensorField,
     /// Plastic strain `xx yy xy xz yz`, tensor shear; `zz = -xx - yy`. `None` in a body without a hardening curve.
     pub plastic_strain: Option<TensorField>,

@@ -11,13 +11,15 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use brinell_halfspace::{
-    DEVIATOR_COMPONENTS, HalfSpace, SurfaceFlexibility, SurfaceGrid, YieldingBody, from_isometric, isometric,
+    DEVIATOR_COMPONENTS, HalfSpace, Stop, Stopped, SurfaceFlexibility, SurfaceGrid, YieldingBody,
+    from_isometric, isometric,
 };
 
 use super::engine::GridDesign;
 use crate::contact::{ContactLoad, ContactProblem, ContactSolution, ContactSolver};
 use crate::solver::method;
 use crate::solver::method::contact_system::{BlockVector, ContactFigures, ContactSystem, Response};
+use crate::solver::method::observer::Interrupt;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 
@@ -64,14 +66,29 @@ impl Yielding {
         Self { bodies, flowed: Vec::new(), has_flowed, pressure: Vec::new() }
     }
 
+    /// `u_p` of all bodies.
+    fn open(
+        &mut self,
+        increment: &BlockVector,
+        opening: &mut [f64],
+        stop: &mut Stop<'_>,
+    ) -> Result<(), Stopped> {
+        self.bodies.iter_mut().zip(increment).try_for_each(|(body, part)| body.open(part, opening, stop))
+    }
+
     /// Trial deviators of all bodies with the increment that they were opened with.
-    fn trial(&mut self, increment: &BlockVector, pressure: impl Iterator<Item = f64>) -> BlockVector {
+    fn trial(
+        &mut self,
+        increment: &BlockVector,
+        pressure: impl Iterator<Item = f64>,
+        stop: &mut Stop<'_>,
+    ) -> Result<BlockVector, Stopped> {
         self.pressure.clear();
         self.pressure.extend(pressure);
         let of_body = |(body, increment): (&mut YieldingBody, &Vec<f64>)| {
             let mut trial = vec![0.0; increment.len()];
-            body.trial(&self.pressure, increment, &mut trial);
-            trial
+            body.trial(&self.pressure, increment, &mut trial, stop)?;
+            Ok(trial)
         };
         self.bodies.iter_mut().zip(increment).map(of_body).collect()
     }
@@ -82,9 +99,24 @@ impl HalfSpaces {
         self.surface.grid()
     }
 
-    fn pressure<'a>(&self, force: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+    /// Whether both bodies are alike, so that one stands for both.
+    pub fn is_shared(&self) -> bool {
+        let [upper, lower] = &self.elastic;
+        matches!((upper, lower), (Some(a), Some(b)) if Arc::ptr_eq(&a.space, &b.space))
+    }
+
+    /// Pressures of forces \[MPa\].
+    pub fn pressure<'a>(&self, force: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
         let area = self.grid().cell_area();
         force.iter().map(move |force| force / area)
+    }
+
+    /// Approach α \[mm\], 0 where undeformed surfaces begin to touch. No cell has their tips in its middle, so that in cells they do
+    /// at the least gap.
+    pub fn approach(&self, contact: &ContactSolution) -> f64 {
+        let least = self.initial_gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let begins = contact.total_force <= 0.0 && (contact.approach - least).abs() <= f64::EPSILON * least;
+        if begins { 0.0 } else { contact.approach }
     }
 
     /// Largest pressure \[MPa\] and its cell.
@@ -137,15 +169,15 @@ impl ContactSystem for HalfSpaces {
 
     fn gap_opening(&self, initial_stress: &BlockVector) -> Vec<f64> {
         let mut opening = vec![0.0; self.initial_gap.len()];
-        for (body, increment) in self.yielding.borrow_mut().bodies.iter_mut().zip(initial_stress) {
-            body.open(increment, &mut opening);
-        }
+        let done = self.yielding.borrow_mut().open(initial_stress, &mut opening, &mut never);
+        debug_assert!(done.is_ok(), "nobody stops it");
         opening
     }
 
     fn displacement(&self, initial_stress: &BlockVector, force: &[f64]) -> BlockVector {
         self.gap_opening(initial_stress);
-        self.yielding.borrow_mut().trial(initial_stress, self.pressure(force))
+        let trial = self.yielding.borrow_mut().trial(initial_stress, self.pressure(force), &mut never);
+        trial.unwrap_or_else(|Stopped| self.zeros())
     }
 
     /// The spectra of the plastic strain serve the gap and the stress.
@@ -157,11 +189,14 @@ impl ContactSystem for HalfSpaces {
         start: Option<&ContactSolution>,
         run: &mut Run<'_>,
     ) -> Result<Response, method::Error> {
-        let gap_opening = run.time(Phase::Solves, || self.gap_opening(initial_stress));
-        let contact = self.contact(&gap_opening, solver, load, start, run)?;
-        let pressure = self.pressure(&contact.force);
-        let displacement =
-            run.time(Phase::Solves, || self.yielding.borrow_mut().trial(initial_stress, pressure));
+        let mut opening = vec![0.0; self.initial_gap.len()];
+        watched(run, Phase::Solves, |stop| {
+            self.yielding.borrow_mut().open(initial_stress, &mut opening, stop)
+        })?;
+        let contact = self.contact(&opening, solver, load, start, run)?;
+        let displacement = watched(run, Phase::Solves, |stop| {
+            self.yielding.borrow_mut().trial(initial_stress, self.pressure(&contact.force), stop)
+        })?;
         Ok(Response { displacement, contact })
     }
 
@@ -235,7 +270,7 @@ impl ContactSystem for HalfSpaces {
     fn figures(&self, contact: &ContactSolution) -> ContactFigures {
         ContactFigures {
             force: contact.total_force,
-            approach: contact.approach,
+            approach: self.approach(contact),
             peak_pressure: self.peak(&contact.force).0,
             pairs: contact.active_set.len(),
         }
@@ -246,6 +281,30 @@ impl ContactSystem for HalfSpaces {
 fn yielded_cells(body: &YieldingBody) -> usize {
     let n_cells = body.space().grid().n_cells();
     (0..body.len() / DEVIATOR_COMPONENTS).filter(|cell| body.law().has_yielded(cell / n_cells, *cell)).count()
+}
+
+/// Stops nothing.
+pub(super) const fn never() -> bool {
+    false
+}
+
+/// Does work that the observer can stop, and books its time.
+///
+/// # Errors
+/// [`method::Error::Interrupted`].
+pub(super) fn watched<T>(
+    run: &mut Run<'_>,
+    phase: Phase,
+    work: impl FnOnce(&mut Stop<'_>) -> Result<T, Stopped>,
+) -> Result<T, method::Error> {
+    let mut interrupt = None;
+    let done = run.time_observed(phase, |observer| {
+        work(&mut || {
+            interrupt = observer.on_checkpoint().break_value();
+            interrupt.is_some()
+        })
+    });
+    done.map_err(|Stopped| method::Error::Interrupted(interrupt.unwrap_or(Interrupt::Cancelled)))
 }
 
 /// Layer of a cell, and where its first component is among those of a body.
