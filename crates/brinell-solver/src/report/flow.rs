@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::PerBody;
 use super::units::UnitConverter;
-use crate::solver::{BodySolution, StepSolution};
+use crate::solver::{BodySolution, Energy, IncrementRecord, StepSolution};
 
 /// What only flow theory knows of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,6 +36,20 @@ pub struct EnergyReport {
     pub dissipated: f64,
 }
 
+impl EnergyReport {
+    /// Energies in the units of a job.
+    pub(super) fn of(energy: Energy, write: UnitConverter) -> Self {
+        let in_units = |energy: f64| write.force(write.length(energy));
+        Self {
+            work: in_units(energy.work()),
+            elastic: in_units(energy.elastic),
+            plastic: in_units(energy.plastic_work),
+            stored: in_units(energy.backstress),
+            dissipated: in_units(energy.dissipated()),
+        }
+    }
+}
+
 /// The ends of the increments, in order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = Increments))]
@@ -50,6 +64,19 @@ pub struct IncrementsReport {
     pub half_width: Vec<f64>,
     /// Iterations made.
     pub iterations: Vec<usize>,
+}
+
+impl IncrementsReport {
+    /// Increments in the units of a job.
+    pub(super) fn of(increments: &[IncrementRecord], write: UnitConverter) -> Self {
+        Self {
+            force: increments.iter().map(|end| write.force(end.force)).collect(),
+            approach: increments.iter().map(|end| write.length(end.approach)).collect(),
+            peak_pressure: increments.iter().map(|end| write.stress(end.peak_pressure)).collect(),
+            half_width: increments.iter().map(|end| write.length(end.half_width)).collect(),
+            iterations: increments.iter().map(|end| end.iterations).collect(),
+        }
+    }
 }
 
 /// The surface of one body near the contact.
@@ -79,24 +106,10 @@ const NOTICEABLE: f64 = 1e-6;
 
 pub(super) fn flow(step: &StepSolution, write: UnitConverter) -> Option<FlowReport> {
     let energy = step.energy?;
-    let in_units = |energy: f64| write.force(write.length(energy));
-    let increments = &step.increments;
     Some(FlowReport {
         unloading_stiffness: write.stiffness(step.unloading_stiffness),
-        energy: EnergyReport {
-            work: in_units(energy.work()),
-            elastic: in_units(energy.elastic),
-            plastic: in_units(energy.plastic_work),
-            stored: in_units(energy.backstress),
-            dissipated: in_units(energy.dissipated()),
-        },
-        increments: IncrementsReport {
-            force: increments.iter().map(|end| write.force(end.force)).collect(),
-            approach: increments.iter().map(|end| write.length(end.approach)).collect(),
-            peak_pressure: increments.iter().map(|end| write.stress(end.peak_pressure)).collect(),
-            half_width: increments.iter().map(|end| write.length(end.half_width)).collect(),
-            iterations: increments.iter().map(|end| end.iterations).collect(),
-        },
+        energy: EnergyReport::of(energy, write),
+        increments: IncrementsReport::of(&step.increments, write),
         surfaces: if step.status.is_stopped() {
             PerBody { upper: None, lower: None }
         } else {

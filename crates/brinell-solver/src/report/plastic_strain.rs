@@ -7,12 +7,20 @@ use crate::solver::{BodySolution, StepSolution};
 /// Plastic strain below which a bilinear curve says little of a real material.
 const SMALL_STRAIN: f64 = 0.01;
 
+/// What is said of the strain of a material that does not harden.
+pub(super) const UNBOUNDED: &str = "The largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, \
+                                    and is not given. The plastic area and the mean plastic strain in it do not depend on the mesh.";
+
 /// The largest equivalent plastic strain of a body; `None` where its material does not harden any more: flow gathers in bands as narrow
 /// as elements, so that the strain in them grows with the density of the mesh.
 pub(super) fn largest(body: &BodySolution) -> Option<f64> {
     let strain = body.max_plastic_strain();
-    let hardens = |law: &dyn HardeningLaw| law.slope(strain) > 0.0;
-    (strain == 0.0 || body.model.hardening().is_none_or(hardens)).then_some(strain)
+    bounded(strain, body.model.hardening())
+}
+
+/// The largest plastic strain by a curve; `None` where that does not rise any more.
+pub(super) fn bounded(strain: f64, law: Option<&dyn HardeningLaw>) -> Option<f64> {
+    (strain == 0.0 || law.is_none_or(|law| law.slope(strain) > 0.0)).then_some(strain)
 }
 
 /// Mean equivalent plastic strain over the area that has it.
@@ -28,10 +36,15 @@ pub(super) fn mean(body: &BodySolution) -> f64 {
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
     let mut remarks = Vec::new();
     if step.bodies.iter().flatten().any(|body| largest(body).is_none()) {
-        let message = "The largest plastic strain of a material that does not harden has no limit on smaller and smaller elements, and is \
-                       not given. The plastic area and the mean plastic strain in it do not depend on the mesh.";
-        remarks.push(("unbounded_strain", message.to_owned()));
+        remarks.push(("unbounded_strain", UNBOUNDED.to_owned()));
     }
+    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
+    remarks.extend(bilinear_curve(job, strain));
+    remarks
+}
+
+/// What is said of a small permanent deformation by a bilinear curve.
+pub(super) fn bilinear_curve(job: &Job, strain: f64) -> Option<(&'static str, String)> {
     let is_permanent = match &job.load {
         Load::Target(target) => {
             target.figure.is_permanent() || target.figure == TargetFigure::MaxPlasticStrain
@@ -44,13 +57,12 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         }
         Material::Rigid => false,
     };
-    let strain = step.bodies.iter().flatten().map(|body| body.max_plastic_strain()).fold(0.0, f64::max);
     let has_bilinear = [&job.upper, &job.lower].into_iter().any(|body| is_bilinear(&body.material));
     if is_permanent && has_bilinear && strain < SMALL_STRAIN {
         let message = "A bilinear curve is elastic up to its yield stress; steels begin to flow below that, little by little. Forces of a \
                        permanent deformation below 1 % strain differ by up to a factor of two from those of a measured curve: take the \
                        law `swift` or `table` (api/materials.json has 100Cr6).";
-        remarks.push(("bilinear_curve", message.to_owned()));
+        return Some(("bilinear_curve", message.to_owned()));
     }
-    remarks
+    None
 }

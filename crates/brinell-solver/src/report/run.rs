@@ -9,6 +9,7 @@ use thiserror::Error;
 use super::build::{ReportBuilder, in_units};
 use super::units::UnitConverter;
 use super::{Report, StepReport, half_spaces, target};
+use crate::contact::ContactError;
 use crate::fem::mesh::MeshError;
 use crate::job::{Analysis, FieldError, Job, Load, Material, Named as _, Shape, Theory};
 use crate::solver::{
@@ -36,7 +37,7 @@ fn summary(errors: &[FieldError]) -> String {
 
 impl RunError {
     /// The error of a job, with the fields that are at fault.
-    fn of(job: &Job, error: &SolveError) -> Self {
+    pub(super) fn of(job: &Job, error: &SolveError) -> Self {
         let sides = [("upper", &job.upper), ("lower", &job.lower)];
         // The surfaces given by points, of bodies that deform or of all.
         let faces = |deformable: bool| -> Vec<String> {
@@ -53,7 +54,7 @@ impl RunError {
             | SolveError::Mesh(MeshError::ZoneBeyondBody { .. }) => {
                 vec!["/load".to_owned()]
             }
-            SolveError::NoLoad => vec!["/load/history".to_owned()],
+            SolveError::NoLoad | SolveError::Overloaded { .. } => vec![format!("/load/{}", job.load.kind())],
             SolveError::NoYieldPoint | SolveError::Unreachable(_) => match &job.load {
                 Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
                 _ => vec!["/load/onset".to_owned()],
@@ -83,6 +84,13 @@ impl RunError {
             SolveError::TooWide { .. } | SolveError::Conforming if lies_in_groove(job) => {
                 format!("{error}; {CONFORMING_ADVICE}")
             }
+            // What went wrong within the contact solver says nothing to who wrote the job.
+            SolveError::Contact(
+                ContactError::NotPositiveDefinite { .. }
+                | ContactError::NoEnergy { .. }
+                | ContactError::Ray { .. }
+                | ContactError::IllConditioned { .. },
+            ) => ROUNDING.to_owned(),
             error => error.to_string(),
         };
         if pointers.is_empty() {
@@ -93,6 +101,10 @@ impl RunError {
         )
     }
 }
+
+/// What is said of a contact whose answer is lost in rounding.
+const ROUNDING: &str = "rounding leaves the contact without an answer: lengths, stiffness and load of the job differ by too many orders of \
+                        magnitude for numbers of double precision";
 
 /// What to do about a round body that fills its groove.
 pub(super) const CONFORMING_ADVICE: &str = "a pin or ball that nearly fills what it lies in is solved as a `cylinder` in a `hole`, \

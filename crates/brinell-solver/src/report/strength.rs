@@ -10,34 +10,18 @@ use crate::material::HardeningLaw;
 use crate::solver::{BodySolution, StepSolution};
 
 /// Ratio of strengths within one element beyond which the mesh is called coarse for it.
-const COARSE_RATIO: f64 = 1.1;
+pub(super) const COARSE_RATIO: f64 = 1.1;
 /// Stress over strength below which it does not matter.
-const IDLE: f64 = 0.5;
+pub(super) const IDLE: f64 = 0.5;
 /// Most elements over a half-width that a job can ask for.
 const MAX_ELEMENTS: f64 = 320.0;
 
 /// Codes and messages.
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
     let mut remarks = Vec::new();
-    let rule = |material: &Material| match material {
-        Material::Deformable(material) => material.over_depth().and_then(OverDepth::rule),
-        Material::Rigid => None,
-    };
-    if let Some(rule) = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material)) {
-        let message = format!(
-            "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 136 to 622 HV \
-             that scatters by some 100 MPa."
-        );
-        remarks.push(("yield_by_hardness", message));
-    }
+    remarks.extend(by_hardness(job));
     let utilized = step.bodies.iter().flatten().filter_map(initial_utilization);
-    if let Some(ratio) = utilized.max_by(f64::total_cmp).filter(|ratio| *ratio > 1.0) {
-        let message = format!(
-            "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress somewhere: the body yields \
-             before it is loaded, and that flow is reckoned to the first load."
-        );
-        remarks.push(("initial_yield", message));
-    }
+    remarks.extend(utilized.max_by(f64::total_cmp).and_then(initial_yield));
     let coarsest = step.bodies.iter().flatten().filter_map(coarsest);
     if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let elements = f64::from(job.mesh.elements_per_half_width);
@@ -53,6 +37,29 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
         remarks.push(("coarse_case", message));
     }
     remarks
+}
+
+/// What is said of a yield stress that follows from hardness.
+pub(super) fn by_hardness(job: &Job) -> Option<(&'static str, String)> {
+    let rule = |material: &Material| match material {
+        Material::Deformable(material) => material.over_depth().and_then(OverDepth::rule),
+        Material::Rigid => None,
+    };
+    let rule = [&job.upper, &job.lower].into_iter().find_map(|body| rule(&body.material))?;
+    let message = format!(
+        "The yield stress over depth follows from the hardness by {rule}, a regression over steels of 136 to 622 HV that \
+         scatters by some 100 MPa."
+    );
+    Some(("yield_by_hardness", message))
+}
+
+/// What is said of an initial stress that is so many times the yield stress.
+fn initial_yield(ratio: f64) -> Option<(&'static str, String)> {
+    let message = format!(
+        "The initial stress, after the body has relaxed, is {ratio:.3} times the yield stress somewhere: the body yields before it \
+         is loaded, and that flow is reckoned to the first load."
+    );
+    (ratio > 1.0).then_some(("initial_yield", message))
 }
 
 /// Von Mises stress over yield stress before the load, where it is highest.

@@ -43,14 +43,18 @@ pub(super) struct TargetSeen {
 }
 
 impl TargetSeen {
-    /// Takes note of a step: the first one has the force, the last one the figure.
+    /// Takes note of a step.
     pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
         let Load::Target(target) = &job.load else { return };
-        self.force.get_or_insert_with(|| step.force());
-        self.reached = target_figure(step, target.figure);
         let of_revolution = step.stress_state == StressState::Axisymmetric;
-        self.figure_error =
-            report.estimated_error.and_then(|bars| error_of(target.figure, bars, of_revolution));
+        let error = report.estimated_error.and_then(|bars| error_of(target.figure, bars, of_revolution));
+        self.take(step.force(), target_figure(step, target.figure), error);
+    }
+
+    /// Takes note of a step's force, figure and error of the figure: the first step has the force, the last one the figure.
+    pub fn take(&mut self, force: f64, reached: f64, figure_error: Option<f64>) {
+        self.force.get_or_insert(force);
+        (self.reached, self.figure_error) = (reached, figure_error);
     }
 
     /// The report, of a job with a target that has been solved.

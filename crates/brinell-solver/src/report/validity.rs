@@ -7,13 +7,15 @@ use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::units::rounded;
 use super::{error_bars, onset, plastic_strain, strength};
-use crate::contact::ContactLoad;
+use crate::contact::{ContactLoad, KktReport};
 use crate::fem::mesh::Outline;
-use crate::job::{Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Units};
+use crate::job::{
+    Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory, Units,
+};
 use crate::material::von_mises;
 use crate::solver::{
-    LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution, TIP_ELEMENTS,
-    surface_stress_error,
+    IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution,
+    TIP_ELEMENTS, surface_stress_error,
 };
 
 /// One remark on the validity of the answer.
@@ -52,11 +54,16 @@ pub const VALIDITY_CODES: &[&str] = &[
     "half_spaces",
 ];
 
+pub(super) const AT_EDGE: &str =
+    "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing.";
+
 /// Radius \[mm\] and half-width over it of a job in SI whose figures look like millimetres.
 const LARGE_RADIUS: f64 = 1000.0;
 const TINY_CONTACT: f64 = 1e-4;
 /// Young's modulus \[MPa\] below which a figure in Pa looks like one in MPa.
 const SOFT: f64 = 1.0;
+pub(super) const SUSPICIOUS_UNITS: &str = "Units are SI, but the figures look like millimetres, newtons and megapascals: metres, N/m and \
+                                           pascals are expected. If they are meant in mm, leave `units` out.";
 
 /// Half-width over the smallest radius beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
@@ -226,7 +233,8 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     let strain = step.bodies.iter().flatten().map(|body| body.max_strain()).fold(0.0, f64::max);
     // Strains where another coupling has given up say nothing of the bodies.
     let is_iterate = step.status == SolveStatus::NotConverged && job.solver.coupling != Coupling::Accelerated;
-    if let (false, Some((code, message))) = (is_iterate, strain_remark(step, strain)) {
+    let last = step.energy.map(|_| step.last_increment);
+    if let (false, Some((code, message))) = (is_iterate, strain_remark(strain, step.has_collapsed, last)) {
         say(code, message);
     }
     if strain > 0.0 && step.energy.is_none() {
@@ -239,7 +247,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                 .into(),
         );
     }
-    if let Some((code, message)) = history_remark(job, step) {
+    if let Some((code, message)) = history_remark(job, step.load, step.patch.is_some()) {
         say(code, message.into());
     }
     if let Some(message) = sharp_corner(step, strain) {
@@ -254,8 +262,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
                      reduce the load, or widen the clearance."
                 )
             } else {
-                "The contact still reaches the edge of the meshed contact zone; pressure beyond it is missing."
-                    .to_owned()
+                AT_EDGE.to_owned()
             },
         );
     }
@@ -281,12 +288,7 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
         );
     }
     if looks_like_millimetres(job, half_width, radius) {
-        say(
-            "suspicious_units",
-            "Units are SI, but the figures look like millimetres, newtons and megapascals: metres, N/m and pascals are \
-             expected. If they are meant in mm, leave `units` out."
-                .into(),
-        );
+        say("suspicious_units", SUSPICIOUS_UNITS.into());
     }
     notes
 }
@@ -389,15 +391,15 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
 fn status_remark(step: &StepSolution, settings: SolverSettings) -> Option<(&'static str, String)> {
     match step.status {
         SolveStatus::Converged => None,
-        SolveStatus::NotConverged => Some(("not_converged", not_converged(step, settings))),
-        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step))),
-        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step))),
+        SolveStatus::NotConverged => Some(("not_converged", not_converged(&Unfinished::of(step), settings))),
+        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step.is_preliminary()))),
+        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step.is_preliminary()))),
     }
 }
 
 /// What is said of a step that was stopped.
-fn stopped(why: &str, step: &StepSolution) -> String {
-    if step.is_preliminary() {
+pub(super) fn stopped(why: &str, is_preliminary: bool) -> String {
+    if is_preliminary {
         format!(
             "{why} before the mesh that was asked for had come to this load: the figures are those of the mesh of half the density on \
              which increments are chosen, and there are no stresses and no error bars."
@@ -408,11 +410,16 @@ fn stopped(why: &str, step: &StepSolution) -> String {
 }
 
 /// What is said of strains that are not small.
-fn strain_remark(step: &StepSolution, strain: f64) -> Option<(&'static str, String)> {
+///
+/// `last` is the last increment of a history.
+pub(super) fn strain_remark(
+    strain: f64,
+    has_collapsed: bool,
+    last: Option<LastIncrement>,
+) -> Option<(&'static str, String)> {
     let percent = 100.0 * strain;
-    if step.has_collapsed {
-        let message = if step.energy.is_some() {
-            let LastIncrement { from, size, .. } = step.last_increment;
+    if has_collapsed {
+        let message = if let Some(LastIncrement { from, size, .. }) = last {
             format!(
                 "Plastic strain reaches {percent:.0} %: after {} of the load another increment of {} of it, the smallest that is tried, \
                  does not end with small strains. Approach and strains are no answer. The history ends here, with that increment.",
@@ -441,7 +448,7 @@ fn strain_remark(step: &StepSolution, strain: f64) -> Option<(&'static str, Stri
 }
 
 /// Whether a job in SI has figures that are usual in millimetres, newtons and megapascals.
-fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
+pub(super) fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
     let mut moduli = [&job.upper, &job.lower].into_iter().filter_map(Body::young_modulus);
     let is_soft = moduli.any(|modulus| modulus < SOFT);
     let is_large = radius.is_finite() && radius > LARGE_RADIUS;
@@ -450,16 +457,20 @@ fn looks_like_millimetres(job: &Job, half_width: f64, radius: f64) -> bool {
 }
 
 /// What is said of loads that fall under deformation theory, and of approaches below what earlier loads have left.
-fn history_remark(job: &Job, step: &StepSolution) -> Option<(&'static str, &'static str)> {
-    if step.energy.is_none() {
+pub(super) fn history_remark(
+    job: &Job,
+    load: ContactLoad,
+    touches: bool,
+) -> Option<(&'static str, &'static str)> {
+    if job.solver.theory == Theory::Deformation {
         return falls(job).then_some((
             "falling_loads",
             "Deformation theory takes each load from rest, whatever went before; for unloading choose the theory \
              `flow`.",
         ));
     }
-    let is_pressed = matches!(step.load, ContactLoad::Approach(a) if a > 0.0);
-    (is_pressed && step.patch.is_none()).then_some((
+    let is_pressed = matches!(load, ContactLoad::Approach(a) if a > 0.0);
+    (is_pressed && !touches).then_some((
         "no_contact",
         "At this approach the bodies do not touch: what earlier loads have left of the dent is deeper.",
     ))
@@ -482,10 +493,42 @@ fn falls(job: &Job) -> bool {
 /// What is advised after another coupling than the default one.
 const OTHER_COUPLING: &str = " Use the accelerated coupling (`solver.coupling`).";
 
-fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
+/// What is known of a step that did not converge.
+#[expect(clippy::struct_excessive_bools, reason = "each is a finding of its own")]
+pub(super) struct Unfinished<'a> {
+    pub contact_check: KktReport,
+    pub history: &'a [IterationRecord],
+    /// What is off balance over the contact force, evaluated anew.
+    pub residual: f64,
+    pub missed: Option<f64>,
+    pub has_collapsed: bool,
+    pub reaches_edge: bool,
+    pub inherits_error: bool,
+    pub is_history: bool,
+    pub is_elastic: bool,
+}
+
+impl<'a> Unfinished<'a> {
+    fn of(step: &'a StepSolution) -> Self {
+        Self {
+            contact_check: step.contact_check,
+            history: &step.history,
+            residual: step.equilibrium_residual,
+            missed: step.missed,
+            has_collapsed: step.has_collapsed,
+            reaches_edge: step.reaches_edge,
+            inherits_error: step.last_increment.inherits_error,
+            is_history: step.energy.is_some(),
+            is_elastic: step.bodies.iter().flatten().all(|body| body.max_plastic_strain() == 0.0),
+        }
+    }
+}
+
+/// Why a step did not converge, and what to do.
+pub(super) fn not_converged(step: &Unfinished<'_>, settings: SolverSettings) -> String {
     let contact = step.contact_check.worst();
     let iterations = step.history.len();
-    let residual = step.equilibrium_residual;
+    let residual = step.residual;
     let other = if settings.coupling == Coupling::Accelerated { "" } else { OTHER_COUPLING };
     let is_balanced =
         step.history.last().is_some_and(|last| last.equilibrium_residual <= settings.tolerance.get());
@@ -505,19 +548,18 @@ fn not_converged(step: &StepSolution, settings: SolverSettings) -> String {
         "There is no answer with small strains; see `collapse`.".into()
     } else if step.reaches_edge && is_balanced {
         "The contact is wider than what could be meshed; see `contact_at_edge`.".into()
-    } else if step.last_increment.inherits_error && is_balanced {
+    } else if step.inherits_error && is_balanced {
         format!(
             "An increment before it in this history has not converged, and this step inherits its error.{other}"
         )
-    } else if step.energy.is_some() && is_balanced {
+    } else if step.is_history && is_balanced {
         format!(
             "The iteration has converged, but over the whole bodies forces are off balance by {} of the contact force: do not use the \
              figures.",
             share(residual)
         )
     } else {
-        let is_elastic = step.bodies.iter().flatten().all(|body| body.max_plastic_strain() == 0.0);
-        let advice = if is_elastic && is_balanced {
+        let advice = if step.is_elastic && is_balanced {
             " Nothing yields: what is off is rounding, under a load that is tiny beside the stress before it or beside the stiffness of the \
              bodies. Choose a larger load."
         } else if !other.is_empty() {

@@ -13,6 +13,8 @@ const ROW_BYTES: u64 = 220;
 const STEP_BYTES: u64 = 6 << 10;
 /// Cells of the layers that are a unit of work.
 const WORK_UNIT: u64 = 1000;
+/// Solves of a load that is sought, those on coarser grids by what they take.
+const SEARCH_SOLVES: u64 = 4;
 
 /// The estimate of a job.
 ///
@@ -30,14 +32,16 @@ pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstim
     let steps = match &job.load {
         Load::Forces(sweep) | Load::Approaches(sweep) => sweep.iter().count(),
         Load::History(history) => history.iter().count(),
-        Load::Onset | Load::Target(_) => 1,
+        Load::Onset => 1,
+        Load::Target(target) => 1 + usize::from(target.figure.is_permanent()),
     } as u64;
+    let solves = if matches!(job.load, Load::Onset | Load::Target(_)) { SEARCH_SOLVES } else { 1 };
     let maps = if job.output.fields { MAP_BYTES * surface } else { 0 };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + layers) + maps;
     Ok(JobEstimate {
         equations: usize::try_from(surface + 5 * yielding * volume).unwrap_or(usize::MAX),
         bytes: SOLVER_BYTES + grid.bytes + step * steps,
         result_bytes: step * steps,
-        work: (volume / WORK_UNIT).max(1) * steps,
+        work: (volume / WORK_UNIT).max(1) * steps * solves,
     })
 }

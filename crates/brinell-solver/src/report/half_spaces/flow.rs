@@ -41,26 +41,11 @@ impl FlowState {
             self.before_unloading = None;
         }
         self.force = step.figures.force;
-        let energy = step.energy;
         self.bodies.clone_from(&step.bodies);
-        let in_units = |energy: f64| write.force(write.length(energy));
-        let increments = &step.increments;
         Some(FlowReport {
             unloading_stiffness: write.stiffness(reference.stiffness(step.figures.semi_axes)),
-            energy: EnergyReport {
-                work: in_units(energy.work()),
-                elastic: in_units(energy.elastic),
-                plastic: in_units(energy.plastic_work),
-                stored: in_units(energy.backstress),
-                dissipated: in_units(energy.dissipated()),
-            },
-            increments: IncrementsReport {
-                force: increments.iter().map(|end| write.force(end.force)).collect(),
-                approach: increments.iter().map(|end| write.length(end.approach)).collect(),
-                peak_pressure: increments.iter().map(|end| write.stress(end.peak_pressure)).collect(),
-                half_width: increments.iter().map(|end| write.length(end.half_width)).collect(),
-                iterations: increments.iter().map(|end| end.iterations).collect(),
-            },
+            energy: EnergyReport::of(step.energy, write),
+            increments: IncrementsReport::of(&step.increments, write),
             surfaces: if step.status.is_stopped() {
                 PerBody { upper: None, lower: None }
             } else {

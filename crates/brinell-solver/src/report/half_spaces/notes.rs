@@ -1,37 +1,43 @@
-//! Remarks on the validity of an answer in three dimensions.
+//! Remarks on the validity of an answer in three dimensions. What is said of plane contacts too is said in the same words.
 
-use crate::job::{Job, Theory};
+use super::step::largest_strain;
+use crate::job::{Body, Deformable, Job, Material, Theory};
 use crate::report::ValidityNote;
+use crate::report::plastic_strain::{UNBOUNDED, bilinear_curve};
+use crate::report::strength::{COARSE_RATIO, IDLE, by_hardness};
 use crate::report::units::{UnitConverter, rounded};
+use crate::report::validity::{
+    AT_EDGE, SUSPICIOUS_UNITS, Unfinished, history_remark, looks_like_millimetres, not_converged, stopped,
+    strain_remark,
+};
 use crate::solver::SolveStatus;
-use crate::solver::half_spaces::HalfSpaceStep;
+use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep};
 
-/// Semi-axis over the smallest radius beyond which the surfaces are no longer close to their tangent.
+/// Semi-axis over a radius along it beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
-/// Plastic strain beyond which small-strain theory is stretched.
-const LARGE_STRAIN: f64 = 0.05;
 /// Cells over the shorter semi-axis below which the grid is called coarse.
 const COARSE_GRID: f64 = 5.0;
 /// Semi-axes from each other from which on the bodies near the contact are no half-spaces: depth over which its stress dies away.
 const REACH: f64 = 3.0;
+/// Depths within a layer at which strengths are compared.
+const SAMPLES: u32 = 16;
+/// Most cells over a semi-axis that a job can ask for.
+const MAX_CELLS: f64 = 60.0;
 
 /// The remarks of a step.
-pub(super) fn notes(job: &Job, step: &HalfSpaceStep, write: UnitConverter) -> Vec<ValidityNote> {
+pub(super) fn notes(
+    job: &Job,
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+    write: UnitConverter,
+) -> Vec<ValidityNote> {
     let mut notes = Vec::new();
     let mut note = |code: &str, message: String| notes.push(ValidityNote { code: code.to_owned(), message });
-    match step.status {
-        SolveStatus::Converged => {}
-        SolveStatus::NotConverged => note(
-            "not_converged",
-            "The iteration did not converge, or the answer does not pass the check of contact and plasticity; figures are those of \
-             the last iteration."
-                .to_owned(),
-        ),
-        SolveStatus::Cancelled => note("cancelled", "The solve was cancelled; figures are those of the last iteration.".to_owned()),
-        SolveStatus::TimedOut => note("timed_out", "The solve ran out of time; figures are those of the last iteration.".to_owned()),
+    if let Some((code, message)) = status_remark(job, step) {
+        note(code, message);
     }
     let [a, b] = step.figures.semi_axes;
-    if let Some((size, radius)) = widest(job, [a, b]) {
+    if let Some((size, radius)) = widest(job, problem.orientation(), [a, b]) {
         note(
             "wide_contact",
             format!(
@@ -42,7 +48,10 @@ pub(super) fn notes(job: &Job, step: &HalfSpaceStep, write: UnitConverter) -> Ve
             ),
         );
     }
-    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() {
+    if step.reaches_edge {
+        note("contact_at_edge", AT_EDGE.to_owned());
+    }
+    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary {
         note(
             "coarse_mesh",
             format!(
@@ -52,18 +61,12 @@ pub(super) fn notes(job: &Job, step: &HalfSpaceStep, write: UnitConverter) -> Ve
         );
     }
     let strain = step.figures.max_plastic_strain.into_iter().fold(0.0, f64::max);
-    if strain > LARGE_STRAIN {
-        note(
-            "large_strain",
-            format!(
-                "The plastic strain reaches {:.1} %; the theory is that of small strains, and the surface is where it was before \
-                 loading.",
-                100.0 * strain
-            ),
-        );
+    let is_history = job.solver.theory == Theory::Flow;
+    let last = is_history.then_some(step.last_increment);
+    if let Some((code, message)) = strain_remark(strain, step.has_collapsed, last) {
+        note(code, message);
     }
-    let yields = strain > 0.0;
-    if yields && job.solver.theory == Theory::Deformation {
+    if strain > 0.0 && !is_history {
         note(
             "deformation_theory",
             "Deformation theory takes each point for loaded in proportion. Under a growing contact it gives peaks that are some per \
@@ -71,8 +74,24 @@ pub(super) fn notes(job: &Job, step: &HalfSpaceStep, write: UnitConverter) -> Ve
                 .to_owned(),
         );
     }
-    if step.figures.force <= 0.0 && step.status == SolveStatus::Converged {
-        note("no_contact", "The bodies do not touch.".to_owned());
+    if let Some((code, message)) = history_remark(job, step.load, step.figures.force > 0.0) {
+        note(code, message.to_owned());
+    }
+    let is_unbounded = |(side, body): (usize, &HalfSpaceBody)| largest_strain(job, body, side).is_none();
+    let bodies = || step.bodies.iter().enumerate().filter_map(|(side, body)| Some((side, body.as_deref()?)));
+    if bodies().any(is_unbounded) {
+        note("unbounded_strain", UNBOUNDED.to_owned());
+    }
+    let materials =
+        || bodies().filter_map(|(side, body)| Some((deformable([&job.upper, &job.lower][side])?, body)));
+    let coarsest = materials().filter_map(|(material, body)| coarsest(material, body));
+    let coarsest = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)).map(|found| coarse_case(job, found, write));
+    for (code, message) in [bilinear_curve(job, strain), by_hardness(job), coarsest].into_iter().flatten() {
+        note(code, message);
+    }
+    let radius = problem.principal_curvatures()[0].recip();
+    if looks_like_millimetres(job, a, radius) {
+        note("suspicious_units", SUSPICIOUS_UNITS.to_owned());
     }
     if a > 0.0 {
         note(
@@ -86,21 +105,78 @@ pub(super) fn notes(job: &Job, step: &HalfSpaceStep, write: UnitConverter) -> Ve
     notes
 }
 
-/// The largest semi-axis over a radius of curvature of the bodies, if it is beyond what parabolas stand for: both.
-fn widest(job: &Job, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
-    let radii = [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
-    // Along its own axes, the largest curvature of each body meets the shorter semi-axis at most.
-    let ratios = radii.flat_map(|[xx, yy, xy]| {
-        let (mean, spread) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
-        let [strong, weak] = if (mean + spread).abs() > (mean - spread).abs() {
-            [mean + spread, mean - spread]
-        } else {
-            [mean - spread, mean + spread]
-        };
-        [(semi_axes[0], strong.abs().recip()), (semi_axes[1], weak.abs().recip())]
+/// What is said of a step that did not converge.
+fn status_remark(job: &Job, step: &HalfSpaceStep) -> Option<(&'static str, String)> {
+    let unfinished = Unfinished {
+        contact_check: step.contact_check,
+        history: &step.history,
+        residual: step.plastic_residual,
+        missed: step.missed,
+        has_collapsed: step.has_collapsed,
+        reaches_edge: step.reaches_edge,
+        inherits_error: step.last_increment.inherits_error,
+        is_history: job.solver.theory == Theory::Flow,
+        is_elastic: step.bodies.iter().flatten().all(|body| body.largest_strain.is_none()),
+    };
+    match step.status {
+        SolveStatus::Converged => None,
+        SolveStatus::NotConverged => Some(("not_converged", not_converged(&unfinished, job.solver))),
+        SolveStatus::Cancelled => Some(("cancelled", stopped("Stopped on request", step.is_preliminary))),
+        SolveStatus::TimedOut => Some(("timed_out", stopped("The deadline passed", step.is_preliminary))),
+    }
+}
+
+const fn deformable(body: &Body) -> Option<&Deformable> {
+    match &body.material {
+        Material::Deformable(material) => Some(material),
+        Material::Rigid => None,
+    }
+}
+
+/// A semi-axis and the radius of a body along it, where their ratio is largest, if it is beyond what parabolas stand for. x of the
+/// contact is turned by an angle from the x of the job.
+fn widest(job: &Job, angle: f64, semi_axes: [f64; 2]) -> Option<(f64, f64)> {
+    let (sine, cosine) = angle.sin_cos();
+    let curvatures = [&job.upper, &job.lower].into_iter().filter_map(|body| body.shape.curvatures());
+    let ratios = curvatures.flat_map(|[xx, yy, xy]| {
+        let along_x = cosine * cosine * xx + sine * sine * yy + 2.0 * sine * cosine * xy;
+        [(semi_axes[0], along_x), (semi_axes[1], xx + yy - along_x)]
     });
-    let widest = ratios.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+    let widest = ratios.map(|(size, curvature)| (size, curvature.abs().recip()));
+    let widest = widest.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
     widest.filter(|(size, radius)| size / radius > WIDE_CONTACT)
+}
+
+/// The largest ratio of strengths within a layer that is stressed, and the depth of its middle.
+fn coarsest(material: &Deformable, body: &HalfSpaceBody) -> Option<(f64, f64)> {
+    let (strength, limit) = (material.strength()?, material.hardening_law()?.nominal_yield_stress());
+    let n_cells = body.grid.n_cells();
+    let of_layer = |layer: usize| {
+        let (top, thickness) = (body.layers.faces()[layer], body.layers.thickness(layer));
+        let points = strength.points().iter().map(|[depth, _]| *depth);
+        let points = points.filter(|depth| *depth > top && *depth < top + thickness);
+        let samples = (0..=SAMPLES).map(|k| top + thickness * f64::from(k) / f64::from(SAMPLES));
+        let factors = points.chain(samples).map(|depth| strength.factor(depth));
+        let (least, greatest) = factors.fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
+        let is_stressed = || (0..n_cells).any(|cell| body.von_mises(layer, cell) > IDLE * limit * least);
+        (greatest > COARSE_RATIO * least && is_stressed())
+            .then(|| (greatest / least, body.layers.middle(layer)))
+    };
+    (0..body.layers.len()).filter_map(of_layer).max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// What is said of strength that changes by this ratio within a layer at a depth \[mm\].
+fn coarse_case(job: &Job, (ratio, depth): (f64, f64), write: UnitConverter) -> (&'static str, String) {
+    let cells = f64::from(job.mesh.elements_per_half_width);
+    let wanted = (cells * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_CELLS);
+    let message = format!(
+        "The strength changes by {:.0} % within one layer of cells at a depth of {}, where the stress is more than half of it: a layer has \
+         the strength of its middle, and what is thinner is left out. About {wanted:.0} cells over a semi-axis \
+         (`mesh.elements_per_half_width`) would do.",
+        100.0 * (ratio - 1.0),
+        write.length_text(digits(depth)),
+    );
+    ("coarse_case", message)
 }
 
 /// To two digits.

@@ -7,22 +7,25 @@ use super::estimate::estimate;
 use super::flow::FlowState;
 use super::notes::notes;
 use super::step::StepWriter;
-use crate::job::{FieldError, Job, Load, Named as _, Theory};
+use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
 use crate::report::build::{timings, worse};
 use crate::report::run::RunError;
+use crate::report::target::TargetSeen;
 use crate::report::units::UnitConverter;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
 use crate::solver::half_spaces::{self, HalfSpaceStep};
-use crate::solver::{Observer, SolveError, SolveStatus, StepReceiver};
+use crate::solver::{Observer, SolveStatus, StepReceiver};
 
 /// What a job will cost.
 ///
 /// # Errors
 /// The fields that describe what is not solved.
 pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
-    refuse(job).map_err(|fault| vec![fault])?;
     let problem = problem_of(job).ok_or_else(Vec::new)?;
-    estimate(job, &problem).map_err(|error| vec![FieldError::not_solvable("/mesh", error.to_string())])
+    estimate(job, &problem).map_err(|error| match RunError::of(job, &error) {
+        RunError::Input(faults) => faults,
+        other => vec![FieldError::not_solvable("/mesh", other.to_string())],
+    })
 }
 
 /// Solves a job and hands over the report of each step; the report that is returned has no steps.
@@ -34,12 +37,12 @@ pub fn run_each(
     let (Some(problem), Some(reference)) = (problem_of(job), EllipticReference::of(job)) else {
         return Err(RunError::Failed("the shapes are no half-spaces".to_owned()));
     };
-    refuse(job).map_err(|fault| RunError::Input(vec![fault]))?;
     let write = UnitConverter::new(job.units, job.analysis);
-    let writer = StepWriter { job, write, reference: &reference, orientation: problem.orientation() };
+    let orientation = problem.orientation();
+    let writer = StepWriter { job, write, problem: &problem, reference: &reference, orientation };
     let mut steps = Steps { writer, on_step, number: 0, seen: Seen::default(), time: Duration::ZERO };
     let done =
-        half_spaces::run_each(&problem, observer, &mut steps).map_err(|error| error_of(job, &error))?;
+        half_spaces::run_each(&problem, observer, &mut steps).map_err(|error| RunError::of(job, &error))?;
     let Steps { seen, time, .. } = steps;
     let interrupted = done.interrupted.map(SolveStatus::from);
     let status = interrupted.map_or(seen.status, |interrupted| worse(seen.status, interrupted));
@@ -53,34 +56,12 @@ pub fn run_each(
         } else {
             load_approach::curve(seen.curve, write)
         },
-        target: None,
+        target: seen.target.finish(job, done.sensitivity, write),
         mesh: MeshReport { passes: done.grids, ..seen.mesh },
         timings_ms: timings(&done.phases, observer.elapsed(), time),
         tags: job.tags.clone(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
     })
-}
-
-/// Loads that are sought are not solved.
-fn refuse(job: &Job) -> Result<(), FieldError> {
-    let pointer = match job.load {
-        Load::Onset => "/load/onset".to_owned(),
-        Load::Target(target) => format!("/load/target/{}", target.figure.name()),
-        _ => return Ok(()),
-    };
-    let detail = "a force is not sought in three dimensions yet; give `force`, `forces`, `approach`, `approaches` or `history`";
-    Err(FieldError::not_solvable(pointer, detail))
-}
-
-fn error_of(job: &Job, error: &SolveError) -> RunError {
-    match error {
-        SolveError::Interrupted(interrupt) => RunError::Interrupted(*interrupt),
-        SolveError::NoLoad => RunError::Input(vec![FieldError::not_solvable(
-            format!("/load/{}", job.load.kind()),
-            error.to_string(),
-        )]),
-        error => RunError::Failed(error.to_string()),
-    }
 }
 
 /// What the steps so far have in common.
@@ -90,11 +71,18 @@ struct Seen {
     curve: Vec<[f64; 3]>,
     mesh: MeshReport,
     flow: FlowState,
+    target: TargetSeen,
 }
 
 impl Default for Seen {
     fn default() -> Self {
-        Self { status: None, curve: Vec::new(), mesh: MeshReport::NONE, flow: FlowState::default() }
+        Self {
+            status: None,
+            curve: Vec::new(),
+            mesh: MeshReport::NONE,
+            flow: FlowState::default(),
+            target: TargetSeen::default(),
+        }
     }
 }
 
@@ -117,7 +105,11 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
-        let report = self.writer.report(&step, flow, notes(job, &step, write));
+        let report = self.writer.report(&step, flow, notes(job, self.writer.problem, &step, write));
+        if let Load::Target(target) = &job.load {
+            let reached = step.target_figure(target.figure);
+            seen.target.take(step.figures.force, reached, target_error(&step, target.figure));
+        }
         if step.status == SolveStatus::Converged {
             let stiffness = report.contact_stiffness / write.stiffness(1.0);
             seen.curve.extend(step.increments.iter().map(|end| [end.approach, end.force, 0.0]));
@@ -136,6 +128,22 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     }
 }
 
+/// Estimated relative error of the figure that is sought.
+fn target_error(step: &HalfSpaceStep, figure: TargetFigure) -> Option<f64> {
+    let errors = step.errors.as_ref()?;
+    let (figures, most) = (&step.figures, |pair: [f64; 2]| pair[0].max(pair[1]));
+    let [error, value] = match figure {
+        TargetFigure::PermanentApproach => [errors.approach, figures.approach],
+        TargetFigure::DentDepth => [most(errors.dent), most(figures.dent)],
+        TargetFigure::PeakPressure => [errors.peak_pressure, figures.peak_pressure],
+        // Its area is what is uncertain of a mean pressure.
+        TargetFigure::MeanPressure => [errors.area, figures.area],
+        TargetFigure::HalfWidth => [errors.semi_axes[0], figures.semi_axes[0]],
+        TargetFigure::MaxPlasticStrain => [most(errors.max_plastic_strain), most(figures.max_plastic_strain)],
+    };
+    Some((error / value.abs().max(f64::MIN_POSITIVE)).abs())
+}
+
 fn mesh_report(step: &HalfSpaceStep, write: UnitConverter, enlargements: usize) -> MeshReport {
     let grid = &step.surface.grid;
     let cells = grid.n_cells();
@@ -150,5 +158,142 @@ fn mesh_report(step: &HalfSpaceStep, write: UnitConverter, enlargements: usize) 
         enlargements: enlargements + step.enlargements,
         max_aspect_ratio: (grid.hy() / grid.hx()).max(grid.hx() / grid.hy()),
         ..MeshReport::NONE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::{Side, run as solved};
+    use crate::solver::Unobserved;
+    use serde_json::{Value, json};
+
+    /// A rigid ball of radius 10 mm on steel that yields at 500 MPa, of few cells; members of `changes` take the place of its own.
+    fn ball(plasticity: &Value, changes: &Value) -> Report {
+        let mut job = json!({
+            "analysis": "three_dimensional",
+            "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
+            "lower": {"shape": {"type": "flat"},
+                "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}},
+            "load": {"force": 70}, "mesh": {"elements_per_half_width": 6},
+        });
+        for (key, value) in changes.as_object().unwrap() {
+            job[key] = value.clone();
+        }
+        let job = Job::from_value(&job).unwrap();
+        assert!(job.validate().is_ok());
+        solved(&job, &mut Unobserved).unwrap()
+    }
+
+    fn perfect() -> Value {
+        json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0})
+    }
+
+    fn hardening() -> Value {
+        json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_000})
+    }
+
+    fn message<'a>(step: &'a StepReport, code: &str) -> Option<&'a str> {
+        step.validity.iter().find(|note| note.code == code).map(|note| note.message.as_str())
+    }
+
+    #[test]
+    fn the_onset_of_yield_is_reported_beside_that_of_the_closed_form() {
+        let report =
+            ball(&perfect(), &json!({"load": {"onset": true}, "mesh": {"elements_per_half_width": 10}}));
+        let step = &report.steps[0];
+        let (found, closed) = (step.yield_onset.as_ref().unwrap(), step.hertz.as_ref().unwrap());
+        let off = (found.force / closed.yield_onset_force.unwrap() - 1.0).abs();
+        let bar = step.estimated_error.as_ref().unwrap().force;
+        println!("{off} {bar} {found:?}");
+        assert!(off < bar && bar < 0.05, "{off} {bar}");
+        assert!((found.depth / closed.yield_onset_depth.unwrap() - 1.0).abs() < 0.15);
+        assert_eq!(found.body, Side::Lower);
+        assert!((found.force / step.contact.force - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_force_is_reported_by_the_dent_that_it_leaves() {
+        let changes =
+            json!({"load": {"target": {"dent_depth": 3e-4}}, "solver": {"theory": "flow", "increments": 3}});
+        let report = ball(&hardening(), &changes);
+        let target = report.target.as_ref().unwrap();
+        assert_eq!((report.steps.len(), target.figure.as_str()), (2, "dent_depth"));
+        assert!((target.reached / 3e-4 - 1.0).abs() < 1e-2 && target.sensitivity > 1.0);
+        assert!((target.force / report.steps[0].contact.force - 1.0).abs() < 1e-12);
+        let depth = report.steps[1].flow.as_ref().unwrap().surfaces.lower.as_ref().unwrap().depth;
+        assert!((depth / target.reached - 1.0).abs() < 1e-9);
+        assert!(target.relative_error.unwrap() > 0.0);
+    }
+
+    #[test]
+    fn a_strain_without_limit_is_not_given() {
+        let step = &ball(&perfect(), &json!({})).steps[0];
+        assert_eq!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain, None);
+        assert!(message(step, "unbounded_strain").is_some());
+        let step = &ball(&hardening(), &json!({})).steps[0];
+        assert!(step.plasticity.lower.as_ref().unwrap().max_equivalent_plastic_strain.unwrap() > 1e-3);
+        assert!(message(step, "unbounded_strain").is_none() && message(step, "no_contact").is_none());
+    }
+
+    #[test]
+    fn what_did_not_converge_has_no_bars_and_a_cause() {
+        let changes = json!({"load": {"force": 70}, "solver": {"max_iterations": 3}});
+        let step = &ball(&perfect(), &changes).steps[0];
+        assert_eq!(step.status, SolveStatus::NotConverged);
+        assert_eq!(step.estimated_error, None);
+        let said = message(step, "not_converged").unwrap();
+        assert!(said.contains("after 3 iterations") && said.contains("max_iterations"), "{said}");
+    }
+
+    #[test]
+    fn loads_of_no_force_begin_at_no_approach() {
+        let changes = json!({"load": {"history": [{"force": 0}, {"force": 4}, {"force": 0}]}, "solver": {"theory": "flow"}});
+        let report = ball(&hardening(), &changes);
+        for step in [&report.steps[0], &report.steps[2]] {
+            assert_eq!((step.approach, step.contact.force), (0.0, 0.0));
+            assert!(message(step, "no_contact").is_none());
+        }
+        let loaded = &report.steps[1];
+        assert!(loaded.approach > 0.0 && loaded.estimated_error.as_ref().unwrap().force == 0.0);
+        let nodes = &loaded.contact.nodes;
+        assert!(nodes.pressure.iter().zip(&nodes.gap).all(|(p, gap)| (*p > 0.0) == (*gap == 0.0)));
+    }
+
+    #[test]
+    fn falling_loads_and_wrong_units_are_told() {
+        let steps = ball(&hardening(), &json!({"load": {"forces": [70, 30]}})).steps;
+        assert!(steps.iter().all(|step| message(step, "falling_loads").is_some()));
+        let soft = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+        let changes = json!({"units": "SI", "lower": {"shape": {"type": "flat"}, "material": soft}, "load": {"force": 0.001}});
+        let step = &ball(&hardening(), &changes).steps[0];
+        assert!(message(step, "suspicious_units").is_some());
+    }
+
+    /// The gap hardly opens along the raceway's groove, in which the contact reaches far along a radius of 10 mm.
+    #[test]
+    fn a_ball_that_fills_its_raceway_is_wide() {
+        let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+        for (radius, is_wide) in [(-10.2, true), (-100.0, false)] {
+            for rotation in [0, 60] {
+                let raceway =
+                    json!({"type": "curved", "radius_x": 40, "radius_y": radius, "rotation": rotation});
+                let changes = json!({"lower": {"shape": raceway, "material": steel}, "load": {"force": 500}});
+                let step = &ball(&hardening(), &changes).steps[0];
+                let said = message(step, "wide_contact");
+                assert_eq!(said.is_some(), is_wide, "{radius} {rotation} {:?}", step.three_dimensional);
+                assert!(said.is_none_or(|said| said.contains("(10 mm)")), "{said:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn layers_thinner_than_cells_are_told() {
+        let mut layered = hardening();
+        layered["over_depth"] = json!([[0, 1.8], [0.0399, 1.8], [0.04, 1.0], [0.041, 1.8]]);
+        let step = &ball(&layered, &json!({})).steps[0];
+        let said = message(step, "coarse_case").unwrap();
+        assert!(said.contains("by 80 % within one layer"), "{said}");
+        assert!(message(&ball(&hardening(), &json!({})).steps[0], "coarse_case").is_none());
     }
 }

@@ -5,19 +5,23 @@ use super::document::{
 };
 use super::elastic::EllipticReference;
 use crate::contact::ContactLoad;
-use crate::job::{Deformable, InitialStressProfile, Job, Material, Quantity};
+use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
+use crate::report::plastic_strain::bounded;
 use crate::report::units::UnitConverter;
 use crate::report::{
     ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch, PerBody,
-    PlasticityReport, StepReport, SubsurfaceReport, ValidityNote,
+    PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
 };
-use crate::solver::half_spaces::{ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceStep, SurfaceMap};
+use crate::solver::half_spaces::{
+    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, SurfaceMap,
+};
 
 /// Writes the reports of the steps of one job.
 pub(super) struct StepWriter<'a> {
     pub job: &'a Job,
     pub write: UnitConverter,
+    pub problem: &'a HalfSpaceProblem,
     pub reference: &'a EllipticReference,
     /// From the job's x to that of the fields \[rad\].
     pub orientation: f64,
@@ -50,7 +54,7 @@ impl StepWriter<'_> {
             plasticity: if is_stopped {
                 PerBody { upper: None, lower: None }
             } else {
-                of_bodies(step, |body, _| self.plasticity(body))
+                of_bodies(step, |body, side| self.plasticity(body, side))
             },
             hertz: step.hertz.map(|hertz| HertzReport {
                 half_width: write.length(hertz.semi_axis_x),
@@ -60,7 +64,7 @@ impl StepWriter<'_> {
                 shakedown_pressure: None,
                 shakedown_depth: None,
             }),
-            yield_onset: None,
+            yield_onset: self.yield_onset(step),
             validity,
             estimated_error: self.estimated_error(step),
             fields: None,
@@ -71,7 +75,7 @@ impl StepWriter<'_> {
 
     fn contact(&self, step: &HalfSpaceStep) -> ContactReport {
         let (write, figures, map) = (self.write, &step.figures, &step.surface);
-        let [a, _] = figures.semi_axes;
+        let [a, _] = ordered(figures.semi_axes);
         let touches = figures.force > 0.0;
         let pressure = section_along_x(map, &map.pressure);
         let cell = map.grid.cell_area();
@@ -96,6 +100,20 @@ impl StepWriter<'_> {
         }
     }
 
+    /// The onset of yield that the job asked for.
+    fn yield_onset(&self, step: &HalfSpaceStep) -> Option<YieldOnsetReport> {
+        let write = self.write;
+        let first = self.problem.highest_utilization(step).filter(|_| self.job.load == Load::Onset)?;
+        Some(YieldOnsetReport {
+            force: write.force(step.figures.force),
+            approach: write.length(step.figures.approach),
+            peak_pressure: write.stress(step.figures.peak_pressure),
+            body: if first.side == 0 { Side::Upper } else { Side::Lower },
+            position: write.length(first.position[0]),
+            depth: write.length(first.position[2]),
+        })
+    }
+
     /// Of elastic bodies the slope of Hertz's curve; of bodies that yield it is not known.
     fn contact_stiffness(&self, step: &HalfSpaceStep) -> f64 {
         let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
@@ -113,8 +131,8 @@ impl StepWriter<'_> {
         let y: Vec<f64> = (0..map.grid.ny()).map(|j| write.length(map.grid.y(j))).collect();
         ThreeDimensionalReport {
             orientation: self.orientation.to_degrees(),
-            a: write.length(figures.semi_axes[0]),
-            b: write.length(figures.semi_axes[1]),
+            a: write.length(ordered(figures.semi_axes)[0]),
+            b: write.length(ordered(figures.semi_axes)[1]),
             area: write.area(figures.area),
             largest_cell_pressure: write.stress(step.largest_cell_pressure),
             peak_position_y: write.length(step.peak_position[1]),
@@ -138,7 +156,7 @@ impl StepWriter<'_> {
         }
     }
 
-    fn plasticity(&self, body: &HalfSpaceBody) -> PlasticityReport {
+    fn plasticity(&self, body: &HalfSpaceBody, side: usize) -> PlasticityReport {
         let write = self.write;
         let most = body.largest_strain;
         let [x, y, depth] = most.map_or([0.0; 3], |most| most.position);
@@ -154,7 +172,7 @@ impl StepWriter<'_> {
         let at_surface = body.equivalent_plastic_strain.iter().take(n_cells);
         PlasticityReport {
             yielded: most.is_some(),
-            max_equivalent_plastic_strain: Some(most.map_or(0.0, |most| most.value)),
+            max_equivalent_plastic_strain: largest_strain(self.job, body, side),
             mean_equivalent_plastic_strain: if yielded_area > 0.0 { weighted / yielded_area } else { 0.0 },
             position: write.length(x),
             depth: write.length(depth),
@@ -237,11 +255,30 @@ impl StepWriter<'_> {
             peak_pressure: relative(errors.peak_pressure, figures.peak_pressure),
             half_width: relative(errors.semi_axes[0], figures.semi_axes[0]),
             approach: relative(errors.approach, figures.approach),
-            force: relative(errors.force, figures.force),
+            // The stress that yields first goes with the third root of the force.
+            force: if self.job.load == Load::Onset {
+                3.0 * relative(errors.peak_pressure, figures.peak_pressure)
+            } else {
+                relative(errors.force, figures.force)
+            },
             // The stiffness of elastic bodies goes with the size of the contact.
             contact_stiffness: if elastic { 0.5 * relative(errors.area, figures.area) } else { 0.0 },
         })
     }
+}
+
+/// The largest plastic strain of a body; `None` where its curve does not rise any more.
+pub(super) fn largest_strain(job: &Job, body: &HalfSpaceBody, side: usize) -> Option<f64> {
+    let law = match &[&job.upper, &job.lower][side].material {
+        Material::Deformable(material) => material.hardening_law(),
+        Material::Rigid => None,
+    };
+    bounded(body.largest_strain.map_or(0.0, |most| most.value), law.as_deref())
+}
+
+/// The shorter one first. A stress along one axis may make a contact longer across the axis along which its gap is.
+fn ordered([x, y]: [f64; 2]) -> [f64; 2] {
+    [x.min(y), x.max(y)]
 }
 
 /// What there is to say of each deformable body; said once where one answer stands for both.

@@ -17,6 +17,7 @@ use crate::contact::kkt::ContactScales;
 use crate::solver::method::contact_system::{BlockVector, ContactSystem as _};
 use crate::solver::method::couplings::iteration::{norm, relative};
 use crate::solver::method::final_check::{Evidence, LeastScales, judge};
+use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::Answer as _;
@@ -117,6 +118,7 @@ impl Answer {
             contact_check,
             plastic_residual: evidence.equilibrium_residual,
             increments: Vec::new(),
+            last_increment: LastIncrement::default(),
             enlargements: self.system.design.enlargements,
             reaches_edge: evidence.reaches_edge,
             has_collapsed: evidence.has_collapsed,

@@ -6,6 +6,7 @@ use brinell_contact::KktReport;
 use brinell_halfspace::{EllipticContact, Layers, SurfaceGrid, TensorField};
 
 use crate::contact::ContactLoad;
+use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{IterationRecord, SolveStatus};
 use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
 use crate::solver::solution::Energy;
@@ -41,6 +42,8 @@ pub struct HalfSpaceStep {
     pub plastic_residual: f64,
     /// The increments of this load, under flow theory.
     pub increments: Vec<IncrementRecord>,
+    /// The last of them.
+    pub last_increment: LastIncrement,
     /// How often the grid was enlarged.
     pub enlargements: usize,
     /// Whether contact or plastic strain still reaches the end of the grid.
@@ -190,7 +193,7 @@ impl Step for HalfSpaceStep {
     }
 
     fn end_load(&mut self, end: LoadEnd) {
-        self.load = end.load;
+        (self.load, self.last_increment) = (end.load, end.last_increment);
         self.increments = end.increments;
     }
 
@@ -206,7 +209,6 @@ impl Step for HalfSpaceStep {
     }
 
     fn miss(&mut self, ratio: f64) {
-        self.missed = Some(ratio);
-        self.status = SolveStatus::NotConverged;
+        (self.status, self.missed) = (SolveStatus::NotConverged, Some(ratio));
     }
 }
