@@ -4,6 +4,7 @@ import { byId, h } from '../lib/dom.js';
 import * as pointer from '../lib/pointer.js';
 import { figure, forceOf, percent, unit, unitsOf } from '../lib/units.js';
 import {
+  ANALYSES,
   BACKSTRESS,
   DEFAULTS,
   ELASTIC,
@@ -22,7 +23,6 @@ import {
   overDepthOf,
   shapeLabel,
   targetOf,
-  analysesFor,
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
@@ -104,7 +104,7 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
       h(
         'p',
         {},
-        `${analysesFor(job.analysis)[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
+        `${ANALYSES[job.analysis] ?? ''}${many > 1 || asked(job) > 1 ? `, step ${at + 1} of ${many}` : ''}${many < asked(job) ? ` solved, of ${asked(job)} asked for` : ''}${Object.entries(
           job.tags ?? {},
         )
           .filter(([name]) => !HEADINGS.some((one) => one === name))

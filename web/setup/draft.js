@@ -15,7 +15,7 @@ import {
   lawOf,
   loadOf,
   overDepthOf,
-  shapeIn,
+  shapeFor,
   targetOf,
 } from './fields.js';
 
@@ -122,7 +122,7 @@ export function jobIn(given, units) {
 }
 
 /**
- * The job in another analysis. A wedge is a cone in axisymmetry; a load for each millimetre becomes that many newtons, in either system of units, and the other way round.
+ * The job in another analysis. A wedge is a cone in axisymmetry, a cylinder a sphere in three dimensions; a load for each millimetre becomes that many newtons, in either system of units, and the other way round.
  * @param {Job} given
  * @param {string} analysis
  * @returns {Job}
@@ -133,7 +133,9 @@ export function jobFor(given, analysis) {
   const job = /** @type {Job} */ ({ ...given, analysis, ...(load !== undefined && { load }) });
   for (const body of /** @type {const} */ (['upper', 'lower'])) {
     const shape = given[body]?.shape;
-    if (isObject(shape)) job[body] = { ...given[body], shape: { ...shape, type: shapeIn(shape.type, analysis) } };
+    if (isObject(shape)) job[body] = { ...given[body], shape: shapeFor(shape, analysis, units) };
+    // A half-space has no far boundary.
+    if (analysis === 'three_dimensional') delete job[body]?.support;
   }
   return job;
 }

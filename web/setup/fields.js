@@ -46,8 +46,27 @@ const TURNED_ONLY = named({ cone: 'wedge' });
 /** Shapes of half-spaces, which are of three dimensions only. */
 const OF_HALF_SPACES = new Set(['sphere', 'curved', 'flat']);
 
+/** What stands for shapes of sections there, and the other way round. @type {Record<string, string | undefined>} */
+const AS_HALF_SPACE = named({ cylinder: 'sphere', parabola: 'sphere', hole: 'curved' });
+/** @type {Record<string, string | undefined>} */
+const AS_SECTION = named({ sphere: 'cylinder', curved: 'cylinder', flat: 'block' });
+
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
-export const shapeIn = (type, analysis) => (analysis === 'axisymmetric' ? PLANE_ONLY : TURNED_ONLY)[type] ?? type;
+export function shapeIn(type, analysis) {
+  if (analysis === 'three_dimensional') return OF_HALF_SPACES.has(type) ? type : (AS_HALF_SPACE[type] ?? 'flat');
+  const section = AS_SECTION[type] ?? type;
+  return (analysis === 'axisymmetric' ? PLANE_ONLY : TURNED_ONLY)[section] ?? section;
+}
+
+/** @param {Record<string, any>} shape @param {unknown} analysis @param {import('../lib/units.js').Units} units @returns {Record<string, any>} what stands for it in this analysis */
+export function shapeFor(shape, analysis, units) {
+  const type = shapeIn(shape.type, analysis);
+  if (OF_HALF_SPACES.has(type) === OF_HALF_SPACES.has(shape.type)) return { ...shape, type };
+  if (type === 'sphere' || shape.type === 'sphere') return { type, radius: shape.radius };
+  if (type === 'curved') return { type, radius_x: -shape.radius, radius_y: -shape.radius };
+  if (shape.type === 'curved') return { type, radius: Math.abs(shape.radius_x ?? shape.radius_y) };
+  return shapeLike(type, shape, units);
+}
 
 /** @param {unknown} analysis @param {unknown} [own] one that there is already @returns {Record<string, string>} shapes to choose from */
 export const shapesFor = (analysis, own) =>
@@ -207,10 +226,12 @@ function target(key, label, symbol, quantity, example) {
 }
 
 /** @type {Record<string, string>} */
-export const ANALYSES = { plane_strain: 'Plane strain', plane_stress: 'Plane stress', axisymmetric: 'Axisymmetric' };
-/** @param {unknown} own analysis of the draft @returns {Record<string, string>} to choose from: three dimensions come as JSON, and are not begun here */
-export const analysesFor = (own) =>
-  own === 'three_dimensional' ? { [own]: 'Three dimensions', ...ANALYSES } : ANALYSES;
+export const ANALYSES = {
+  plane_strain: 'Plane strain',
+  plane_stress: 'Plane stress',
+  axisymmetric: 'Axisymmetric',
+  three_dimensional: 'Three dimensions',
+};
 
 /** @type {Record<string, string>} */
 export const UNIT_SYSTEMS = { mm_N_MPa: 'mm, N, MPa', SI: 'm, N, Pa' };

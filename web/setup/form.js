@@ -20,7 +20,7 @@ import {
   TARGETS,
   THEORIES,
   UNIT_SYSTEMS,
-  analysesFor,
+  ANALYSES,
   hasInitialStress,
   initialStressOf,
   lawOf,
@@ -188,9 +188,7 @@ export class Form {
   #build() {
     [this.#before, this.#fields] = [this.#fields, new Map()];
     arrange(this.parts.general, [
-      this.#choice('/analysis', 'Analysis', analysesFor(this.draft.job.analysis), (analysis) =>
-        this.#useAnalysis(String(analysis)),
-      ),
+      this.#choice('/analysis', 'Analysis', ANALYSES, (analysis) => this.#useAnalysis(String(analysis))),
       this.#choice('/units', 'Units', UNIT_SYSTEMS, (units) => {
         this.draft.changeUnits(/** @type {any} */ (units), SOURCE);
         this.#readAgain();

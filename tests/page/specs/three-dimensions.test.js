@@ -99,3 +99,17 @@ service.test('each load of a sweep has its map, in the units that are shown', as
   assert.ok(Math.abs(low / high - Math.cbrt(1 / 5)) < 0.02, `${low}, ${high}`);
   await follow(page, `job=${id}`);
 });
+
+service.test('a cylinder becomes a sphere where three dimensions are chosen, and a cylinder again', async (page) => {
+  const analysis = page.getByLabel('Analysis', { exact: true });
+  const shapes = page.getByLabel('Shape', { exact: true });
+  const types = () => Promise.all([shapes.nth(0), shapes.nth(1)].map((one) => one.inputValue()));
+  await analysis.selectOption({ label: 'Three dimensions' });
+  assert.deepEqual(await types(), ['sphere', 'sphere']);
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('.figures > div', { hasText: 'Longer semi-axis' }).waitFor();
+  await analysis.selectOption({ label: 'Axisymmetric' });
+  assert.deepEqual(await types(), ['cylinder', 'cylinder']);
+  await page.getByRole('button', { name: 'Solve', exact: true }).click();
+  await page.locator('.figures > div', { hasText: 'Contact radius' }).waitFor();
+});
