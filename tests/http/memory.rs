@@ -82,7 +82,16 @@ fn a_job_that_takes_more_memory_than_there_is_fails_and_says_so() {
     (long["mesh"], long["output"]) = (json!({"elements_per_half_width": 4}), json!({"fields": false}));
     long["load"] = json!({"history": [{"force": 700.0}, {"force": 0.0}]});
     long["solver"] = json!({"theory": "flow", "increments": 10_000});
-    for greedy in [fine, long] {
+    let ball = json!({
+        "analysis": "three_dimensional",
+        "upper": {"shape": {"type": "sphere", "radius": 10}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "flat"}, "material": {"young_modulus": 210_000, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 5000}}},
+        "load": {"force": 200},
+        "mesh": {"elements_per_half_width": 16},
+        "tags": {"test": "understated"},
+    });
+    for greedy in [fine, long, ball] {
         let id = service.target.submit(&greedy);
         let failed = service.target.wait_for(&id, &["failed"]);
         let detail = failed["error"]["detail"].as_str().unwrap();
