@@ -7,6 +7,7 @@ WORKDIR /build
 COPY Cargo.toml Cargo.lock ./
 COPY crates/brinell-contact/Cargo.toml crates/brinell-contact/
 COPY crates/brinell-halfspace/Cargo.toml crates/brinell-halfspace/
+COPY crates/brinell-fem/Cargo.toml crates/brinell-fem/
 COPY crates/brinell-material/Cargo.toml crates/brinell-material/
 COPY crates/brinell-method/Cargo.toml crates/brinell-method/
 COPY crates/brinell-solver/Cargo.toml crates/brinell-solver/

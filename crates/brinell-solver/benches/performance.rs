@@ -436,7 +436,7 @@ impl Floor {
                 let mesh = Arc::clone(&solved.mesh);
                 FloorBody {
                     graph: Graph::from_cells(mesh.nodes.len(), &mesh.elements),
-                    restraint: Restraint::new(&mesh, body.support),
+                    restraint: Restraint::new(&mesh, body.support.into()),
                     bulk: material.elastic().bulk_modulus(),
                     shear: material.elastic().shear_modulus(),
                     equations: solved.equations,

@@ -50,7 +50,7 @@
 //!
 //! Imports run downward only.
 
-pub mod fem;
+pub use brinell_fem as fem;
 pub mod job;
 pub mod report;
 pub mod solver;

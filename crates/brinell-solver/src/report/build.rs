@@ -10,9 +10,9 @@ use super::{
     plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
-use crate::fem::mesh::Outline;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::observer::ask;
+use crate::solver::outline_of;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
     SolveStatus, StepSolution,
@@ -170,7 +170,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
     let depths: Vec<f64> = step.bodies.iter().flatten().map(|body| body.depth()).collect();
     let effective = reference.as_ref().map_or(f64::INFINITY, |reference| reference.effective_radius);
     let radius =
-        [&job.upper, &job.lower].into_iter().filter_map(|body| Outline::of(&body.shape).curvature()).fold(
+        [&job.upper, &job.lower].into_iter().filter_map(|body| outline_of(&body.shape).curvature()).fold(
             if effective > 0.0 { effective } else { f64::INFINITY },
             // Bodies that nearly conform have a large effective radius, but gaps as far from vertical as their own tells.
             |least, curvature| least.min(curvature.abs().recip()),

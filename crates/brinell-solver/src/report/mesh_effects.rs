@@ -1,9 +1,9 @@
 //! What a mesh does to the figures of an answer that the difference to a coarser mesh does not show.
 
 use crate::fem::element::StressState;
-use crate::fem::mesh::Outline;
 use crate::job::{Body, Job, Material, Shape, Support};
 use crate::material::von_mises;
+use crate::solver::outline_of;
 use crate::solver::{BodySolution, ContactPatch, PairState, StepSolution};
 
 /// Mean pressure over peak of an elastic line contact, and from which on it is that of a plateau.
@@ -106,7 +106,7 @@ pub(super) fn size_between_points(job: &Job, step: &StepSolution) -> f64 {
     let profiles =
         [&job.upper, &job.lower].into_iter().filter(|body| matches!(body.shape, Shape::Profile(_)));
     let distances = profiles.flat_map(|body| {
-        let knots = Outline::of(&body.shape).knots();
+        let knots = outline_of(&body.shape).knots();
         let within: Vec<f64> = knots.into_iter().filter(|x| (patch.left..=patch.right).contains(x)).collect();
         within.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>()
     });

@@ -13,6 +13,7 @@ use crate::job::{
     Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory, Units,
 };
 use crate::material::von_mises;
+use crate::solver::outline_of;
 use crate::solver::{
     IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution,
     TIP_ELEMENTS, surface_stress_error,
@@ -336,7 +337,7 @@ fn wide_contact(job: &Job, step: &StepSolution, half_width: f64, radius: f64) ->
 
 /// The largest slope between two neighbouring pairs in contact, of surfaces without a radius: those of wedges, cones and profiles.
 fn steepest(job: &Job, step: &StepSolution) -> f64 {
-    let outlines = [&job.upper, &job.lower].map(|body| Outline::of(&body.shape));
+    let outlines = [&job.upper, &job.lower].map(|body| outline_of(&body.shape));
     let between = |pair: &[PairState]| match pair {
         [a, b] if a.force > 0.0 && b.force > 0.0 => {
             let slope = |outline: &Outline| ((outline.height(b.x) - outline.height(a.x)) / (b.x - a.x)).abs();

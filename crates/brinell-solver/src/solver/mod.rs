@@ -19,6 +19,7 @@ mod load_stepping;
 mod loads;
 mod mesh_sizing;
 mod mesh_solve;
+mod outline;
 mod problem;
 pub(crate) mod recovery;
 mod reference;
@@ -45,6 +46,7 @@ pub use method::observer::{
 };
 pub use method::phases::{Phase, PhaseTimes};
 pub use method::steps::{CoarseFigures, IncrementRecord, StepReceiver};
+pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;

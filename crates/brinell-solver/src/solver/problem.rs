@@ -4,16 +4,17 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::analytical::{ElasticConstants, effective_modulus, effective_modulus_plane_stress};
-use crate::fem::assembly::{MaterialModel, out_of_plane};
+use crate::fem::assembly::{MaterialModel, Support, out_of_plane};
 use crate::fem::element::StressState;
 use crate::fem::mesh::{ContactZone, Corner, Outline};
-use crate::job::{self, Analysis, Body, Deformable, InitialStressProfile, Job, Material, Shape, Support};
+use crate::job::{self, Analysis, Body, Deformable, InitialStressProfile, Job, Material, Shape};
 use crate::material::{
     BackstressTerm, ConstitutiveModel, DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity,
     HardeningLaw, Inhomogeneous, OutOfPlane, ReturnMapping,
 };
 use crate::solver::conforming::ConformingPair;
 use crate::solver::mesh_sizing::first_contact::smallest_gap;
+use crate::solver::outline::outlines_of;
 
 /// Two bodies whose surfaces first touch where their gap is smallest.
 pub(crate) struct Problem {
@@ -164,7 +165,7 @@ impl Problem {
             // The engine of half-spaces has no stress state of its own.
             Analysis::Axisymmetric | Analysis::ThreeDimensional => StressState::Axisymmetric,
         };
-        let [upper_outline, lower_outline] = Outline::of_pair([&job.upper.shape, &job.lower.shape]);
+        let [upper_outline, lower_outline] = outlines_of([&job.upper.shape, &job.lower.shape]);
         let conforming = ConformingPair::of([&upper_outline, &lower_outline]);
         let body = |body: &Body, outline: Outline| {
             let material = match &body.material {
@@ -178,7 +179,7 @@ impl Problem {
                 initial_stress: material.as_ref().and_then(|material| GivenStress::of(material, &outline)),
                 outline,
                 material,
-                support: body.support,
+                support: body.support.into(),
                 interpolation_is_open: matches!(&body.shape, Shape::Profile(p) if p.interpolation().is_none()),
             }
         };
@@ -216,7 +217,7 @@ impl Problem {
                     .map(|material| deformation_theory(material, &body.outline, out_of_plane)),
                 material,
                 initial_stress: body.initial_stress.clone(),
-                support: body.support,
+                support: body.support.into(),
                 interpolation_is_open: body.interpolation_is_open,
             }
         };
@@ -523,5 +524,14 @@ impl ProblemBody {
     pub fn strength_range(&self) -> (f64, f64) {
         let strength = self.material.as_ref().and_then(Deformable::strength);
         strength.map_or((1.0, 1.0), |strength| strength.range())
+    }
+}
+
+impl From<job::Support> for Support {
+    fn from(support: job::Support) -> Self {
+        match support {
+            job::Support::Clamped => Self::Clamped,
+            job::Support::Roller => Self::Roller,
+        }
     }
 }

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use brinell_solver::analytical::{DepthLimit, HertzLine};
 use brinell_solver::fem::assembly::MaterialModel;
 use brinell_solver::fem::element::StressState;
-use brinell_solver::fem::mesh::{Mesh, Outline};
+use brinell_solver::fem::mesh::Mesh;
 use brinell_solver::job::{Bilinear, Groove, Hardening, Job, JobError, NonNegativeF64, OverDepth, Shape};
 use brinell_solver::material::{
     DeformationPlasticity, DepthStrength, ElasticModuli, FlowPlasticity, Inhomogeneous, OutOfPlane,
     ReturnMapping,
 };
-use brinell_solver::solver::{BodySolution, SolveStatus};
+use brinell_solver::solver::{BodySolution, SolveStatus, outline_of};
 use serde_json::{Value, json};
 
 use crate::bodies::{Specimen, grid, material, positive};
@@ -47,7 +47,7 @@ fn graded(flow: bool) -> Arc<dyn MaterialModel> {
     let wall = OUTER - INNER;
     let over_depth = OverDepth::Factors(vec![[0.0, 1.0], [wall, 1.0 + SLOPE * wall / BORE]]);
     let bore = Groove::new(positive(INNER), positive(2.0 * INNER), positive(wall)).unwrap();
-    let strength = DepthStrength::new(over_depth.profile(yield_stress), Outline::of(&Shape::Groove(bore)));
+    let strength = DepthStrength::new(over_depth.profile(yield_stress), outline_of(&Shape::Groove(bore)));
     let elastic = ElasticModuli::from(material.elastic());
     let (law, plane) = (material.hardening_law(), OutOfPlane::Strained);
     if flow {

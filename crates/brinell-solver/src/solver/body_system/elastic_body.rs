@@ -3,10 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::fem::assembly::Support;
 use crate::fem::assembly::{Equations, PlasticPoints, Restraint, StiffnessAssembler};
 use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS, StressState, element_stiffness};
 use crate::fem::mesh::{ContactZone, Mesh, Outline, Quality, Refinement};
-use crate::job::{Elastic, Support};
+use crate::job::Elastic;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::{Observer, SolveError, method};
@@ -334,13 +335,13 @@ pub(crate) fn refactor(
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::{Cylinder, PoissonRatio, PositiveF64, Shape};
+    use crate::job::{PoissonRatio, PositiveF64};
 
     /// A cylinder with a contact of a hundredth of its radius.
     pub(crate) fn key(radius: f64, young: f64, support: Support) -> BodyKey {
         let positive = |value: f64| PositiveF64::new(value).unwrap();
         BodyKey {
-            outline: Outline::of(&Shape::Cylinder(Cylinder { radius: positive(radius) })),
+            outline: Outline::arc(radius.recip(), radius, radius),
             zone: ContactZone::uniform(0.0, 0.01 * radius, 8, true),
             refinement: Refinement { growth: 1.3 },
             stress_state: StressState::PlaneStrain,

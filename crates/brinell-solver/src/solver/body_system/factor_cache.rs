@@ -179,7 +179,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use super::*;
-    use crate::job::Support;
+    use crate::fem::assembly::Support;
     use crate::solver::body_system::{elastic_body::tests, preparation};
     use crate::solver::method::run::Run;
     use crate::solver::{Solution, Unobserved};

@@ -37,7 +37,7 @@ pub(crate) fn prepare(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Support;
+    use crate::fem::assembly::Support;
     use crate::solver::body_system::elastic_body::tests::key;
     use crate::solver::{Solution, Unobserved};
 

@@ -1,7 +1,7 @@
 //! Shape-function gradients of one element at its 2 × 2 Gauss points.
 
 use super::bilinear_map::CORNERS;
-use crate::material::PerPoint;
+use brinell_material::PerPoint;
 
 /// Gauss points of an element.
 pub const QUADRATURE_POINTS: usize = 4;

@@ -5,9 +5,17 @@
     reason = "the limits of a job keep node and equation counts far below 2^31"
 )]
 
-use crate::fem::mesh::Mesh;
-use crate::job::Support;
+use crate::mesh::Mesh;
 use sparse_cholesky::{EliminationOrder, Graph, SymmetricPattern};
+
+/// How the far boundary of a body is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Support {
+    /// Both components of its displacement are zero.
+    Clamped,
+    /// The component along the approach is zero.
+    Roller,
+}
 
 /// Which displacement components of each node are held at zero, `[x, y]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

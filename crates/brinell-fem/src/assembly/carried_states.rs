@@ -8,9 +8,9 @@
 //! bodies flow at a constant volume.
 
 use super::{StressField, Unloaded, stress};
-use crate::fem::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
-use crate::fem::mesh::Mesh;
-use crate::material::{ConstitutiveModel, OutOfPlane};
+use crate::element::{QUADRATURE_POINTS, Quad, SHAPE_AT_POINTS};
+use crate::mesh::Mesh;
+use brinell_material::{ConstitutiveModel, OutOfPlane};
 
 /// Stresses where the nodes of a mesh have moved a little in the body and have kept their displacements, and states, given for the points
 /// of each element, have stayed with the material.

@@ -1,8 +1,8 @@
 //! Stresses at the Gauss points of a whole body.
 
 use super::Unloaded;
-use crate::fem::element::{QUADRATURE_POINTS, Quad};
-use crate::material::{ConstitutiveModel, OutOfPlane, von_mises};
+use crate::element::{QUADRATURE_POINTS, Quad};
+use brinell_material::{ConstitutiveModel, OutOfPlane, von_mises};
 use sparse_cholesky::simd_dispatch;
 
 /// State of one Gauss point.

@@ -30,7 +30,7 @@ pub use frame::SurfaceFrame;
 pub use half_o_grid::Refinement;
 pub use locator::{Locator, Place};
 use outline::MESHED_SLOPE;
-pub use outline::{Outline, Ring};
+pub use outline::{FarBoundary, Outline, Ring};
 pub use quality::Quality;
 pub use zone::{ContactZone, Corner};
 
@@ -84,7 +84,7 @@ pub fn estimated_nodes(outline: &Outline, zone: &ContactZone, refinement: Refine
 }
 
 /// Relative difference of two lengths that is rounding: other units give the same numbers of rows and columns.
-pub(crate) const ROUNDING: f64 = 1e-9;
+pub const ROUNDING: f64 = 1e-9;
 
 /// Powers with which the shape of the free surface fades into the body; the first one that gives a valid mesh counts.
 const FADES: [i32; 4] = [1, 2, 4, 8];
@@ -194,17 +194,7 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Job;
     use proptest::prelude::*;
-
-    fn outline(shape: &str) -> Outline {
-        let body =
-            format!(r#"{{"shape": {shape}, "material": {{"young_modulus": 1e5, "poisson_ratio": 0.3}}}}"#);
-        let job = format!(
-            r#"{{"analysis": "plane_strain", "upper": {body}, "lower": {body}, "load": {{"force": 1}}}}"#
-        );
-        Outline::of(&Job::from_json(job.as_bytes()).unwrap().upper.shape)
-    }
 
     /// A zone of a part of the largest that fits, `shift` of the way to where it touches the end of that.
     fn zone(outline: &Outline, part: f64, shift: f64, columns: usize, symmetric: bool) -> ContactZone {
@@ -218,26 +208,22 @@ mod tests {
         ContactZone::uniform(centre - half, centre + half, 2 * columns, symmetric)
     }
 
-    fn shape() -> impl Strategy<Value = String> {
+    fn outlines() -> impl Strategy<Value = Outline> {
         let parabola = (1.0..100.0f64, 1.0..20.0f64).prop_map(|(flatness, room)| {
-            let points: Vec<String> = (-40..=40)
-                .map(|k| f64::from(k) * 0.25)
-                .map(|x| format!("[{x}, {}]", -x * x / (20.0 * flatness)))
-                .collect();
-            let depth = 5.0 / flatness + room;
-            format!(r#"{{"type": "profile", "points": [{}], "depth": {depth}}}"#, points.join(", "))
+            let face = (-40..=40).map(|k| f64::from(k) * 0.25).map(|x| [x, -x * x / (20.0 * flatness)]);
+            Outline::through(&face.collect::<Vec<_>>(), true, 5.0 / flatness + room)
         });
-        let groove = (10.5..100.0f64, 1.0..40.0f64).prop_map(|(radius, depth)| {
-            format!(r#"{{"type": "groove", "radius": {radius}, "width": 20, "depth": {depth}}}"#)
-        });
+        let groove = (10.5..100.0f64, 1.0..40.0f64)
+            .prop_map(|(radius, depth)| Outline::arc(-radius.recip(), 10.0, depth));
         prop_oneof![
-            Just(r#"{"type": "cylinder", "radius": 10}"#.to_owned()),
-            (-4.0..3.5f64)
-                .prop_map(|decades| format!(r#"{{"type": "block", "width": 20, "depth": {}}}"#, 10f64.powf(decades))),
-            (1.2..8.0f64, 0.0..3.5f64).prop_map(|(exponent, decades)| {
-                let depth = 9.0 + 10f64.powf(decades);
-                format!(r#"{{"type": "power", "exponent": {exponent}, "scale": 20, "width": 20, "depth": {depth}}}"#)
-            }),
+            Just(Outline::arc(0.1, 10.0, 10.0)),
+            (-4.0..3.5f64).prop_map(|decades| Outline::arc(0.0, 10.0, 10f64.powf(decades))),
+            (1.2..8.0f64, 0.0..3.5f64).prop_map(|(exponent, decades)| Outline::power(
+                exponent,
+                20.0,
+                20.0,
+                9.0 + 10f64.powf(decades)
+            )),
             groove,
             parabola,
         ]
@@ -246,7 +232,7 @@ mod tests {
     /// Rings fold below the zone: columns take their place.
     #[test]
     fn a_shallow_groove_is_meshed() {
-        let outline = outline(r#"{"type": "groove", "radius": 10.5, "width": 20, "depth": 1}"#);
+        let outline = Outline::arc(-10.5f64.recip(), 10.0, 1.0);
         let zone = zone(&outline, 0.775_711_419_760_809_9, 0.0, 4, false);
         assert!(Mesh::generate(&outline, &zone, Refinement { growth: 1.5 }).is_ok());
     }
@@ -256,9 +242,8 @@ mod tests {
         #[test]
         #[ignore = "full"]
         fn every_zone_that_fits_is_meshed(
-            shape in shape(), part in 0.001..1.0f64, shift in -1.0..1.0f64, columns in 4..64usize, symmetric: bool
+            outline in outlines(), part in 0.001..1.0f64, shift in -1.0..1.0f64, columns in 4..64usize, symmetric: bool
         ) {
-            let outline = outline(&shape);
             let zone = zone(&outline, part, shift, columns, symmetric);
             let refinement = Refinement { growth: 1.0 + 2.0 / columns as f64 };
             let mesh = Mesh::generate(&outline, &zone, refinement);

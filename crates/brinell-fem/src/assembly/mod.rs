@@ -8,10 +8,10 @@ mod relaxation;
 mod stiffness;
 mod stress;
 
-use crate::fem::element::StressState;
-use crate::material::OutOfPlane;
+use crate::element::StressState;
+use brinell_material::OutOfPlane;
 
-pub use equations::{Equations, Restraint};
+pub use equations::{Equations, Restraint, Support};
 pub use plastic_points::{MaterialModel, PlasticPoints, PointStresses, Unloaded};
 pub use relaxation::{given_stress, initial_force, relaxed_stress};
 pub use stiffness::StiffnessAssembler;

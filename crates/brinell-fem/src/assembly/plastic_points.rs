@@ -24,9 +24,9 @@ use std::sync::Arc;
 use super::carried_states::moved_stress_field;
 use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
-use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
-use crate::fem::mesh::Mesh;
-use crate::material::{
+use crate::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
+use crate::mesh::Mesh;
+use brinell_material::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, PointOrigin, ReferenceModuli,
 };
 use sparse_cholesky::simd_dispatch;

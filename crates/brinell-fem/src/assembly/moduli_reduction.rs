@@ -1,7 +1,7 @@
 //! Moduli by which the reference stiffness of an element falls short of the elastic one.
 
-use crate::fem::element::{ElementStiffness, QUADRATURE_POINTS, Quad};
-use crate::material::{Moduli, PerPoint};
+use crate::element::{ElementStiffness, QUADRATURE_POINTS, Quad};
+use brinell_material::{Moduli, PerPoint};
 
 /// Pairs of components `[ε_xx, ε_yy, ε_zz, γ_xy]` in the upper triangle, row by row.
 const PAIRS: [(usize, usize); 10] =
@@ -76,7 +76,7 @@ impl ElementReduction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fem::element::{StressState, element_stiffness};
+    use crate::element::{StressState, element_stiffness};
 
     /// Reduced by `2 (G - G') dev`, the stiffness with G is that with G'.
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Mesh;
-use crate::fem::element::{natural_coordinates, shape_functions};
+use crate::element::{natural_coordinates, shape_functions};
 
 /// Finds points by walking from element to element. A search starts where the last one ended, so that points taken
 /// in the order of a structured mesh cost a few steps each.
@@ -91,11 +91,10 @@ impl<'a> Locator<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fem::mesh::{ContactZone, Outline, Refinement};
-    use crate::job::{Cylinder, PositiveF64, Shape};
+    use crate::mesh::{ContactZone, Outline, Refinement};
 
     fn mesh(columns: usize, symmetric: bool) -> Mesh {
-        let outline = Outline::of(&Shape::Cylinder(Cylinder { radius: PositiveF64::new(20.0).unwrap() }));
+        let outline = Outline::arc(0.05, 20.0, 20.0);
         let x_min = if symmetric { 0.0 } else { -0.5 };
         let zone = ContactZone::uniform(x_min, 0.5, columns, symmetric);
         Mesh::generate(&outline, &zone, Refinement { growth: 1.3 }).unwrap()

@@ -6,8 +6,8 @@
 )]
 
 use super::Equations;
-use crate::fem::element::{ElementStiffness, Quad, StressState};
-use crate::fem::mesh::Mesh;
+use crate::element::{ElementStiffness, Quad, StressState};
+use crate::mesh::Mesh;
 use sparse_cholesky::SymmetricPattern;
 
 /// Sums element stiffnesses into the entries of a pattern, always in the order of the elements, so that the

@@ -5,8 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use super::interpolation::{MonotoneCubic, Polyline};
 use super::zone::Corner;
 use super::{MeshError, ROUNDING};
-use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
-use crate::material::Depth;
+use brinell_material::Depth;
 
 /// Surface, width and depth of a body in its own frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +32,7 @@ pub struct Ring {
 
 /// The boundary on which a pin or the body around a hole is held, around the centre of the circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum FarBoundary {
+pub enum FarBoundary {
     /// A circle of this radius \[mm\].
     Circle(f64),
     /// A square of this half-width \[mm\].
@@ -118,96 +117,62 @@ impl Depth for Outline {
 }
 
 impl Outline {
-    /// Outline of a shape of the job.
-    pub fn of(shape: &Shape) -> Self {
-        match shape {
-            Shape::Cylinder(Cylinder { radius }) => {
-                Self::arc(radius.get().recip(), radius.get(), radius.get())
-            }
-            Shape::Block(Block { width, depth }) => Self::arc(0.0, 0.5 * width.get(), depth.get()),
-            Shape::Groove(groove) => {
-                Self::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
-            }
-            Shape::Hole(hole) => {
-                let radius = hole.radius().get();
-                Self::arc(-radius.recip(), radius, hole.wall())
-            }
-            Shape::Profile(profile) => {
-                // Heights count from the highest place, near which it touches, as those of other shapes do.
-                let top = profile.top();
-                let points = whole_face(profile.points()).into_iter().map(|[x, y]| [x, y - top]).collect();
-                let line = Polyline::new(points);
-                let span = line.range();
-                let surface = match profile.interpolation() {
-                    Some(Interpolation::Linear) => Surface::Linear(line),
-                    _ => Surface::Smooth(MonotoneCubic::new(line.points().to_vec())),
-                };
-                Self { surface, span, depth: profile.depth().get() + top, ring: None }
-            }
-            Shape::Wedge(wedge) => {
-                let surface = Surface::Wedge { slope: wedge.slope(), tip_radius: wedge.tip_radius() };
-                Self::of_width(surface, wedge.width().get(), wedge.depth().get())
-            }
-            Shape::Cone(cone) => {
-                let surface = Surface::Wedge { slope: cone.slope(), tip_radius: cone.tip_radius() };
-                Self::of_width(surface, cone.width().get(), cone.depth().get())
-            }
-            Shape::Punch(punch) => {
-                let (half_width, depth) = (0.5 * punch.width().get(), punch.depth().get());
-                let surface = Surface::Punch { half_width, edge_radius: punch.edge_radius(), drop: depth };
-                // Nothing of a rigid body is meshed: its side walls and base bound no contact.
-                Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth, ring: None }
-            }
-            Shape::Parabola(parabola) => {
-                let surface = Surface::Power { exponent: 2.0, scale: 2.0 * parabola.radius().get() };
-                Self::of_width(surface, parabola.width().get(), parabola.depth().get())
-            }
-            Shape::Ellipse(Ellipse { semi_axis_x, semi_axis_y }) => {
-                let semi_axes = [semi_axis_x.get(), semi_axis_y.get()];
-                Self::of_width(Surface::Ellipse { semi_axes }, 2.0 * semi_axes[0], semi_axes[1])
-            }
-            Shape::Power(power) => {
-                let surface = Surface::Power { exponent: power.exponent(), scale: power.scale().get() };
-                Self::of_width(surface, power.width().get(), power.depth().get())
-            }
-            // The section along x of a half-space, which no analysis meshes.
-            Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_) => {
-                let [curvature, ..] = shape.curvatures().unwrap_or_default();
-                Self::arc(curvature, curvature.abs().recip(), f64::INFINITY)
-            }
-        }
+    /// A circular arc through the origin: curvature \[1/mm\], convex positive, 0 for a plane; half of its span and the depth
+    /// below it \[mm\].
+    pub fn arc(curvature: f64, half_span: f64, depth: f64) -> Self {
+        Self::of_width(Surface::Arc { curvature }, 2.0 * half_span, depth)
     }
 
-    fn arc(curvature: f64, half_span: f64, depth: f64) -> Self {
-        Self::of_width(Surface::Arc { curvature }, 2.0 * half_span, depth)
+    /// The upper half of an ellipse: its semi-axes along x and y \[mm\].
+    pub fn ellipse(semi_axes: [f64; 2]) -> Self {
+        Self::of_width(Surface::Ellipse { semi_axes }, 2.0 * semi_axes[0], semi_axes[1])
+    }
+
+    /// `y = -L (|x|/L)^n` with the length L, on a width and above a depth \[mm\].
+    pub fn power(exponent: f64, scale: f64, width: f64, depth: f64) -> Self {
+        Self::of_width(Surface::Power { exponent, scale }, width, depth)
+    }
+
+    /// Two flanks that fall by `slope` from a tip, which is an arc of `tip_radius` or, at 0, a corner; width and depth \[mm\].
+    pub fn wedge(slope: f64, tip_radius: f64, width: f64, depth: f64) -> Self {
+        Self::of_width(Surface::Wedge { slope, tip_radius }, width, depth)
+    }
+
+    /// A rigid flat whose edges are arcs of `edge_radius` or, at 0, corners; beyond `half_width` it drops to `-depth` \[mm\].
+    pub fn punch(half_width: f64, edge_radius: f64, depth: f64) -> Self {
+        let surface = Surface::Punch { half_width, edge_radius, drop: depth };
+        // Nothing of a rigid body is meshed: its side walls and base bound no contact.
+        Self { surface, span: (f64::NEG_INFINITY, f64::INFINITY), depth, ring: None }
+    }
+
+    /// Through points `[x, height]` in ascending order of x, smooth or straight between them; points from x = 0 to one side are
+    /// completed by their mirror image. The depth is counted below the highest point \[mm\].
+    pub fn through(points: &[[f64; 2]], is_smooth: bool, depth: f64) -> Self {
+        // Heights count from the highest place, near which it touches, as those of other shapes do.
+        let top = points.iter().map(|[_, height]| *height).fold(f64::NEG_INFINITY, f64::max);
+        let points = whole_face(points).into_iter().map(|[x, y]| [x, y - top]).collect();
+        let line = Polyline::new(points);
+        let span = line.range();
+        let surface = if is_smooth {
+            Surface::Smooth(MonotoneCubic::new(line.points().to_vec()))
+        } else {
+            Surface::Linear(line)
+        };
+        Self { surface, span, depth: depth + top, ring: None }
     }
 
     fn of_width(surface: Surface, width: f64, depth: f64) -> Self {
         Self { surface, span: (-0.5 * width, 0.5 * width), depth, ring: None }
     }
 
-    /// Outlines of both bodies of a job: those of a pin and its hole know of each other.
-    pub fn of_pair(shapes: [&Shape; 2]) -> [Self; 2] {
-        let mut outlines = shapes.map(Self::of);
-        let radius = |shape: &Shape| match shape {
-            Shape::Cylinder(cylinder) => Some(cylinder.radius.get()),
-            Shape::Hole(hole) => Some(-hole.radius().get()),
-            _ => None,
-        };
-        let [Some(upper), Some(lower)] = shapes.map(radius) else { return outlines };
-        if upper * lower > 0.0 {
-            return outlines;
-        }
-        let common_radius = (-upper * lower).sqrt();
+    /// A pin and its hole, which know of each other: their outlines, their radii, negative for the hole \[mm\], and where the body
+    /// around the hole is held.
+    #[must_use]
+    pub fn as_pin_and_hole(mut outlines: [Self; 2], radii: [f64; 2], held: FarBoundary) -> [Self; 2] {
+        let common_radius = (-radii[0] * radii[1]).sqrt();
         let reach = MAX_ZONE_ANGLE.to_radians() * common_radius;
-        for ((outline, shape), radius) in outlines.iter_mut().zip(shapes).zip([upper, lower]) {
-            let far = match shape {
-                Shape::Hole(hole) => match hole.edge() {
-                    OuterEdge::Circle(radius) => FarBoundary::Circle(radius.get()),
-                    OuterEdge::Square(width) => FarBoundary::Square(0.5 * width.get()),
-                },
-                _ => FarBoundary::Circle(PIN_CORE * radius),
-            };
+        for (outline, radius) in outlines.iter_mut().zip(radii) {
+            let far = if radius < 0.0 { held } else { FarBoundary::Circle(PIN_CORE * radius) };
             outline.span = (-reach, reach);
             outline.ring = Some(Ring { radius, common_radius, far });
         }
@@ -536,11 +501,9 @@ fn whole_face(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{PositiveF64, Profile};
 
     fn outline(points: &[[f64; 2]]) -> Outline {
-        let depth = PositiveF64::new(10.0).unwrap();
-        Outline::of(&Shape::Profile(Profile::new(points.to_vec(), depth).unwrap()))
+        Outline::through(points, true, 10.0)
     }
 
     #[test]

@@ -9,9 +9,9 @@
 //! body beyond them would exert.
 
 use super::{Equations, PointStresses};
-use crate::fem::element::{QUADRATURE_POINTS, Quad, StressState};
-use crate::fem::mesh::Mesh;
-use crate::material::{ElasticModuli, OutOfPlane, PerPoint};
+use crate::element::{QUADRATURE_POINTS, Quad, StressState};
+use crate::mesh::Mesh;
+use brinell_material::{ElasticModuli, OutOfPlane, PerPoint};
 
 /// A stress that is given from place to place, at the points of a mesh. As in every element the mean pressure is taken, which
 /// the plain strain matrix and that of B-bar do the same work with.

@@ -1,0 +1,71 @@
+//! The outlines of the shapes of a job.
+
+use crate::fem::mesh::{FarBoundary, Outline};
+use crate::job::{Block, Cylinder, Ellipse, Interpolation, OuterEdge, Shape};
+
+/// Outline of a shape.
+pub fn outline_of(shape: &Shape) -> Outline {
+    match shape {
+        Shape::Cylinder(Cylinder { radius }) => {
+            Outline::arc(radius.get().recip(), radius.get(), radius.get())
+        }
+        Shape::Block(Block { width, depth }) => Outline::arc(0.0, 0.5 * width.get(), depth.get()),
+        Shape::Groove(groove) => {
+            Outline::arc(-groove.radius().get().recip(), 0.5 * groove.width().get(), groove.depth().get())
+        }
+        Shape::Hole(hole) => {
+            let radius = hole.radius().get();
+            Outline::arc(-radius.recip(), radius, hole.wall())
+        }
+        Shape::Profile(profile) => {
+            let is_smooth = profile.interpolation() != Some(Interpolation::Linear);
+            Outline::through(profile.points(), is_smooth, profile.depth().get())
+        }
+        Shape::Wedge(wedge) => {
+            Outline::wedge(wedge.slope(), wedge.tip_radius(), wedge.width().get(), wedge.depth().get())
+        }
+        Shape::Cone(cone) => {
+            Outline::wedge(cone.slope(), cone.tip_radius(), cone.width().get(), cone.depth().get())
+        }
+        Shape::Punch(punch) => {
+            Outline::punch(0.5 * punch.width().get(), punch.edge_radius(), punch.depth().get())
+        }
+        Shape::Parabola(parabola) => {
+            Outline::power(2.0, 2.0 * parabola.radius().get(), parabola.width().get(), parabola.depth().get())
+        }
+        Shape::Ellipse(Ellipse { semi_axis_x, semi_axis_y }) => {
+            Outline::ellipse([semi_axis_x.get(), semi_axis_y.get()])
+        }
+        Shape::Power(power) => {
+            Outline::power(power.exponent(), power.scale().get(), power.width().get(), power.depth().get())
+        }
+        // The section along x of a half-space, which no analysis meshes.
+        Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_) => {
+            let [curvature, ..] = shape.curvatures().unwrap_or_default();
+            Outline::arc(curvature, curvature.abs().recip(), f64::INFINITY)
+        }
+    }
+}
+
+/// Outlines of both bodies of a job: those of a pin and its hole know of each other.
+pub(crate) fn outlines_of(shapes: [&Shape; 2]) -> [Outline; 2] {
+    let outlines = shapes.map(outline_of);
+    let radius = |shape: &Shape| match shape {
+        Shape::Cylinder(cylinder) => Some(cylinder.radius.get()),
+        Shape::Hole(hole) => Some(-hole.radius().get()),
+        _ => None,
+    };
+    let held = shapes.into_iter().find_map(|shape| match shape {
+        Shape::Hole(hole) => Some(match hole.edge() {
+            OuterEdge::Circle(radius) => FarBoundary::Circle(radius.get()),
+            OuterEdge::Square(width) => FarBoundary::Square(0.5 * width.get()),
+        }),
+        _ => None,
+    });
+    match (shapes.map(radius), held) {
+        ([Some(upper), Some(lower)], Some(held)) if upper * lower < 0.0 => {
+            Outline::as_pin_and_hole(outlines, [upper, lower], held)
+        }
+        _ => outlines,
+    }
+}
