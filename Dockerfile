@@ -11,6 +11,7 @@ COPY crates/brinell-fem/Cargo.toml crates/brinell-fem/
 COPY crates/brinell-material/Cargo.toml crates/brinell-material/
 COPY crates/brinell-method/Cargo.toml crates/brinell-method/
 COPY crates/brinell-solver/Cargo.toml crates/brinell-solver/
+COPY crates/dense-cholesky/Cargo.toml crates/dense-cholesky/
 COPY crates/sparse-cholesky/Cargo.toml crates/sparse-cholesky/
 COPY tools/Cargo.toml tools/
 # A stand-in for every target that a manifest names.

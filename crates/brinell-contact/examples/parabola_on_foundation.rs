@@ -5,7 +5,7 @@
 use std::error::Error;
 
 use brinell_contact::{ConjugateGradientSolver, ContactLoad, ContactProblem, ContactSolver, kkt, never};
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let n = 21_u16;

@@ -87,7 +87,7 @@ fn first_set(problem: &ContactProblem<'_>, start: Option<&ContactSolution>) -> A
 mod tests {
     use super::*;
     use crate::never;
-    use sparse_cholesky::dense::SymmetricMatrix;
+    use dense_cholesky::SymmetricMatrix;
 
     #[test]
     fn starts_where_the_gap_closes_first_and_ignores_foreign_pairs() {

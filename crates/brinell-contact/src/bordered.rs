@@ -9,7 +9,7 @@
 //! that an offset of the approach costs no digits.
 
 use super::{ActiveSet, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactStatus};
-use sparse_cholesky::dense::DenseCholesky;
+use dense_cholesky::DenseCholesky;
 
 /// Penetration, relative to the terms whose sum the gap is, that is put down to rounding.
 pub(super) const GAP_TOLERANCE: f64 = 1e-13;

@@ -1,7 +1,7 @@
 //! The entries of a flexibility, which direct solvers need.
 
 use super::Flexibility;
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 /// The entries of a flexibility.
 #[derive(Clone, Copy)]

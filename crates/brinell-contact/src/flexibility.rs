@@ -1,6 +1,6 @@
 //! What a contact needs to know of two elastic bodies.
 
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 /// The displacements along the normals that contact forces cause, `u = F R`.
 ///

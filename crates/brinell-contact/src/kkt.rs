@@ -162,7 +162,7 @@ fn ratio(value: f64, scale: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sparse_cholesky::dense::SymmetricMatrix;
+    use dense_cholesky::SymmetricMatrix;
 
     #[test]
     fn every_condition_is_seen_on_its_own() {

@@ -149,7 +149,7 @@ fn polish(problem: &ContactProblem, end: &ContactSolution) -> Result<ContactSolu
 mod tests {
     use super::*;
     use crate::{kkt, never};
-    use sparse_cholesky::dense::SymmetricMatrix;
+    use dense_cholesky::SymmetricMatrix;
 
     /// Smooth, poorly conditioned, like the flexibility of a fine mesh.
     fn smooth(n: usize, ridge: f64) -> SymmetricMatrix {

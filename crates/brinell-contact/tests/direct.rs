@@ -6,8 +6,8 @@ use brinell_contact::{
     ActiveSet, ActiveSetSolver, ContactError, ContactLoad, ContactProblem, ContactSolution, ContactSolver,
     SimplexSolver, kkt, never,
 };
+use dense_cholesky::SymmetricMatrix;
 use proptest::prelude::*;
-use sparse_cholesky::dense::SymmetricMatrix;
 
 /// Data that a [`ContactProblem`] borrows.
 #[derive(Debug, Clone)]

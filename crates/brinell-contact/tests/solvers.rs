@@ -8,8 +8,8 @@ use brinell_contact::{
     ActiveSetSolver, ConjugateGradientSolver, ContactError, ContactLoad, ContactProblem, ContactSolution,
     ContactSolver, ContactStatus, Flexibility, KktReport, PolonskyKeerSolver, kkt, never,
 };
+use dense_cholesky::SymmetricMatrix;
 use proptest::prelude::*;
-use sparse_cholesky::dense::SymmetricMatrix;
 
 const TOLERANCE: f64 = 1e-9;
 

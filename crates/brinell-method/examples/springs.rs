@@ -10,7 +10,7 @@ use brinell_method::couplings::{Accelerated, iterate};
 use brinell_method::observer::Unobserved;
 use brinell_method::phases::PhaseTimes;
 use brinell_method::run::Run;
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 /// Stiffness and hardening of a spring \[N/mm\], and the force at which it yields \[N\].
 const STIFFNESS: f64 = 1e4;

@@ -8,10 +8,9 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::dense::{SymmetricMatrix, inverse_of_factor};
 use super::factorization::{factorize, outdated_supernodes};
 use super::symbolic::{Reach, Supernode, SymbolicCholesky};
-use super::{dot, simd_dispatch};
+use dense_cholesky::{SymmetricMatrix, dot, inverse_of_factor, simd_dispatch};
 
 /// Why a matrix has no Cholesky factor.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]

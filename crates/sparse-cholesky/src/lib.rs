@@ -12,14 +12,12 @@
 //! The README has an example. This is the only crate of the workspace that names faer.
 
 mod cholesky;
-pub mod dense;
 mod elimination;
 mod factorization;
 mod graph;
 mod nested_dissection;
 mod panel;
 mod pattern;
-mod simd;
 mod symbolic;
 
 pub use cholesky::{Cholesky, FactorizationError};
@@ -27,7 +25,6 @@ pub use elimination::EliminationOrder;
 pub use graph::Graph;
 pub use nested_dissection::LatticePoint;
 pub use pattern::SymmetricPattern;
-pub use simd::{dot, simd_dispatch};
 pub use symbolic::{Reach, SymbolicCholesky};
 
 /// The examples of the README are tests.

@@ -6,8 +6,8 @@ use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Accum, MatMut, MatRef, Par};
 
 use super::FactorizationError;
-use super::dense::{factorization_memory, factorize_in_place};
 use super::symbolic::{Supernode, SymbolicCholesky};
+use dense_cholesky::{factorization_memory, factorize_in_place};
 
 /// What a finished supernode subtracts from the one that owns its rows `[first, first + count)`.
 pub(super) struct Update<'a> {

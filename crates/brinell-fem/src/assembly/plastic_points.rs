@@ -29,7 +29,7 @@ use crate::mesh::Mesh;
 use brinell_material::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, PerPoint, PointOrigin, ReferenceModuli,
 };
-use sparse_cholesky::simd_dispatch;
+use dense_cholesky::simd_dispatch;
 
 /// A constitutive model of any state, as bodies hold it: built once, and asked for the regions of its meshes.
 pub trait MaterialModel: Debug + Send + Sync {

@@ -3,7 +3,7 @@
 use super::Unloaded;
 use crate::element::{QUADRATURE_POINTS, Quad};
 use brinell_material::{ConstitutiveModel, OutOfPlane, von_mises};
-use sparse_cholesky::simd_dispatch;
+use dense_cholesky::simd_dispatch;
 
 /// State of one Gauss point.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

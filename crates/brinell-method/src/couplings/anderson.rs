@@ -10,8 +10,8 @@
 
 use std::collections::VecDeque;
 
+use dense_cholesky::{dot, simd_dispatch};
 use nalgebra::{DMatrix, DVector};
-use sparse_cholesky::{dot, simd_dispatch};
 
 /// Steps that are combined at most.
 pub const DEPTH: usize = 7;

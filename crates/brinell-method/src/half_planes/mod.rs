@@ -23,7 +23,7 @@ use super::steps::{CoarseFigures, LoadEnd, Step};
 use crate::Error;
 use brinell_contact::kkt::ContactScales;
 use brinell_contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolution, KktReport};
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 /// Radius of the upper surface \[mm\], modulus E\* of both bodies \[MPa\], and the depth where displacements are zero \[mm\].
 const RADIUS: f64 = 10.0;

@@ -217,7 +217,7 @@ impl Problem {
                     .map(|material| deformation_theory(material, &body.outline, out_of_plane)),
                 material,
                 initial_stress: body.initial_stress.clone(),
-                support: body.support.into(),
+                support: body.support,
                 interpolation_is_open: body.interpolation_is_open,
             }
         };

@@ -52,9 +52,11 @@ fn the_solver_and_its_factorization_are_pure() {
     for root in [
         "src",
         "../brinell-contact/src",
+        "../brinell-fem/src",
         "../brinell-halfspace/src",
         "../brinell-material/src",
         "../brinell-method/src",
+        "../dense-cholesky/src",
         "../sparse-cholesky/src",
     ] {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join(root), &mut files);
@@ -74,4 +76,32 @@ fn the_solver_and_its_factorization_are_pure() {
 fn impure_names_are_found_in_code_and_not_in_comments() {
     assert_eq!(impurities("// println!\nlet clock = Instant::now();"), ["2: Instant"]);
     assert_eq!(impurities("fn f() {\n    std::thread::spawn(|| ());\n}"), ["2: std::thread"]);
+}
+
+/// From the bottom up.
+const CRATES: [&str; 8] = [
+    "dense-cholesky",
+    "sparse-cholesky",
+    "brinell-material",
+    "brinell-contact",
+    "brinell-fem",
+    "brinell-method",
+    "brinell-halfspace",
+    "brinell-solver",
+];
+
+#[test]
+fn a_crate_depends_on_those_below_it_alone() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let there = fs::read_dir(crates).unwrap().count();
+    assert_eq!(there, CRATES.len());
+    for (k, name) in CRATES.iter().enumerate() {
+        let manifest = fs::read_to_string(crates.join(name).join("Cargo.toml")).unwrap();
+        let dependencies = manifest.split("[dependencies]").nth(1).unwrap();
+        let upward: Vec<_> = CRATES[k..]
+            .iter()
+            .filter(|other| dependencies.lines().any(|line| line.starts_with(**other)))
+            .collect();
+        assert!(upward.is_empty(), "{name} names {upward:?}");
+    }
 }

@@ -16,7 +16,7 @@ use crate::solver::method;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::GivenStress;
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, Reach};
 
 /// Everything about one body that outlives an iteration.

@@ -11,7 +11,7 @@ use crate::job::Elastic;
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::{Observer, SolveError, method};
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::{Cholesky, EliminationOrder, Graph, Reach, SymbolicCholesky};
 
 /// What an elastic body is made of: of equal keys come equal bodies.

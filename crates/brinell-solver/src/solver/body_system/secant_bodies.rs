@@ -8,8 +8,8 @@ use crate::solver::method;
 use crate::solver::method::contact_system::{ContactSystem as _, PlasticAnswer, Response, SecantStiffness};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::Cholesky;
-use sparse_cholesky::dense::SymmetricMatrix;
 
 /// A system with other factors than its own.
 pub(crate) struct SecantBodies<'a> {

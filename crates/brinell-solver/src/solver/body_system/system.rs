@@ -24,8 +24,8 @@ use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
 use crate::solver::problem::Problem;
 use crate::solver::{SolveError, method};
+use dense_cholesky::SymmetricMatrix;
 use sparse_cholesky::Cholesky;
-use sparse_cholesky::dense::SymmetricMatrix;
 
 /// The discretized pair of bodies. Equal bodies are one [`BodyModel`] that counts twice: under the same
 /// contact forces they are mirror images of each other in every iteration.

@@ -30,7 +30,7 @@ use crate::solver::method::observer::ask;
 use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::{ContactPatch, Interrupt, Observer};
-use sparse_cholesky::dense::DenseCholesky;
+use dense_cholesky::DenseCholesky;
 
 /// dP/dα of both sides of the axis together \[N/mm per mm, or N per mm\]; 0 where nothing touches.
 #[derive(Debug, Clone, Copy, Default)]

@@ -13,7 +13,7 @@ use crate::solver::method::contact_system::{BlockVector, ContactSystem as _, Lin
 use crate::solver::method::couplings::iteration::State;
 use crate::solver::method::observer::ask;
 use crate::solver::{Interrupt, Observer};
-use sparse_cholesky::dense::DenseCholesky;
+use dense_cholesky::DenseCholesky;
 
 /// Steps at most; a factor of the elastic stiffness takes about ten, one of tangent moduli two or three.
 const MAX_STEPS: usize = 40;

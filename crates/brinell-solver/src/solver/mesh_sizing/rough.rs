@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver, never};
 use crate::fem::element::StressState;
 use crate::solver::problem::Problem;
-use sparse_cholesky::dense::SymmetricMatrix;
+use dense_cholesky::SymmetricMatrix;
 
 /// Half-width of what is looked at over the expected one, and how much wider it becomes where that is not enough.
 const REACH: f64 = 1.6;

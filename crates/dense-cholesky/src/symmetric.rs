@@ -183,15 +183,15 @@ impl DenseCholesky {
 }
 
 /// Memory for [`factorize_in_place`] of up to n rows.
-pub(super) fn factorization_memory(n: usize) -> MemBuffer {
+pub fn factorization_memory(n: usize) -> MemBuffer {
     MemBuffer::new(cholesky_in_place_scratch::<f64>(n, Par::Seq, Spec::default()))
 }
 
 /// Overwrites the lower triangle of a matrix by its factor.
-pub(super) fn factorize_in_place(
-    a: MatMut<'_, f64>,
-    memory: &mut MemBuffer,
-) -> Result<(), NotPositiveDefinite> {
+///
+/// # Errors
+/// [`NotPositiveDefinite`] with the first row whose pivot is not positive.
+pub fn factorize_in_place(a: MatMut<'_, f64>, memory: &mut MemBuffer) -> Result<(), NotPositiveDefinite> {
     let (regularization, stack) = (LltRegularization::default(), MemStack::new(memory));
     cholesky_in_place(a, regularization, Par::Seq, stack, Spec::default())
         .map(|_| ())
@@ -199,7 +199,7 @@ pub(super) fn factorize_in_place(
 }
 
 /// `A⁻¹ = YᵀY`, `L Y = I`, of the lower triangle L that is stored column by column.
-pub(super) fn inverse_of_factor(lower: &[f64], n: usize) -> SymmetricMatrix {
+pub fn inverse_of_factor(lower: &[f64], n: usize) -> SymmetricMatrix {
     let mut data = vec![0.0; n * n];
     let out = MatMut::from_column_major_slice_mut(&mut data, n, n);
     let lower = MatRef::from_column_major_slice(lower, n, n);
