@@ -137,8 +137,9 @@ pub(super) fn peak_is_next_to_end(step: &StepSolution) -> bool {
     };
     let is_wide = step.patch.is_some_and(|patch| patch.half_width() > WIDE * step.spacing);
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
-    let is_plateau = yields && overshoot(step) > 0.0;
-    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_plateau;
+    // In plane stress the pressure of bodies that yield has a limit.
+    let is_limited = yields && step.stress_state == StressState::PlaneStress;
+    let is_known = !step.loaded_corners.is_empty() || step.rounded_edge.is_some() || is_limited;
     !is_known && (is_wide || is_round) && step.parts.iter().any(is_next)
 }
 

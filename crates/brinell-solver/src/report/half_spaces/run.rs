@@ -205,7 +205,6 @@ mod tests {
         let (found, closed) = (step.yield_onset.as_ref().unwrap(), step.hertz.as_ref().unwrap());
         let off = (found.force / closed.yield_onset_force.unwrap() - 1.0).abs();
         let bar = step.estimated_error.as_ref().unwrap().force;
-        println!("{off} {bar} {found:?}");
         assert!(off < bar && bar < 0.05, "{off} {bar}");
         assert!((found.depth / closed.yield_onset_depth.unwrap() - 1.0).abs() < 0.15);
         assert_eq!(found.body, Side::Lower);
