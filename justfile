@@ -66,9 +66,9 @@ demo:
 serve:
     cargo run --release -- serve
 
-# What is written from the program anew: api/openapi.json, web/setup/tables.js, web/types.js
+# What is written from the program anew: api/openapi.json, web/setup/tables.js, web/wire.js
 generate:
-    BRINELL_WRITE=1 cargo test --test openapi
+    BRINELL_WRITE=1 cargo test --test openapi --test documents
 
 # Generated requests against the OpenAPI document
 schemathesis:

@@ -33,8 +33,11 @@ pub struct ContactFigures {
 
 /// Two bodies and the contact between them.
 ///
-/// Initial stress is the load that plastic flow puts on the elastic bodies: nodal forces of finite elements. Symmetry and equal
-/// bodies are the affair of the system: loads and figures are those of the whole contact.
+/// `initial_stress` is the paper's P_e: the load that plastic flow puts on the elastic bodies, nodal forces of finite
+/// elements. It is no stress, and another thing than the `initial_stress` of a job. Couplings call the one that is applied
+/// `loads`, and P_e(u) its `image`. Forces of the contact push the bodies apart, `R >= 0`.
+///
+/// Symmetry and equal bodies are the affair of the system: loads and figures are those of the whole contact.
 pub trait ContactSystem {
     /// An initial stress, or displacements, of nothing.
     fn zeros(&self) -> BlockVector;

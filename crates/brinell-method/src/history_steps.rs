@@ -1,24 +1,24 @@
 //! Where the steps of a history go.
 //!
-//! A job may be stopped at any time. Loads that are finished on the mesh that was asked for are answers, whatever comes of the
-//! rest. For the others there is what the coarse mesh has found, which is less: no stresses, no error bars.
+//! A job may be stopped at any time. Loads that are finished at the density that was asked for are answers, whatever comes of the
+//! rest. For the others there is what the coarse system has found, which is less: no stresses, no error bars.
 
 use super::observer::{Interrupt, Observer};
 use super::run::Run;
 use super::steps::{CoarseFigures, Step, StepReceiver};
 use crate::Error;
 
-/// What the coarse mesh says of the errors of each step.
+/// What the coarse system says of the errors of each step.
 pub(super) struct Estimates<'a> {
     pub coarse: &'a [Option<CoarseFigures>],
     pub increments: &'a [Option<CoarseFigures>],
 }
 
-/// Takes the end of each load of a history on one mesh.
+/// Takes the end of each load of a history on one system.
 pub(super) enum HistorySteps<'a, S> {
-    /// Of the coarse mesh, by their number; each takes the place of the one that larger increments have found.
+    /// Of the coarse system, by their number; each takes the place of the one that larger increments have found.
     Preliminary(&'a mut Vec<S>),
-    /// Of the mesh that was asked for.
+    /// Of the density that was asked for.
     Final {
         estimates: Estimates<'a>,
         receiver: &'a mut dyn StepReceiver<S>,
@@ -28,12 +28,12 @@ pub(super) enum HistorySteps<'a, S> {
 }
 
 impl<'a, S: Step> HistorySteps<'a, S> {
-    /// Of the mesh that was asked for.
+    /// Of the density that was asked for.
     pub fn new(estimates: Estimates<'a>, receiver: &'a mut dyn StepReceiver<S>) -> Self {
         Self::Final { estimates, receiver, done: 0 }
     }
 
-    /// How many steps of the mesh that was asked for have been handed over.
+    /// How many steps of the density that was asked for have been handed over.
     pub fn done(&self) -> usize {
         match self {
             Self::Preliminary(_) => 0,
@@ -72,7 +72,7 @@ impl<'a, S: Step> HistorySteps<'a, S> {
         }
     }
 
-    /// The history begins anew on a wider mesh.
+    /// The history begins anew on a wider system.
     pub fn begin_anew(&mut self) {
         if let Self::Final { receiver, done, .. } = self {
             receiver.begin_anew();
@@ -81,7 +81,7 @@ impl<'a, S: Step> HistorySteps<'a, S> {
     }
 }
 
-/// Of a job that is stopped: hands over what the coarse mesh has found of the loads from the number `done` on.
+/// Of a job that is stopped: hands over what the coarse system has found of the loads from the number `done` on.
 ///
 /// # Errors
 /// [`Error::Interrupted`] where there is nothing to keep at all.

@@ -132,7 +132,7 @@ pub trait Observer {
 /// What a solve holds that may be large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Held {
-    /// The bodies of a mesh and their factors.
+    /// The bodies of a system and their factors.
     Bodies,
     /// The displacements at the ends of the increments of a history.
     Increments,

@@ -12,14 +12,14 @@ use brinell_contact::{ContactError, ContactProblem, ContactSolution, ContactSolv
 pub struct Run<'a> {
     /// Time by phase.
     pub phases: &'a mut PhaseTimes,
-    /// Meshes made.
+    /// Systems made.
     pub passes: &'a mut usize,
     /// Who watches it and may stop it.
     pub observer: &'a mut dyn Observer,
 }
 
 impl<'a> Run<'a> {
-    /// A run whose time and meshes are booked there.
+    /// A run whose time and systems are booked there.
     pub fn new(phases: &'a mut PhaseTimes, passes: &'a mut usize, observer: &'a mut dyn Observer) -> Self {
         Self { phases, passes, observer }
     }

@@ -1,4 +1,4 @@
-//! The one loop: meshes until one serves, on each of them loads, under each load contact and plasticity in alternation.
+//! The one loop: systems until one serves, on each of them loads, under each load contact and plasticity in alternation.
 
 use super::contact_system::{BlockVector, ContactSystem};
 use super::couplings::iteration::{Controls, InitialState, Outcome};
@@ -25,7 +25,7 @@ pub trait Engine {
     /// A design that cannot be built may be changed to one that can.
     ///
     /// # Errors
-    /// Those of a mesh or a factorization.
+    /// Those of a design that cannot be built, or of a factorization.
     fn build(
         &self,
         design: &mut Self::Design,

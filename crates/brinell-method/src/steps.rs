@@ -90,7 +90,7 @@ pub trait StepReceiver<S> {
     /// Takes the next step.
     fn step(&mut self, step: S, observer: &mut dyn Observer);
 
-    /// Gives up the steps so far: a history begins anew, because its contact has grown beyond the mesh. Loads that do not
+    /// Gives up the steps so far: a history begins anew, because its contact has grown beyond the system. Loads that do not
     /// depend on those before never do.
     fn begin_anew(&mut self);
 }

@@ -41,14 +41,14 @@
 //! | module | what it is for |
 //! |---|---|
 //! | [`report`] | what a caller reads: figures, error bars, warnings; [`report::run`] is the way in |
-//! | [`solver`] | sizes the meshes, alternates contact and plasticity, checks the final state |
+//! | [`solver`] | finite elements and half-spaces as engines of `brinell-method`: sizes, factors, final fields |
 //! | [`contact`] | solvers of the contact conditions and the check that all have to pass |
 //! | [`fem`] | mesh, B-bar element, equations, stiffness, initial-stress loads, stresses |
-//! | [`material`] | hardening curves, deformation theory |
+//! | [`material`] | hardening curves, deformation and flow theory |
 //! | [`job`] | the job, in types that cannot hold a wrong value; units |
 //! | [`analytical`] | closed forms to compare with: Hertz, McEwen, Hill, Prandtl |
 //!
-//! Imports run downward only.
+//! `contact`, `fem`, `material` and `analytical` are crates of their own. Imports run downward only.
 
 pub use brinell_fem as fem;
 pub mod job;

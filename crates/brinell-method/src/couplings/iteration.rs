@@ -221,8 +221,9 @@ impl<'a> Iteration<'a> {
         self.counts.factorizations += count;
     }
 
-    /// Writes down an iteration that went from the displacements `start` to a response which the plastic law
-    /// leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the status of an iteration that ends here.
+    /// Writes down and judges an iteration that went from the displacements `start` to a response which the plastic law
+    /// leaves out of balance by `residual_norm` \[N/mm\]. `Some` is the status of an iteration that ends here: it has
+    /// converged where residual and change of displacement are within the tolerance.
     pub fn record(
         &mut self,
         start: &BlockVector,

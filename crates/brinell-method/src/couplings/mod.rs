@@ -1,16 +1,19 @@
 //! The couplings of contact and plasticity, as algorithms.
 //!
-//! Initial-stress couplings iterate on the load `P_e` that plastic flow puts on the elastic bodies. One step is
+//! The load `P_e` is what plastic flow puts on the elastic bodies. `Strong` and `Accelerated` iterate on it, the inner loop
+//! of `Weak` on displacements. One step is
 //!
 //! ```text
-//! contact:     u_p = K⁻¹ P_e,  R from the gap δ0 + u_p
+//! contact:     u_p, by how much K⁻¹ P_e opens the pairs;  R from the gaps δ0 + u_p
 //! equilibrium: u = K⁻¹ (P_e + R)
 //! plasticity:  P_e' = Σ ∫ Bᵀ (D_e - D_s(u)) B dV u
 //! ```
 //!
-//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`.
+//! and `P_e' - P_e` is the true out-of-balance force of the state `(u, R)`. The sign of `P_e` is not that of the paper's print
+//! (docs/theory.md, section 4). With other reference moduli D, as `Accelerated` takes them, `P_e' = Σ ∫ Bᵀ (D ε - σ) dV`,
+//! and K is made of D. Where that stalls, `newton` takes over.
 //!
-//! A coupling is one file with a type that implements [`Coupling`], and a line in `strategy.rs` of the solver.
+//! A coupling is one file with a type that implements [`Coupling`], and a line in `solver/strategy.rs` of `brinell-solver`.
 
 pub mod anderson;
 pub mod iteration;

@@ -32,8 +32,8 @@ impl Coupling for Accelerated {
 ///
 /// Each iteration maps loads `P_e` to those that the plastic law answers with. The paper goes on from the answer
 /// itself; with acceleration the next loads are the combination of past answers that Anderson's method chooses. The
-/// contact is solved inside the map, so that it is exact in every iteration. The residual that is combined is the one that decides convergence: the
-/// residual of the map is the true out-of-balance force.
+/// contact is solved inside the map, hence exact in every iteration. The residual of the map, `P_e' - P_e`, is the true
+/// out-of-balance force: Anderson's method combines it, and it decides convergence.
 fn run(mut iteration: Iteration<'_>, mut anderson: Option<Anderson>) -> Result<Outcome, Error> {
     let system = iteration.system;
     let (mut start, mut loads) = iteration.initial_state();

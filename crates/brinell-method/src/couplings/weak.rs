@@ -54,7 +54,8 @@ fn run(mut iteration: Iteration<'_>) -> Result<Outcome, Error> {
         let Plasticity { mut plastic_points, mut residual_norm, is_settled } =
             converge_plasticity(&mut iteration, &start, &mut response, &mut loads);
         unsettled += usize::from(!is_settled);
-        let may_end = residual_norm == 0.0 && system.gap_opening(&loads) != relaxation.value()
+        // Elastic so far, but the contact has not seen u_p; or settled.
+        let may_end = (residual_norm == 0.0 && system.gap_opening(&loads) != relaxation.value())
             || iteration.displacement_change(&start, &response.displacement) <= iteration.controls.tolerance;
         if may_end {
             // The contact has answered a relaxed displacement so far; let it answer the true one before
