@@ -1,5 +1,7 @@
 //! Results in the forms that other programs read.
 
+use std::future::ready;
+
 use axum::body::Body;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
@@ -18,8 +20,10 @@ pub(super) async fn export_file(
     form: Export,
     step: Option<usize>,
 ) -> Result<Response, Problem> {
+    // What is exported holds a step from here on.
+    let turn = state.turn(caller).await;
     let body = match state.jobs.export(id, form, step, caller.key()).await {
-        Ok(exported) => Body::from_stream(written(state.turn(caller), |sender| exported.send(sender))),
+        Ok(exported) => Body::from_stream(written(ready(turn), |sender| exported.send(sender))),
         Err(ExportFailure::NoResult) => return Err(no_result(&state.jobs.get(id).await?)),
         Err(ExportFailure::Store(error)) => return Err(error.into()),
         Err(ExportFailure::Export(error)) => return Err(unavailable(&error)),

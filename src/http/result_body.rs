@@ -231,9 +231,9 @@ impl SentResult {
     async fn edited(&self, step: Deflated) -> Result<Bytes, StoreError> {
         let selection = self.selection.clone();
         let edited = move || {
-            let text = step.text().map_err(StoreError::unavailable)?;
+            let text = step.text().map_err(StoreError::damaged)?;
             if selection.edits_steps() {
-                edit(&text, &selection).map_err(StoreError::unavailable)
+                edit(&text, &selection).map_err(StoreError::damaged)
             } else {
                 Ok(text)
             }

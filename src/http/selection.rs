@@ -16,7 +16,7 @@ pub(super) fn no_step(count: usize) -> Problem {
 
 /// Keeps what is wanted of a report with its steps in it.
 pub(super) fn edit_report(report: &[u8], selection: &Selection) -> Result<Bytes, Problem> {
-    let mut report: Value = serde_json::from_slice(report).map_err(StoreError::unavailable)?;
+    let mut report: Value = serde_json::from_slice(report).map_err(StoreError::damaged)?;
     let mut steps = report["steps"].as_array_mut().map(std::mem::take).unwrap_or_default();
     if let Some(step) = selection.step {
         steps = vec![steps.get(step).cloned().ok_or_else(|| no_step(steps.len()))?];

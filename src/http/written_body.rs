@@ -13,14 +13,15 @@ use crate::jobs::StoreError;
 /// Pieces that wait for a client that reads slowly.
 const WAITING_PIECES: usize = 2;
 
-/// What a task writes, piece by piece, once it has its turn. The task ends when the client goes;
-/// where it fails, the body breaks off, so that no client takes it for whole.
+/// What a task writes, piece by piece, once it has its turn, which lasts until the connection has
+/// taken all. The task ends when the client goes; where it fails, the body breaks off, so that no
+/// client takes it for whole.
 pub(super) fn written<P, T, W, F>(
     turn: impl Future<Output = P> + Send + 'static,
     write: F,
 ) -> impl Stream<Item = Result<T, StoreError>> + Send
 where
-    P: Send,
+    P: Send + 'static,
     T: Send + 'static,
     W: Future<Output = Result<(), StoreError>> + Send + 'static,
     F: FnOnce(Sender<T>) -> W + 'static,
@@ -29,13 +30,13 @@ where
     let client = sender.clone();
     let write = write(sender);
     let write = async {
-        let _turn = turn.await;
-        write.await
+        let turn = turn.await;
+        (write.await, Some(turn))
     };
     let task = AbortOnDropHandle::new(tokio::spawn(async move {
         tokio::select! {
             written = write => written,
-            () = client.closed() => Ok(()),
+            () = client.closed() => (Ok(()), None),
         }
     }));
     stream::unfold((receiver, Some(task)), async |(mut receiver, task)| {
@@ -43,8 +44,8 @@ where
             return Some((Ok(piece), (receiver, task)));
         }
         let error = match task?.await {
-            Ok(Ok(())) => return None,
-            Ok(Err(error)) => error,
+            Ok((Ok(()), _)) => return None,
+            Ok((Err(error), _)) => error,
             Err(error) => StoreError::unavailable(error),
         };
         log_broken_off(&error);
@@ -125,6 +126,21 @@ mod tests {
         while Arc::strong_count(&held) > 1 {
             tokio::task::yield_now().await;
         }
+    }
+
+    #[tokio::test]
+    async fn a_turn_lasts_until_the_connection_has_taken_all() {
+        let turn = Arc::new(());
+        let held = Arc::downgrade(&turn);
+        let mut body = Box::pin(written(ready(turn), |sender| async move {
+            let _ = sender.send("all").await;
+            Ok(())
+        }));
+        for _ in 0..100 {
+            tokio::task::yield_now().await;
+        }
+        assert!(body.next().await.is_some() && held.upgrade().is_some());
+        assert!(body.next().await.is_none() && held.upgrade().is_none());
     }
 
     #[tokio::test]

@@ -127,7 +127,7 @@ pub struct JobService {
     pub decoders: Threads,
     /// Where jobs are checked and estimated, one of a key at a time.
     checks: Threads,
-    /// Of submissions: each takes a connection to the store, and locks the row of its key.
+    /// Of submissions, cancels and removals: each takes a connection to the store, and locks the row of its key.
     submissions: Turns,
     /// Damage was found in the file of the store.
     damaged: AtomicBool,
@@ -409,7 +409,9 @@ impl JobService {
     /// Asks a job to stop, in the name of a key.
     pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
         let store = Arc::clone(&self.store);
+        let turn = self.submissions.take(key).await;
         let cancel = async move {
+            let _turn = turn;
             let record = store.cancel(id).await?;
             tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
             Ok(record)
@@ -420,7 +422,9 @@ impl JobService {
     /// Removes a finished job, in the name of a key.
     pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
         let store = Arc::clone(&self.store);
+        let turn = self.submissions.take(key).await;
         let delete = async move {
+            let _turn = turn;
             store.delete(id).await?;
             tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
             Ok(())

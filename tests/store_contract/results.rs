@@ -136,8 +136,12 @@ pub async fn the_oldest_results_make_room(subject: &Subject) {
         ids.push(subject.enqueue("x").await);
         let lease = subject.claim_one().await;
         let report = Deflated::compress(b"{}").unwrap();
-        let step = StepResult { number: 0, report, fields: Some(vec![0; 1000].into()) };
-        subject.store.finish(&lease, &[], &[step], reported(SolveStatus::Converged)).await.unwrap();
+        let step = |number| StepResult { number, report: report.clone(), fields: Some(vec![0; 500].into()) };
+        // A write whose answer was lost is made again, and counts once.
+        for number in [0, 1, 1] {
+            subject.store.record_steps(&lease, &[step(number)]).await.unwrap();
+        }
+        subject.store.finish(&lease, &[], &[], reported(SolveStatus::Converged)).await.unwrap();
         subject.clock.advance(SignedDuration::from_secs(1));
     }
     let waiting = subject.enqueue("x").await;

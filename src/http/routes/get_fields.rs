@@ -1,5 +1,6 @@
 //! `GET /v1/jobs/{id}/fields/{step}`: mesh and nodal fields of a step as arrays of numbers.
 
+use std::future::ready;
 use std::ops::Range;
 
 use axum::body::Body;
@@ -54,6 +55,7 @@ pub(in crate::http) async fn get_fields(
     if number >= head.steps {
         return Err(no_step());
     }
+    let turn = state.turn(caller).await;
     let Some(fields) = state.jobs.fields(id, number).await? else {
         let detail = "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
@@ -62,9 +64,8 @@ pub(in crate::http) async fn get_fields(
     let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
     let length = arrays.iter().filter_map(FieldPiece::length).sum();
     let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
-    let turn = state.turn(caller);
     let write = move |range| move |sender| send(state, caller.key(), fields, arrays, range, sender);
-    let body = |range| Body::from_stream(written(turn, write(range)));
+    let body = |range| Body::from_stream(written(ready(turn), write(range)));
     Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
 }
 

@@ -31,7 +31,7 @@ const RELEASE: &str = "UPDATE jobs SET state = CASE WHEN cancel_requested THEN '
          latest = CASE WHEN cancel_requested THEN latest END, steps = 0, stored_bytes = 0
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running' RETURNING cancel_requested";
 const STEPS: &str = "UPDATE jobs SET steps = coalesce($4, steps),
-         stored_bytes = CASE WHEN $6 THEN $5 ELSE stored_bytes + $5 END
+         stored_bytes = CASE WHEN $6 THEN $5 WHEN $4 <= steps THEN stored_bytes ELSE stored_bytes + $5 END
      WHERE id = $1 AND owner = $2 AND attempts = $3 AND state = 'running'
      RETURNING $6 AND EXISTS (SELECT 1 FROM result_steps s WHERE s.job = jobs.id)";
 /// A write whose answer was lost is made again.
