@@ -408,28 +408,26 @@ impl JobService {
 
     /// Asks a job to stop, in the name of a key.
     pub async fn cancel(&self, id: JobId, key: Option<KeyId>) -> Result<JobRecord, StoreError> {
-        let store = Arc::clone(&self.store);
-        let turn = self.submissions.take(key).await;
-        let cancel = async move {
+        let (store, turn) = (Arc::clone(&self.store), self.submissions.take(key).await);
+        to_its_end(async move {
             let _turn = turn;
             let record = store.cancel(id).await?;
             tracing::info!(target: AUDIT, job = %id, key = key.map(display), state = %record.state, "asked to stop");
             Ok(record)
-        };
-        to_its_end(cancel).await
+        })
+        .await
     }
 
     /// Removes a finished job, in the name of a key.
     pub async fn delete(&self, id: JobId, key: Option<KeyId>) -> Result<(), StoreError> {
-        let store = Arc::clone(&self.store);
-        let turn = self.submissions.take(key).await;
-        let delete = async move {
+        let (store, turn) = (Arc::clone(&self.store), self.submissions.take(key).await);
+        to_its_end(async move {
             let _turn = turn;
             store.delete(id).await?;
             tracing::info!(target: AUDIT, job = %id, key = key.map(display), "removed");
             Ok(())
-        };
-        to_its_end(delete).await
+        })
+        .await
     }
 
     /// Shows that the store can be written to. Anybody may ask, so that the store is written to once a second at most.
