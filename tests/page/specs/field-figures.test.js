@@ -63,7 +63,8 @@ service.test(
         Math.abs(Number(String(said).replace('−', '-')) - Number(value)) < 2e-3 * Math.abs(Number(value)),
         `${said} ${value}`,
       );
-    const box = await page.locator('.stage .over').boundingBox();
+    await page.locator('#panel-field .stage .over').scrollIntoViewIfNeeded();
+    const box = await page.locator('#panel-field .stage .over').boundingBox();
     assert.ok(box);
     const readout = page.locator('#panel-field .readout');
     const read = async (/** @type {number} */ share) => {
@@ -104,7 +105,7 @@ service.test('an extreme that is not in the picture has no word there', async (p
   await shown(page, { ...FIELDS, load: { force: 612 } });
   await drawn(page);
   await drawnWords(page);
-  const over = page.locator('.stage .over');
+  const over = page.locator('#panel-field .stage .over');
   await over.focus();
   await page.keyboard.press('ArrowLeft');
   const words = (/** @type {string} */ word) =>
@@ -133,7 +134,7 @@ service.test('there are isolines where values change, and none where they are th
   await drawn(page);
   await page.getByLabel('Shown', { exact: true }).selectOption('sigma_x');
   await labelled(page, /^Field of σx/);
-  const stage = page.locator('.stage');
+  const stage = page.locator('#panel-field .stage');
   const both = async () => {
     const pictures = [];
     for (const on of [false, true]) {
@@ -157,7 +158,7 @@ service.test('limits of the colours are taken as they are written, or refused in
   await drawn(page);
   const [least, largest] = [page.getByLabel('Least value coloured'), page.getByLabel('Largest value coloured')];
   const choice = page.getByLabel('Colours', { exact: true });
-  const legend = page.locator('.colours');
+  const legend = page.locator('#panel-field .colours');
   const before = await legend.textContent();
   for (const [text, words] of /** @type {[string, RegExp][]} */ ([
     ['abc', /“abc” is not a number/],
@@ -207,7 +208,7 @@ service.test(
     await largest.fill('4.5·10⁸');
     await largest.press('Enter');
     assert.equal(await largest.inputValue(), '4.5·10⁸');
-    assert.match((await page.locator('.colours').textContent()) ?? '', /^4\.5·10⁸.*10⁸Pa$/);
+    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^4\.5·10⁸.*10⁸Pa$/);
     // The cut, near whose surface every figure has a power of ten.
     await page.getByLabel('Cut', { exact: true }).check();
     await typeCut(page, ['0', '0', '0', '-0.00005']);
@@ -294,7 +295,7 @@ service.test('a field whose graphics the browser takes back says so, and is draw
   await page.getByText('There is no picture of it yet').waitFor();
   await page.evaluate(() => /** @type {any} */ (globalThis).taken.restoreContext());
   await words.waitFor({ state: 'hidden' });
-  await page.locator('.stage:not(.stale)').waitFor();
+  await page.locator('#panel-field .stage:not(.stale)').waitFor();
 });
 
 service.test('one cannot go so close or so far that there is nothing left to see', async (page) => {

@@ -31,7 +31,7 @@ function asked(page) {
 }
 
 /** @param {Page} page */
-const label = (page) => page.locator('.stage .over').getAttribute('aria-label');
+const label = (page) => page.locator('#panel-field .stage .over').getAttribute('aria-label');
 
 /** Waits until a field is named so, and nothing is on its way. @param {Page} page @param {string} begin */
 const named = (page, begin) =>
@@ -88,7 +88,7 @@ service.test('arrays are fetched when something on the page is made of them, and
   await named(page, 'largest shear');
   assert.deepEqual(requests.take(), [], 'what these are made of is here');
 
-  const box = await page.locator('.stage .over').boundingBox();
+  const box = await page.locator('#panel-field .stage .over').boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
   await page.getByText(/^lower body, x .* von Mises .* τmax .* MPa · plastic strain \d.* %$/).waitFor();
@@ -128,8 +128,8 @@ service.test('one body, round: what is shown and read is fetched', async (page) 
   await drawn(page);
   await page.getByLabel('Shown', { exact: true }).selectOption({ label: 'σθ' });
   await named(page, 'σθ');
-  await page.locator('.stage .over').scrollIntoViewIfNeeded();
-  const box = await page.locator('.stage .over').boundingBox();
+  await page.locator('#panel-field .stage .over').scrollIntoViewIfNeeded();
+  const box = await page.locator('#panel-field .stage .over').boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
   await page.getByText(/^lower body, r .* σr .* τrz .* plastic strain .* %$/).waitFor();
@@ -158,10 +158,10 @@ service.test(
     await page.getByLabel('Shown', { exact: true }).selectOption('sigma_y');
     const said = page.locator('#panel-field .waiting');
     await said.getByText('Could not load σy: the store is damaged.').waitFor();
-    const [message, stage] = [await said.boundingBox(), await page.locator('.stage').boundingBox()];
+    const [message, stage] = [await said.boundingBox(), await page.locator('#panel-field .stage').boundingBox()];
     assert.ok(message && stage && message.y > stage.y && message.y + message.height < stage.y + stage.height);
     assert.equal(await label(page), before, 'the picture is still of the other quantity');
-    assert.equal(await page.locator('.stage.stale').count(), 1);
+    assert.equal(await page.locator('#panel-field .stage.stale').count(), 1);
     await page.getByRole('button', { name: 'Save field as PNG' }).click();
     await page.getByText('There is no picture of it yet').waitFor();
     broken = '';
@@ -179,7 +179,7 @@ service.test(
 
     // So is what is read.
     broken = 'refuse';
-    const box = await page.locator('.stage .over').boundingBox();
+    const box = await page.locator('#panel-field .stage .over').boundingBox();
     assert.ok(box);
     await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.75);
     await page

@@ -50,7 +50,7 @@ service.test(
     );
     assert.ok(best.large < RATIO * best.small, `${best.large} ms for four times what takes ${best.small} ms`);
 
-    const box = await page.locator('.stage .over').boundingBox();
+    const box = await page.locator('#panel-field .stage .over').boundingBox();
     assert.ok(box);
     await page.mouse.move(box.x + 100, box.y + 100);
     await page.mouse.down();
@@ -69,7 +69,7 @@ service.test(
 service.test('colours, probe and keys of the field', async (page) => {
   const id = await fine(page, 10);
   await follow(page, `job=${id}`);
-  const over = page.locator('.stage .over');
+  const over = page.locator('#panel-field .stage .over');
   await drawn(page);
   assert.match(
     (await over.getAttribute('aria-label')) ?? '',
@@ -86,7 +86,7 @@ service.test('colours, probe and keys of the field', async (page) => {
   await page.waitForFunction(() =>
     document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of plastic strain'),
   );
-  assert.ok((await page.locator('.colours li').count()) > 5);
+  assert.ok((await page.locator('#panel-field .colours li').count()) > 5);
 
   await over.focus();
   const before = await page.screenshot({ clip: box });
@@ -219,7 +219,7 @@ for (const [what, change, slack] of /** @type {[string, object, number][]} */ ([
 
 service.test('a pin stays in its hole, and the outline of its plastic zone follows the hole', async (page) => {
   const id = await reference(page, PIN);
-  const over = page.locator('.stage .over');
+  const over = page.locator('#panel-field .stage .over');
   const box = await over.boundingBox();
   assert.ok(box);
   for (const times of ['0', '1', '2', '10']) {
@@ -264,7 +264,7 @@ service.test('a pin stays in its hole, and the outline of its plastic zone follo
 
 service.test('the range of colours is held over the steps, and can be given', async (page) => {
   await reference(page, { load: { forces: [100, 200, 400] } });
-  const legend = () => page.locator('.colours').textContent();
+  const legend = () => page.locator('#panel-field .colours').textContent();
   const last = await legend();
   await page.getByLabel('Step', { exact: true }).focus();
   await page.keyboard.press('Home');
@@ -298,7 +298,7 @@ service.test('a cut anywhere has its curve', async (page) => {
   await page.waitForFunction(() =>
     /^σy along the cut/.test(document.querySelector('.cut .plot')?.getAttribute('aria-label') ?? ''),
   );
-  const box = await page.locator('.stage .over').boundingBox();
+  const box = await page.locator('#panel-field .stage .over').boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + 50, box.y + 40);
   await page.mouse.down();
@@ -323,7 +323,7 @@ service.test(
   'a finger that taps reads, and the page scrolls under the field',
   async (page) => {
     await reference(page);
-    const over = page.locator('.stage .over');
+    const over = page.locator('#panel-field .stage .over');
     await over.scrollIntoViewIfNeeded();
     assert.equal(await over.evaluate((one) => getComputedStyle(one).touchAction), 'pan-y');
     const box = await over.boundingBox();
@@ -387,7 +387,7 @@ service.test(
     await largest.fill('800');
     await largest.press('Tab');
     assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['600', '800']);
-    assert.match((await page.locator('.colours').textContent()) ?? '', /^800.*600MPa$/);
+    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^800.*600MPa$/);
     await largest.fill('400');
     await largest.press('Tab');
     await page.getByText('600 is above 400').waitFor();
@@ -397,6 +397,6 @@ service.test(
     await page.getByText('Units shown').click();
     await page.getByLabel('Unit of stress').selectOption('GPa');
     assert.deepEqual([await least.inputValue(), await largest.inputValue()], ['0.1', '0.4']);
-    assert.match((await page.locator('.colours').textContent()) ?? '', /^0\.4.*0\.1GPa$/);
+    assert.match((await page.locator('#panel-field .colours').textContent()) ?? '', /^0\.4.*0\.1GPa$/);
   },
 );

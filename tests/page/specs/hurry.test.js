@@ -130,5 +130,5 @@ service.test('whoever solves again while a field is loading sees the field of th
   await page.waitForFunction(() =>
     / to 5[0-9][0-9][.]/.test(document.querySelector('.over')?.getAttribute('aria-label') ?? ''),
   );
-  assert.equal(await page.locator('.stage.stale').count(), 0);
+  assert.equal(await page.locator('#panel-field .stage.stale').count(), 0);
 });

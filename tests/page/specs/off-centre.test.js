@@ -94,7 +94,7 @@ service.test('the field begins at the contact, and so does a cut', async (page) 
     const id = await shown(page, height ? { upper: lower, lower: upper, ...rest } : { upper, lower, ...rest });
     await drawn(page);
     const { patches } = await contactOf(page, id);
-    const over = page.locator('.stage .over');
+    const over = page.locator('#panel-field .stage .over');
     const box = await over.boundingBox();
     assert.ok(box);
     const readout = page.locator('#panel-field .readout');

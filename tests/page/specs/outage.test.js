@@ -116,7 +116,7 @@ service.test(
     await page.getByLabel('Step', { exact: true }).press('Home');
     await page.getByText('Could not load the field of this step: the service does not answer').waitFor();
     await server.again();
-    await page.locator('.stage:not(.stale)').waitFor();
+    await page.locator('#panel-field .stage:not(.stale)').waitFor();
     await page.locator('.waiting').waitFor({ state: 'hidden' });
     assert.match(
       (await page.locator('#panel-field .over').getAttribute('aria-label')) ?? '',

@@ -124,7 +124,7 @@ service.test('results are shown in other units than the job has', async (page) =
   assert.match(texts[0], /^1\.18\d+GPa$/);
   assert.match(texts[1], /^3[01]\d\.\d+µm$/);
   assert.match(texts[3], /^0\.61261kN\/mm$/);
-  assert.match((await page.locator('.stage .over').getAttribute('aria-label')) ?? '', /to 0\.5\d+ GPa\.$/);
+  assert.match((await page.locator('#panel-field .stage .over').getAttribute('aria-label')) ?? '', /to 0\.5\d+ GPa\.$/);
   assert.match(
     (await page.locator('#panel-depth .plot').getAttribute('aria-label')) ?? '',
     /GPa, at a depth of \d+(\.\d+)? µm/,
