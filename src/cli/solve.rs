@@ -67,6 +67,8 @@ enum ResultFormat {
     SurfaceCsv,
     /// Mesh, displacements and stresses, for ParaView
     Vtu,
+    /// Stress and plastic strain in layers, in three dimensions, for ParaView
+    Vtr,
     /// Contact pressure, drawn
     Svg,
     /// Stresses over depth, drawn
@@ -87,6 +89,7 @@ impl ResultFormat {
             Self::IncrementsCsv => Some(Export::IncrementsCsv),
             Self::SurfaceCsv => Some(Export::SurfaceCsv),
             Self::Vtu => Some(Export::FieldVtu),
+            Self::Vtr => Some(Export::FieldVtr),
             Self::Svg => Some(Export::PressureSvg),
             Self::DepthSvg => Some(Export::DepthSvg),
             Self::LoadApproachSvg => Some(Export::LoadApproachSvg),

@@ -38,9 +38,11 @@ pub(super) async fn export_file(
 fn unavailable(error: &ExportError) -> Problem {
     let kind = match error {
         ExportError::NoStep(_) => ProblemType::StepNotFound,
-        ExportError::NoSubsurface | ExportError::NoFields | ExportError::NoFlow | ExportError::NoCurve => {
-            ProblemType::NotInResult
-        }
+        ExportError::NoSubsurface
+        | ExportError::NoFields
+        | ExportError::NoLayers
+        | ExportError::NoFlow
+        | ExportError::NoCurve => ProblemType::NotInResult,
         ExportError::Drawing(_) | ExportError::Fields(_) => ProblemType::Internal,
     };
     Problem::new(kind, error.to_string())

@@ -251,9 +251,10 @@ impl SentResult {
         let Some(mut fields) = self.state.jobs.fields(self.id, number).await? else {
             return Ok(sent(sender, text).await);
         };
+        let member = format!(",\"{}\":", fields.layout().member());
         let (text, end) =
             (text.slice(..text.len().saturating_sub(1)), text.slice(text.len().saturating_sub(1)..));
-        let mut go_on = sent(sender, text).await && sent(sender, Bytes::from_static(b",\"fields\":")).await;
+        let mut go_on = sent(sender, text).await && sent(sender, member.into()).await;
         for piece in fields.layout().json() {
             if !go_on {
                 return Ok(false);

@@ -84,6 +84,7 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     }
     if drops(StepPart::Fields) {
         remove(step, "fields");
+        remove(step, "layers");
         if let Some(half_spaces) = step.get_mut("three_dimensional") {
             remove(half_spaces, "maps");
         }

@@ -9,7 +9,7 @@ use axum::http::header::RETRY_AFTER;
 use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use brinell_solver::job::{Job, Load, Theory};
+use brinell_solver::job::{Analysis, Job, Load, Theory};
 use jiff::Timestamp;
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -89,6 +89,9 @@ pub struct Links {
     /// Mesh and fields for ParaView; where the job asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_vtu: Option<String>,
+    /// Layers of half-spaces for ParaView; where a job in three dimensions asks for fields.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_vtr: Option<String>,
     /// The increments of all loads; by flow theory. So are the following.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub increments_csv: Option<String>,
@@ -127,6 +130,8 @@ impl Links {
             subsurface_csv: over_depth("subsurface.csv"),
             depth_svg: over_depth("depth.svg"),
             field_vtu: with_result("field.vtu").filter(|_| has(|job| job.output.fields)),
+            field_vtr: with_result("field.vtr")
+                .filter(|_| has(|job| job.output.fields && job.analysis == Analysis::ThreeDimensional)),
             increments_csv: of_flow("increments.csv"),
             surface_csv: of_flow("surface.csv"),
             surface_svg: of_flow("surface.svg"),

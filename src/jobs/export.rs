@@ -11,13 +11,13 @@ use tokio::sync::mpsc::Sender;
 
 use super::{FieldsReader, JobId, JobService, JobStore, KeyId, StoreError};
 use brinell_solver::job::Job;
-use brinell_solver::report::export::{Export, ExportError, Table, VtuFile, surface_vtu};
+use brinell_solver::report::export::{Export, ExportError, FieldsFile, Table, VtrFile, VtuFile, surface_vtu};
 use brinell_solver::report::{Report, StepReport};
 
 /// Least size \[bytes\] of what is sent at a time, but for the last.
 const PIECE: usize = 64 << 10;
 /// Arrays of fields that are read side by side, at most.
-const ARRAYS: usize = 4;
+const ARRAYS: usize = 6;
 
 /// Why a result does not have a form.
 #[derive(Debug, Error)]
@@ -41,12 +41,14 @@ pub struct Exported {
     form: Form,
 }
 
+type Fields = FieldsReader<Arc<dyn JobStore>>;
 type Pieces = Box<dyn Iterator<Item = String> + Send>;
 
 enum Form {
     Pieces(Pieces),
     Table(Table, Range<usize>),
-    Fields(VtuFile, FieldsReader<Arc<dyn JobStore>>),
+    Mesh(VtuFile, Fields),
+    Layers(VtrFile, Fields),
 }
 
 fn read_step(text: &[u8]) -> Result<StepReport, StoreError> {
@@ -99,7 +101,10 @@ impl JobService {
             Form::Pieces(Box::new(surface_vtu(&report, [wanted, steps], maps)))
         } else if form == Export::FieldVtu {
             let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoFields)?;
-            Form::Fields(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
+            Form::Mesh(VtuFile::new(&report, [wanted, steps], shown.approach, fields.layout())?, fields)
+        } else if form == Export::FieldVtr {
+            let fields = self.fields(id, wanted).await?.ok_or(ExportError::NoLayers)?;
+            Form::Layers(VtrFile::new(&report, [wanted, steps], fields.layout())?, fields)
         } else {
             report.steps.push(shown);
             let written = self.decoders.run(key, move || form.write(&job, &report, None)).await?;
@@ -135,23 +140,8 @@ impl Exported {
                     out.add(&jobs.decoders.run(key, rows).await?).await;
                 }
             }
-            Form::Fields(mut file, fields) => {
-                let pieces = file.pieces();
-                let mut readers = vec![fields; ARRAYS];
-                for piece in pieces {
-                    let mut sources = Vec::with_capacity(ARRAYS);
-                    for (reader, source) in readers.iter_mut().zip(&piece.sources) {
-                        sources.push(reader.bytes(source.clone()).await?);
-                    }
-                    let write = move || {
-                        let text = file.write(&piece, &sources);
-                        (file, text)
-                    };
-                    let text;
-                    (file, text) = jobs.decoders.run(key, write).await;
-                    out.add(&text).await;
-                }
-            }
+            Form::Mesh(file, fields) => out.fields(&jobs, key, file, fields).await?,
+            Form::Layers(file, fields) => out.fields(&jobs, key, file, fields).await?,
         }
         out.end().await;
         Ok(())
@@ -170,6 +160,31 @@ impl Out {
         if self.text.len() >= PIECE {
             let _ = self.sender.send(std::mem::take(&mut self.text).into()).await;
         }
+    }
+
+    async fn fields<F: FieldsFile<Piece: Send + Sync> + Send + 'static>(
+        &mut self,
+        jobs: &JobService,
+        key: Option<KeyId>,
+        mut file: F,
+        fields: Fields,
+    ) -> Result<(), StoreError> {
+        let pieces = file.pieces();
+        let mut readers = vec![fields; ARRAYS];
+        for piece in pieces {
+            let mut sources = Vec::with_capacity(ARRAYS);
+            for (reader, source) in readers.iter_mut().zip(F::sources(&piece)) {
+                sources.push(reader.bytes(source.clone()).await?);
+            }
+            let write = move || {
+                let text = file.write(&piece, &sources);
+                (file, text)
+            };
+            let text;
+            (file, text) = jobs.decoders.run(key, write).await;
+            self.add(&text).await;
+        }
+        Ok(())
     }
 
     async fn end(self) {

@@ -25,9 +25,10 @@ impl StepResult {
     /// # Errors
     /// [`EncodeError`] if a number in it is NaN or infinite.
     pub fn encode(number: usize, mut report: StepReport) -> Result<Self, EncodeError> {
-        let fields = report.fields.take();
-        let fields = fields.map(|fields| FieldArrays::encode(&fields)).transpose();
-        let fields = fields.map_err(|error| EncodeError::Altered(error.to_string()))?;
+        let fields = report.fields.take().map(|fields| FieldArrays::encode(&fields));
+        let layers = || report.layers.take().map(|layers| FieldArrays::encode_layers(&layers));
+        let fields =
+            fields.or_else(layers).transpose().map_err(|error| EncodeError::Altered(error.to_string()))?;
         let report = Deflated::compress(&encode(&report)?)?;
         Ok(Self { number, report, fields: fields.map(Bytes::from) })
     }

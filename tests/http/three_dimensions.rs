@@ -75,11 +75,19 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
     assert_near(figure(step, "/contact/peak_pressure"), figure(step, "/hertz/peak_pressure"), 3e-3);
     let [columns, rows] = ["x", "y"].map(|axis| whole["maps"][axis].as_array().unwrap().len());
     assert_eq!(whole["maps"]["pressure"].as_array().unwrap().len(), columns * rows);
+    let layers = &step["layers"]["lower"];
+    let count = layers["z"].as_array().unwrap().len();
+    assert_eq!(layers["sigma_xz"].as_array().unwrap().len(), columns * rows * count);
+    assert!(step["fields"].is_null() && step["layers"]["upper"].is_object());
+    let arrays = server.target.get(&format!("{job}/fields/1"));
+    assert!(arrays.body.len() > 2 * 14 * 4 * columns * rows * count, "in single precision");
     let summary = server.target.get(&format!("{job}/result?fields=summary")).json();
     assert!(summary["steps"][0]["three_dimensional"]["maps"].is_null());
+    assert!(summary["steps"][0]["layers"].is_null());
     let parts = "contact,subsurface,plasticity,history";
     let without = server.target.get(&format!("{job}/result?fields={parts}")).json();
     assert!(without["steps"][0]["three_dimensional"]["maps"].is_null(), "maps are fields");
+    assert!(without["steps"][0]["layers"].is_null());
     assert!(estimate["estimate"]["result_bytes"].as_u64().unwrap() > 1000, "{estimate}");
     for (file, beginning, lines) in [
         ("summary.csv", "step,status,force [N],", 2),
@@ -88,6 +96,7 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
         ("pressure.svg", "<svg ", 3),
         ("depth.svg", "<svg ", 3),
         ("field.vtu", "<?xml version", 3),
+        ("field.vtr", "<?xml version", 3),
     ] {
         let answer = server.target.get(&format!("{job}/{file}"));
         let text = String::from_utf8(answer.body.clone()).unwrap();

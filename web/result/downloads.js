@@ -13,7 +13,7 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'flow' | 'curve'][]} */
+/** @type {[name: string, path: string, file: string, needs: 'nothing' | 'subsurface' | 'fields' | 'layers' | 'flow' | 'curve'][]} */
 const FILES = [
   ['Result, JSON', 'result', 'result.json', 'nothing'],
   ['Job, JSON', 'request', 'job.json', 'nothing'],
@@ -22,6 +22,7 @@ const FILES = [
   ['Increments, CSV', 'increments.csv', 'increments.csv', 'flow'],
   ['Surfaces, CSV', 'surface.csv', 'surface.csv', 'flow'],
   ['Field, VTU', 'field.vtu', 'field.vtu', 'fields'],
+  ['Layers, VTR', 'field.vtr', 'field.vtr', 'layers'],
   ['Pressure, SVG', 'pressure.svg', 'pressure.svg', 'nothing'],
   ['Depth profiles, SVG', 'depth.svg', 'depth.svg', 'subsurface'],
   ['Force over approach, SVG', 'load_approach.svg', 'load_approach.svg', 'curve'],
@@ -29,7 +30,7 @@ const FILES = [
 ];
 
 /** Files of one step: those of a sweep are of the step that is shown. */
-const OF_STEP = /^(?!load_approach).*\.(svg|vtu)$/;
+const OF_STEP = /^(?!load_approach).*\.(svg|vt[ru])$/;
 
 /** @param {string} id @param {import('../types.js').Report} report @param {boolean} fields whether the job asked for them @param {() => number} shown step, counted from 0 */
 export function downloads(id, report, fields, shown) {
@@ -38,6 +39,7 @@ export function downloads(id, report, fields, shown) {
     const there = {
       nothing: true,
       fields,
+      layers: fields && step?.three_dimensional !== undefined,
       subsurface: step?.subsurface !== undefined,
       flow: step?.flow !== undefined,
       curve: Boolean(report.load_approach),
@@ -45,6 +47,7 @@ export function downloads(id, report, fields, shown) {
     const missing = {
       nothing: '',
       fields: 'the stress field',
+      layers: 'fields in three dimensions',
       subsurface: 'stresses over depth',
       flow: 'flow theory',
       curve: 'several loads',

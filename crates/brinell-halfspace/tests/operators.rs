@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use brinell_halfspace::{COMPONENTS, Elasticity, HalfSpace, Layers, SurfaceGrid, TensorField};
+use brinell_halfspace::{
+    COMPONENTS, Elasticity, EllipticContact, HalfSpace, Layers, SurfaceGrid, TensorField,
+};
 use proptest::prelude::*;
 
 /// Work that is not stopped.
@@ -325,6 +327,46 @@ fn stresses_on_the_axis_are_hertz() {
         }
     }
     assert!((largest - 0.310).abs() < 1e-3 && (depth - 0.48).abs() < 0.06, "{largest} at {depth}");
+}
+
+/// `σzz = -p0/√((1 + z²/a²)(1 + z²/b²))` on the axis; the largest shear stress and its depth; the orthogonal shear stress of
+/// G. Lundberg and A. Palmgren (1947), `√(2t - 1)/(2t(t + 1)) p0` with `(t² - 1)(2t - 1) = (a/b)²`.
+#[test]
+fn stresses_below_ellipses_are_hertz() {
+    let n = 49;
+    for (radius_ratio, shear, at) in [(5.0, 0.325, 0.689), (20.0, 0.318, 0.761)] {
+        let hertz = EllipticContact::new(1.0, radius_ratio, 1.0, 1.0);
+        let b = hertz.semi_axis_y / hertz.semi_axis_x;
+        let grid = SurfaceGrid::new(n, n, 2.6 / n as f64, 2.6 * b / n as f64).unwrap();
+        let layers = Layers::graded(0.04, 1.05, 2.6).unwrap();
+        let body = body(grid, layers.faces(), 1.0, false);
+        let mut pressure = grid.sample(|x, y| (1.0 - x * x - y * y / (b * b)).max(0.0).sqrt());
+        let scale = 2.0 / 3.0 * PI * b / (pressure.iter().sum::<f64>() * grid.cell_area());
+        for p in &mut pressure {
+            *p *= scale;
+        }
+        let stress = response(&body, &TensorField::tensors(layers.len(), n * n), &pressure).1;
+        let (mut largest, mut orthogonal) = ((0.0, 0.0), 0.0_f64);
+        for layer in 0..layers.len() {
+            let (z, h) = (layers.middle(layer), layers.thickness(layer));
+            let normal = |z: f64| -1.0 / ((1.0 + z * z) * (1.0 + z * z / (b * b))).sqrt();
+            let normal =
+                (0..64).map(|k| normal(z + ((f64::from(k) + 0.5) / 64.0 - 0.5) * h)).sum::<f64>() / 64.0;
+            let on_axis = |k: usize| stress.component(layer, k)[n / 2 * n + n / 2];
+            assert!((on_axis(2) - normal).abs() < 5e-4, "{z}: {} {normal}", on_axis(2));
+            let shear = 0.5 * (on_axis(0) - on_axis(2)).abs().max((on_axis(1) - on_axis(2)).abs());
+            if shear > largest.0 {
+                largest = (shear, z);
+            }
+            let section = (0..n).map(|i| stress.component(layer, 4)[i * n + n / 2].abs());
+            orthogonal = section.fold(orthogonal, f64::max);
+        }
+        assert!((largest.0 - shear).abs() < 1e-3 && (largest.1 - at).abs() < 0.05, "{largest:?}");
+        let is_below = |t: &f64| (t * t - 1.0) * (2.0 * t - 1.0) < (b * b).recip();
+        let t = (0..4000).map(|k| 1.0 + 1e-4 * f64::from(k)).take_while(is_below).last().unwrap();
+        let expected = (2.0 * t - 1.0).sqrt() / (2.0 * t * (t + 1.0));
+        assert!((orthogonal / expected - 1.0).abs() < 1e-2, "{orthogonal} {expected}");
+    }
 }
 
 #[test]

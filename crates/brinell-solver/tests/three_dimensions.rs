@@ -1,7 +1,12 @@
 //! Reports of contacts in three dimensions: units, frames, forces, sound answers over random jobs.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on says where")]
 
+use std::collections::BTreeMap;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use brinell_solver::job::Job;
+use brinell_solver::report::export::Export;
 use brinell_solver::report::{self, Report, StepReport};
 use brinell_solver::solver::{SolveStatus, Unobserved};
 use serde_json::{Value, json};
@@ -120,6 +125,49 @@ fn an_ellipsoid_leaves_a_dent() {
     assert!(unloaded.contact.force.abs() < 1e-12);
 }
 
+/// Numbers of an array of a VTK file.
+fn array(text: &str, name: &str) -> Vec<f64> {
+    let (_, behind) = text.split_once(&format!("Name=\"{name}\"")).unwrap();
+    let (_, values) = behind.split_once('>').unwrap();
+    let bytes = STANDARD.decode(values.split_once('<').unwrap().0).unwrap();
+    let (count, values) = bytes.split_first_chunk::<8>().unwrap();
+    assert_eq!(u64::from_le_bytes(*count), values.len() as u64);
+    values.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect()
+}
+
+/// Both bodies in one grid, which goes down from the deepest layer of the upper one.
+#[test]
+#[expect(clippy::float_cmp, reason = "numbers are copied")]
+fn layers_are_a_grid_of_both_bodies() {
+    let mut job = ellipsoid(0.0, None, &json!({"force": 100}));
+    job["upper"]["material"] = json!({"young_modulus": 70_000, "poisson_ratio": 0.2});
+    job["output"] = json!({"fields": true});
+    let report = solve(&job);
+    let layers = report.steps[0].layers.as_ref().unwrap();
+    let [upper, lower] = [&layers.upper, &layers.lower].map(|body| body.as_ref().unwrap());
+    let [nx, ny, nz] = [&lower.x, &lower.y, &lower.z].map(Vec::len);
+    let parsed = Job::from_value(&job).unwrap();
+    let text = Export::FieldVtr.write(&parsed, &report, None).unwrap();
+    assert!(text.contains(&format!("WholeExtent=\"0 {nx} 0 {ny} 0 {}\"", 2 * nz)));
+    let z = array(&text, "z");
+    assert!(z.is_sorted() && z[nz] == 0.0 && z[2 * nz] == *lower.z_faces.last().unwrap());
+    assert_near(z[0], -lower.z_faces[nz], 1e-15);
+    let (stress, von_mises) = (array(&text, "stress"), array(&text, "von_mises"));
+    assert_eq!(stress.len(), 6 * 2 * nx * ny * nz);
+    for (i, j, k) in [(2, 1, 0), (nx / 2, ny / 2, 3), (nx - 1, 0, nz - 1)] {
+        let here = (k * nx + i) * ny + j;
+        let below = ((nz + k) * ny + j) * nx + i;
+        let above = ((nz - 1 - k) * ny + j) * nx + i;
+        assert_eq!([von_mises[above], von_mises[below]], [upper.von_mises[here], lower.von_mises[here]]);
+        let components = |cell: usize| -> [f64; 6] { stress[6 * cell..6 * cell + 6].try_into().unwrap() };
+        let [xx, _, zz, xy, yz, xz] = components(below);
+        assert_eq!([xx, zz, xy], [lower.sigma_xx[here], lower.sigma_zz[here], lower.sigma_xy[here]]);
+        assert_eq!([yz, xz], [lower.sigma_yz[here], lower.sigma_xz[here]]);
+        let [_, yy, _, _, yz, xz] = components(above);
+        assert_eq!([yy, yz, xz], [upper.sigma_yy[here], -upper.sigma_yz[here], -upper.sigma_xz[here]]);
+    }
+}
+
 /// What must hold of any answer.
 fn assert_sound(job: &Value, report: &Report) {
     let text = serde_json::to_string(report).unwrap();
@@ -233,4 +281,78 @@ fn random_contacts_in_three_dimensions_are_sound() {
         }
     }
     assert!(converged as u64 * 20 >= count * 19, "only {converged} of {count} converge");
+}
+
+/// Name, value and estimated error of the figures of a step that have one.
+fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
+    let (Some(errors), Some(whole)) = (step.estimated_error, &step.three_dimensional) else {
+        return Vec::new();
+    };
+    let ellipse = whole.estimated_error.as_ref().unwrap();
+    let mut found = vec![
+        ("peak pressure", step.contact.peak_pressure, errors.peak_pressure),
+        ("a", whole.a, errors.half_width),
+        ("b", whole.b, ellipse.b),
+        ("area", whole.area, ellipse.area),
+        ("approach", step.approach, errors.approach),
+        ("force", step.contact.force, errors.force),
+    ];
+    let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
+    if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {
+        let strain = zone.max_equivalent_plastic_strain;
+        found.extend(strain.map(|strain| ("plastic strain", strain, errors.max_equivalent_plastic_strain)));
+        if let Some(surface) = step.flow.as_ref().and_then(|flow| flow.surfaces.lower.as_ref()) {
+            // Under load the surface has an elastic deflection too.
+            let is_unloaded = step.contact.force <= 0.0;
+            found.extend(is_unloaded.then_some(("dent", surface.depth, errors.depth)));
+            found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up)));
+        }
+        let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
+        if let Some(profile) = profile.and_then(|bodies| bodies.lower.as_ref()) {
+            let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
+            let least = stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
+            found.push(("least stress", least, errors.least_stress));
+        }
+    }
+    found
+}
+
+/// Estimated errors of random jobs beside what twice the cells change.
+#[test]
+#[ignore = "full"]
+fn estimated_errors_cover_what_finer_grids_change() {
+    let count = std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(30);
+    let mut all: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
+    for seed in 0..count {
+        let mut job = random_job(&mut Random(1000 + seed));
+        let coarse = solve(&job);
+        let cells = job["mesh"]["elements_per_half_width"].as_u64().unwrap();
+        job["mesh"]["elements_per_half_width"] = json!(2 * cells);
+        let fine = solve(&job);
+        for (coarse, fine) in coarse.steps.iter().zip(&fine.steps) {
+            let truth: BTreeMap<_, _> =
+                figures_with_errors(fine).into_iter().map(|(name, value, _)| (name, value)).collect();
+            for (name, value, error) in figures_with_errors(coarse) {
+                let Some(truth) = truth.get(name).filter(|_| value != 0.0) else { continue };
+                let change = (truth / value - 1.0).abs();
+                if change > error {
+                    println!("{seed} {name}: {value} changes by {change:.4}, bar {error:.4}");
+                }
+                all.entry(name).or_default().push([change, error]);
+            }
+        }
+    }
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    let (mut covered, mut total) = (0, 0);
+    for (name, pairs) in &all {
+        let within = pairs.iter().filter(|[change, error]| *change <= *error + 1e-12).count();
+        let [change, error] =
+            [0, 1].map(|k: usize| 100.0 * median(pairs.iter().map(|pair| pair[k]).collect()));
+        println!("| {name} | {} | {within} | {error:.2} | {change:.2} |", pairs.len());
+        (covered, total) = (covered + within, total + pairs.len());
+    }
+    assert!(total as u64 > 10 * count && 20 * covered >= 19 * total, "{covered} of {total}");
 }

@@ -42,6 +42,9 @@ fn operation(form: Export) -> Operation {
             ("Surfaces of all steps, the dent among them, as a table", Some("not-in-result"))
         }
         Export::FieldVtu => ("Mesh and fields of both bodies, for ParaView", Some("not-in-result")),
+        Export::FieldVtr => {
+            ("Stress and plastic strain in layers, in three dimensions, for ParaView", Some("not-in-result"))
+        }
         Export::PressureSvg => ("Contact pressure with Hertz's beside it, drawn", None),
         Export::DepthSvg => ("Stresses over depth with McEwen's beside them, drawn", Some("not-in-result")),
         Export::LoadApproachSvg => ("Force over approach of all increments, drawn", Some("not-in-result")),

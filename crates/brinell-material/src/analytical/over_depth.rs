@@ -91,6 +91,36 @@ impl DepthLimit {
         Self { peak_pressure, depth: 0.5 * half_width * peak_pressure }
     }
 
+    /// Upper bound of the elastic shakedown limit of an elliptic contact that rolls freely along its shorter semi-axis;
+    /// `half_width` is that semi-axis at a unit peak pressure \[mm/MPa\].
+    ///
+    /// ```text
+    /// p0 max_x |τ_xz(x, 0, z)|/p0 <= k(z)        4.000 k of a line, 4.675 k of a circle where k is constant
+    /// ```
+    ///
+    /// A place below the track has this shear stress in one direction and then in the other, with the same other stresses. No
+    /// residual stress, which stays, makes that smaller: above the bound it yields in every passage. The limit itself is 4.0 k
+    /// of a line and 4.7 k of a circle.
+    ///
+    /// # Reference
+    /// K. L. Johnson, *Contact Mechanics* (1985), section 9.2; A. R. S. Ponter, A. D. Hearle, K. L. Johnson, *Application of the
+    /// kinematical shakedown theorem to rolling and sliding point contacts*, J. Mech. Phys. Solids 33 (1985) 339–362.
+    pub fn ellipse_rolling(
+        ellipse: HertzEllipse,
+        half_width: f64,
+        yield_stress: impl Fn(f64) -> f64,
+    ) -> Self {
+        let strength = |depth: f64| shear_yield_von_mises(yield_stress(depth));
+        Self::first(half_width, strength, |depth| ellipse.orthogonal_shear(depth))
+    }
+
+    /// [`Self::ellipse_rolling`] of a yield stress that is the same everywhere.
+    pub fn uniform_ellipse_rolling(ellipse: HertzEllipse, half_width: f64, yield_stress: f64) -> Self {
+        let (shear, depth) = ellipse.largest_orthogonal_shear();
+        let peak_pressure = shear_yield_von_mises(yield_stress) / shear;
+        Self { peak_pressure, depth: depth * half_width * peak_pressure }
+    }
+
     fn first(half_width: f64, strength: impl Fn(f64) -> f64, stress: impl Fn(f64) -> f64) -> Self {
         // Stress over strength at the depth where that is largest.
         let highest = |pressure: f64| {
@@ -192,6 +222,24 @@ mod tests {
         // Far below the contact as well.
         let core = DepthLimit::line_onset(0.3, 1e-4, |z| if z < 1.0 { 3000.0 } else { 100.0 });
         assert!((core.depth - 1.0).abs() < 0.02, "{core:?}");
+    }
+
+    /// 4.68 k of a circle, as Johnson has it; a strong case over a shallow part of it adds nothing.
+    #[test]
+    fn rolling_ellipses_shake_down_up_to_more_than_a_line() {
+        let k = 300.0;
+        let strength = 3f64.sqrt() * k;
+        for (axis_ratio, expected, tolerance) in [(1.0, 4.68, 2e-3), (1e-4, 4.0, 1e-3)] {
+            let ellipse = HertzEllipse { axis_ratio };
+            let limit = DepthLimit::uniform_ellipse_rolling(ellipse, 1e-4, strength);
+            assert!((limit.peak_pressure / (expected * k) - 1.0).abs() < tolerance, "{limit:?}");
+            let same = DepthLimit::ellipse_rolling(ellipse, 1e-4, |_| strength);
+            assert!((same.peak_pressure / limit.peak_pressure - 1.0).abs() < 1e-6, "{same:?} {limit:?}");
+            assert!((same.depth / limit.depth - 1.0).abs() < 5e-3, "{same:?} {limit:?}");
+            let cased = |depth: f64| strength * if depth < 0.5 * limit.depth { 2.0 } else { 1.0 };
+            let cased = DepthLimit::ellipse_rolling(ellipse, 1e-4, cased);
+            assert!((cased.peak_pressure / limit.peak_pressure - 1.0).abs() < 1e-6, "{cased:?}");
+        }
     }
 
     /// Orthogonal shear p0/4 at half a half-width.

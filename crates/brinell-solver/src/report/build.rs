@@ -201,6 +201,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
         yield_onset: onset::onset(job, step, write),
         estimated_error: error_bars::estimate(job, step),
         fields,
+        layers: None,
         three_dimensional: None,
         history: step.history.iter().map(|record| in_units(record, write)).collect(),
     }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LoadApproach, TargetReport,
+    ContactReport, ErrorEstimate, FieldsReport, FlowReport, LayersReport, LoadApproach, TargetReport,
     ThreeDimensionalReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::{BodySolution, IterationRecord, SolveStatus, StepSolution};
@@ -89,6 +89,10 @@ pub struct StepReport {
     /// Mesh and nodal fields; absent unless asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<PerBody<Option<FieldsReport>>>,
+    /// Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless
+    /// `output.fields` asks for them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layers: Option<PerBody<Option<LayersReport>>>,
     /// What only a contact in three dimensions has; absent in other analyses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub three_dimensional: Option<ThreeDimensionalReport>,
@@ -276,8 +280,9 @@ pub struct HertzReport {
     /// Depth at which it does \[length >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub yield_onset_depth: Option<f64>,
-    /// Elastic peak pressure up to which the line contact shakes down when it rolls freely, by the orthogonal shear stress
-    /// over depth: 4 k where strength is the same everywhere. `null` without yield and in other analyses than plane strain
+    /// Elastic peak pressure up to which the contact shakes down when it rolls freely, by the orthogonal shear stress over
+    /// depth: where strength is the same everywhere, 4 k of a line in plane strain. In three dimensions it rolls along its shorter
+    /// semi-axis, and this is an upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry
     /// \[stress >= 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]

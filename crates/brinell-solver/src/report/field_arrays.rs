@@ -17,14 +17,14 @@
 //!
 //! `count` is the number of nodes or elements, `components` the numbers for each; they stand together. `offset` is counted
 //! in bytes from the beginning of the data and is a multiple of 8. `type` is `f32` or `f64`, and `u32` for `elements`.
-//! A rigid body has no arrays. Names, meanings and units are those of [`FieldsReport`].
+//! A rigid body has no arrays. Names, meanings and units are those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
 
 use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{FieldsReport, PerBody};
+use super::{FieldsReport, LAYER_NAMES, LayersReport, PerBody};
 
 const MAGIC: &[u8; 8] = b"BRNFLD01";
 /// Where the header begins.
@@ -273,6 +273,21 @@ impl FieldArrays<Vec<u8>> {
         }
         encoder.finish()
     }
+
+    /// The layers of both bodies in double precision.
+    ///
+    /// # Errors
+    /// [`FieldArraysError::NotFinite`].
+    pub fn encode_layers(layers: &PerBody<Option<LayersReport>>) -> Result<Vec<u8>, FieldArraysError> {
+        let mut encoder = Encoder::default();
+        for (body, layers) in [(Side::Upper, &layers.upper), (Side::Lower, &layers.lower)] {
+            let Some(layers) = layers else { continue };
+            for (name, values) in LAYER_NAMES.into_iter().zip(layers.arrays()) {
+                encoder.floats(body, name, scalars(values))?;
+            }
+        }
+        encoder.finish()
+    }
 }
 
 impl FieldLayout {
@@ -307,6 +322,11 @@ impl FieldLayout {
         self.arrays.iter().map(|array| self.source(array).end).max().unwrap_or(self.data)
     }
 
+    /// The member of a step that the arrays are: `fields` of a mesh, or `layers` of half-spaces.
+    pub fn member(&self) -> &'static str {
+        if self.arrays.iter().any(|array| array.name == "z_faces") { "layers" } else { "fields" }
+    }
+
     /// Whether a body has arrays.
     pub(in crate::report) fn has(&self, body: Side) -> bool {
         self.arrays.iter().any(|array| array.body == body)
@@ -334,7 +354,7 @@ impl FieldLayout {
         })
     }
 
-    /// The JSON of the fields in the report.
+    /// The JSON of the member of the report that they are.
     pub fn json(&self) -> Vec<FieldPiece> {
         let mut pieces = Vec::new();
         let text = |text: String| FieldPiece::Text(text.into_bytes());
@@ -532,6 +552,20 @@ mod tests {
     fn fields_are_read_as_they_were_written() {
         let written = FieldArrays::encode(&fields()).unwrap();
         assert_eq!(FieldArrays::read(&written).unwrap().decode().unwrap(), fields());
+    }
+
+    #[test]
+    fn layers_are_written_like_the_report() {
+        let names = LAYER_NAMES.map(|name| (name.to_owned(), serde_json::json!([0.5, -2.0, 1e-7])));
+        let body = serde_json::Value::Object(names.into_iter().collect());
+        let lower: LayersReport = serde_json::from_value(body).unwrap();
+        let layers = PerBody { upper: None, lower: Some(lower) };
+        let written = FieldArrays::encode_layers(&layers).unwrap();
+        let layout = FieldLayout::read(&written).unwrap();
+        assert_eq!(layout.member(), "layers");
+        assert_eq!(layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(), LAYER_NAMES);
+        let json = made(&written, layout.json());
+        assert_eq!(String::from_utf8(json).unwrap(), serde_json::to_string(&layers).unwrap());
     }
 
     /// What pieces are together.

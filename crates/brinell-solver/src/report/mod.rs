@@ -9,6 +9,7 @@ mod field_arrays;
 mod fields;
 mod flow;
 mod half_spaces;
+mod layer_fields;
 mod load_approach;
 mod mesh_effects;
 mod onset;
@@ -33,6 +34,7 @@ pub use half_spaces::{
     BodyErrors, EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, SectionReport,
     ThreeDimensionalReport,
 };
+pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;
 pub use onset::{Side, YieldOnsetReport};
 pub use run::{JobEstimate, RunError, preflight, run, run_each, run_with};

@@ -213,6 +213,7 @@ fn what_the_result_lacks_is_named() {
     let (job, report) = solve(&job);
     let write = |form: Export, step| form.write(&job, &report, step);
     assert_eq!(write(Export::FieldVtu, None), Err(ExportError::NoFields));
+    assert_eq!(write(Export::FieldVtr, None), Err(ExportError::NoLayers));
     assert_eq!(write(Export::SubsurfaceCsv, None), Err(ExportError::NoSubsurface));
     assert_eq!(write(Export::DepthSvg, None), Err(ExportError::NoSubsurface));
     assert_eq!(write(Export::PressureSvg, Some(1)), Err(ExportError::NoStep(1)));
@@ -229,6 +230,7 @@ fn what_the_result_lacks_is_named() {
             (false, true),
             (false, false),
             (false, false),
+            (true, false),
             (true, false),
             (false, false),
             (false, true),

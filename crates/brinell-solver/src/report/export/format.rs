@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::csv::table;
+use super::layers_vtr::layers_vtr;
 use super::{depth_svg, field_vtu, load_approach_svg, pressure_svg, surface_svg};
 use crate::job::Job;
 use crate::report::Report;
@@ -19,6 +20,11 @@ pub enum ExportError {
     /// Fields were not asked for.
     #[error("the result has no mesh fields; solve the job with \"output\": {{\"fields\": true}}")]
     NoFields,
+    /// Layers were not asked for, or the bodies are no half-spaces in three dimensions.
+    #[error(
+        "the result has no layers; solve a job in three dimensions with \"output\": {{\"fields\": true}}"
+    )]
+    NoLayers,
     /// Deformation theory has no increments and follows no surface.
     #[error(
         "the result has no increments and no surfaces; solve the job with \"solver\": {{\"theory\": \"flow\"}}"
@@ -50,6 +56,8 @@ pub enum Export {
     SurfaceCsv,
     /// Fields of both bodies.
     FieldVtu,
+    /// Stress and plastic strain in the layers of half-spaces in three dimensions.
+    FieldVtr,
     /// Contact pressure with Hertz beside it.
     PressureSvg,
     /// Stresses over depth with McEwen beside them.
@@ -62,13 +70,14 @@ pub enum Export {
 
 impl Export {
     /// Every form.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::SummaryCsv,
         Self::PressureCsv,
         Self::SubsurfaceCsv,
         Self::IncrementsCsv,
         Self::SurfaceCsv,
         Self::FieldVtu,
+        Self::FieldVtr,
         Self::PressureSvg,
         Self::DepthSvg,
         Self::LoadApproachSvg,
@@ -84,6 +93,7 @@ impl Export {
             Self::IncrementsCsv => "increments.csv",
             Self::SurfaceCsv => "surface.csv",
             Self::FieldVtu => "field.vtu",
+            Self::FieldVtr => "field.vtr",
             Self::PressureSvg => "pressure.svg",
             Self::DepthSvg => "depth.svg",
             Self::LoadApproachSvg => "load_approach.svg",
@@ -99,7 +109,7 @@ impl Export {
             | Self::SubsurfaceCsv
             | Self::IncrementsCsv
             | Self::SurfaceCsv => "text/csv; charset=utf-8; header=present",
-            Self::FieldVtu => "application/xml",
+            Self::FieldVtu | Self::FieldVtr => "application/xml",
             Self::PressureSvg | Self::DepthSvg | Self::LoadApproachSvg | Self::SurfaceSvg => "image/svg+xml",
         }
     }
@@ -118,13 +128,16 @@ impl Export {
 
     /// Whether it shows one step; the others have a column for it.
     pub const fn shows_one_step(self) -> bool {
-        matches!(self, Self::FieldVtu | Self::PressureSvg | Self::DepthSvg | Self::SurfaceSvg)
+        matches!(
+            self,
+            Self::FieldVtu | Self::FieldVtr | Self::PressureSvg | Self::DepthSvg | Self::SurfaceSvg
+        )
     }
 
     /// Has a job's output contain what this form shows.
     pub fn require(self, job: &mut Job) {
         match self {
-            Self::FieldVtu => job.output.fields = true,
+            Self::FieldVtu | Self::FieldVtr => job.output.fields = true,
             Self::SubsurfaceCsv | Self::DepthSvg => job.output.subsurface = true,
             Self::SummaryCsv
             | Self::PressureCsv
@@ -149,6 +162,7 @@ impl Export {
             | Self::IncrementsCsv
             | Self::SurfaceCsv => table(self, job, report),
             Self::FieldVtu => field_vtu(report, step),
+            Self::FieldVtr => layers_vtr(report, step),
             Self::PressureSvg => pressure_svg(job, report, step),
             Self::DepthSvg => depth_svg(job, report, step),
             Self::LoadApproachSvg => load_approach_svg(job, report),

@@ -2,14 +2,18 @@
 
 mod chart;
 mod csv;
+mod fields_file;
 mod figures;
 mod format;
+mod layers_vtr;
 mod map;
 mod surface_vtu;
 mod vtu;
 
 pub use csv::Table;
+pub use fields_file::FieldsFile;
 pub use figures::{depth_svg, load_approach_svg, pressure_svg, surface_svg};
 pub use format::{Export, ExportError};
+pub use layers_vtr::VtrFile;
 pub use surface_vtu::surface_vtu;
-pub use vtu::{VtuFile, VtuPiece, field_vtu};
+pub use vtu::{VtuFile, field_vtu};

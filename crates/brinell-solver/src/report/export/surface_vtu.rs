@@ -99,7 +99,7 @@ fn spaced(values: impl IntoIterator<Item: Display>) -> String {
 }
 
 /// Faces of cells of one width with these middles.
-fn faces(middles: &[f64]) -> Vec<f64> {
+pub(super) fn faces(middles: &[f64]) -> Vec<f64> {
     let width = if let [first, second, ..] = middles { second - first } else { 1.0 };
     let first = middles.first().map(|first| first - 0.5 * width);
     first.into_iter().chain(middles.iter().map(|middle| middle + 0.5 * width)).collect()

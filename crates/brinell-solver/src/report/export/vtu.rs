@@ -18,8 +18,8 @@ use std::ops::Range;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::ExportError;
 use super::surface_vtu::surface_vtu;
+use super::{ExportError, FieldsFile};
 use crate::job::{Analysis, Named};
 use crate::report::{FieldArrays, FieldArraysError, FieldLayout, FieldSide, Report};
 
@@ -44,16 +44,11 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
     }
     let bytes = FieldArrays::encode(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
-    let mut file = VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?;
-    let written = file.pieces().into_iter().map(|piece| {
-        let sources: Vec<&[u8]> = piece.sources.iter().map(|source| &bytes[source.clone()]).collect();
-        file.write(&piece, &sources)
-    });
-    Ok(written.collect())
+    Ok(VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?.whole(&bytes))
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "for map_err")]
-fn unusable(error: FieldArraysError) -> ExportError {
+pub(super) fn unusable(error: FieldArraysError) -> ExportError {
     ExportError::Fields(error.to_string())
 }
 
@@ -132,7 +127,7 @@ const STRESS_COMPONENTS: &str = "NumberOfComponents=\"6\" ComponentName0=\"XX\" 
 pub struct VtuPiece {
     what: What,
     /// Where the numbers stand in the bytes of the step that it is made of.
-    pub sources: Vec<Range<usize>>,
+    sources: Vec<Range<usize>>,
 }
 
 #[derive(Debug, Clone)]
@@ -264,69 +259,6 @@ impl VtuFile {
         Ok(Self { title, bodies: bodies.map_err(unusable)?, pending: Vec::new() })
     }
 
-    /// All pieces in order.
-    pub fn pieces(&self) -> Vec<VtuPiece> {
-        let text = |what| VtuPiece { what, sources: Vec::new() };
-        let mut pieces = Vec::new();
-        for (k, body) in self.bodies.iter().enumerate().filter(|(_, body)| body.is_half) {
-            pieces.extend(items(k, false, body.nodes).map(|items| {
-                let sources = vec![body.source(0, &items.range)];
-                VtuPiece { what: What::Axis(items), sources }
-            }));
-        }
-        pieces.push(text(What::Head));
-        for (before, array) in ARRAYS {
-            pieces.push(text(What::Begin(before, array)));
-            for (k, body) in self.bodies.iter().enumerate() {
-                let count = if array.is_of_elements() { body.elements } else { body.nodes };
-                let halves = [false, true].into_iter().take(1 + usize::from(body.is_half));
-                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(|items| {
-                    let of = |source: &usize| body.source(*source, &items.range);
-                    let sources = array.sources().iter().map(of).collect();
-                    VtuPiece { what: What::Values(array, items), sources }
-                }));
-            }
-            pieces.push(text(What::End));
-        }
-        pieces.push(text(What::Foot));
-        pieces
-    }
-
-    /// Writes a piece of the bytes at its sources.
-    pub fn write<B: AsRef<[u8]>>(&mut self, piece: &VtuPiece, sources: &[B]) -> String {
-        let mut text = String::new();
-        match &piece.what {
-            What::Axis(items) => {
-                let on_axis =
-                    items.range.clone().enumerate().filter(|(k, _)| float(sources, 0, 2 * k) == 0.0);
-                let on_axis = on_axis.map(|(_, node)| node).collect::<Vec<_>>();
-                self.bodies[items.body].axis.extend(on_axis);
-            }
-            What::Head => self.head(&mut text),
-            What::Begin(before, array) => {
-                let [kind, name, attributes] = array.declaration();
-                let _ = write!(
-                    text,
-                    "{before}<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} format=\"binary\">"
-                );
-                let count = self.before(self.bodies.len())[usize::from(array.is_of_elements())];
-                self.pending.extend(((array.bytes() * count) as u64).to_le_bytes());
-            }
-            What::Values(array, items) => {
-                self.values(*array, items, sources);
-                let whole = self.pending.len() / 3 * 3;
-                STANDARD.encode_string(&self.pending[..whole], &mut text);
-                self.pending.drain(..whole);
-            }
-            What::End => {
-                STANDARD.encode_string(std::mem::take(&mut self.pending), &mut text);
-                text.push_str("</DataArray>\n");
-            }
-            What::Foot => text.push_str(END),
-        }
-        text
-    }
-
     fn head(&self, text: &mut String) {
         let [nodes, elements] = self.before(self.bodies.len());
         let _ = write!(
@@ -383,6 +315,75 @@ impl VtuFile {
         let bodies = self.bodies.iter().take(body);
         let count = |body: &Body| [body.all_nodes(), body.elements * (1 + usize::from(body.is_half))];
         bodies.map(count).fold([0; 2], |[n, e], [nodes, elements]| [n + nodes, e + elements])
+    }
+}
+
+impl FieldsFile for VtuFile {
+    type Piece = VtuPiece;
+
+    fn pieces(&self) -> Vec<VtuPiece> {
+        let text = |what| VtuPiece { what, sources: Vec::new() };
+        let mut pieces = Vec::new();
+        for (k, body) in self.bodies.iter().enumerate().filter(|(_, body)| body.is_half) {
+            pieces.extend(items(k, false, body.nodes).map(|items| {
+                let sources = vec![body.source(0, &items.range)];
+                VtuPiece { what: What::Axis(items), sources }
+            }));
+        }
+        pieces.push(text(What::Head));
+        for (before, array) in ARRAYS {
+            pieces.push(text(What::Begin(before, array)));
+            for (k, body) in self.bodies.iter().enumerate() {
+                let count = if array.is_of_elements() { body.elements } else { body.nodes };
+                let halves = [false, true].into_iter().take(1 + usize::from(body.is_half));
+                pieces.extend(halves.flat_map(|is_image| items(k, is_image, count)).map(|items| {
+                    let of = |source: &usize| body.source(*source, &items.range);
+                    let sources = array.sources().iter().map(of).collect();
+                    VtuPiece { what: What::Values(array, items), sources }
+                }));
+            }
+            pieces.push(text(What::End));
+        }
+        pieces.push(text(What::Foot));
+        pieces
+    }
+
+    fn sources(piece: &VtuPiece) -> &[Range<usize>] {
+        &piece.sources
+    }
+
+    fn write<B: AsRef<[u8]>>(&mut self, piece: &VtuPiece, sources: &[B]) -> String {
+        let mut text = String::new();
+        match &piece.what {
+            What::Axis(items) => {
+                let on_axis =
+                    items.range.clone().enumerate().filter(|(k, _)| float(sources, 0, 2 * k) == 0.0);
+                let on_axis = on_axis.map(|(_, node)| node).collect::<Vec<_>>();
+                self.bodies[items.body].axis.extend(on_axis);
+            }
+            What::Head => self.head(&mut text),
+            What::Begin(before, array) => {
+                let [kind, name, attributes] = array.declaration();
+                let _ = write!(
+                    text,
+                    "{before}<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} format=\"binary\">"
+                );
+                let count = self.before(self.bodies.len())[usize::from(array.is_of_elements())];
+                self.pending.extend(((array.bytes() * count) as u64).to_le_bytes());
+            }
+            What::Values(array, items) => {
+                self.values(*array, items, sources);
+                let whole = self.pending.len() / 3 * 3;
+                STANDARD.encode_string(&self.pending[..whole], &mut text);
+                self.pending.drain(..whole);
+            }
+            What::End => {
+                STANDARD.encode_string(std::mem::take(&mut self.pending), &mut text);
+                text.push_str("</DataArray>\n");
+            }
+            What::Foot => text.push_str(END),
+        }
+        text
     }
 }
 

@@ -11,6 +11,7 @@ use crate::solver::half_spaces::HalfSpaceProblem;
 pub struct EllipticReference {
     problem: HalfSpaceProblem,
     onset: Option<DepthLimit>,
+    rolling: Option<DepthLimit>,
 }
 
 /// The engine's problem of a job; `None` of a job that is not in three dimensions.
@@ -37,12 +38,15 @@ impl EllipticReference {
         let unit = problem.hertz(1.0);
         let ellipse = HertzEllipse { axis_ratio: unit.semi_axis_x / unit.semi_axis_y };
         let half_width = unit.semi_axis_x / unit.peak_pressure;
-        let bodies = problem.materials.iter().flatten();
-        let limits = bodies.filter_map(|material| onset(material, ellipse, half_width));
+        let least = |limit: fn(&Deformable, HertzEllipse, f64) -> Option<DepthLimit>| {
+            let bodies = problem.materials.iter().flatten();
+            let limits = bodies.filter_map(|material| limit(material, ellipse, half_width));
+            limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
+        };
+        let (onset, rolling) = (least(onset), least(rolling));
         // The closed forms know of no stress before the load.
         let is_stressed = problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
-        let onset = limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure));
-        Some(Self { onset: onset.filter(|_| !is_stressed), problem })
+        Some(Self { onset: onset.filter(|_| !is_stressed), rolling, problem })
     }
 
     /// The contact under a force \[N\].
@@ -59,6 +63,12 @@ impl EllipticReference {
     /// Depth at which it does \[mm\].
     pub fn onset_depth(&self) -> Option<f64> {
         self.onset.map(|limit| limit.depth)
+    }
+
+    /// The most that a contact bears which rolls along its shorter semi-axis without yielding in every passage; `None` where no
+    /// body has a yield stress.
+    pub const fn rolling(&self) -> Option<DepthLimit> {
+        self.rolling
     }
 
     /// Radius of a ball with the mean curvature of the gap \[mm\].
@@ -85,12 +95,25 @@ impl EllipticReference {
     }
 }
 
+/// The yield stress of a body that has one.
+fn yield_stress(material: &Deformable) -> Option<f64> {
+    material.hardening_law().map(|law| law.yield_stress()).filter(|stress| *stress > 0.0)
+}
+
+/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak pressure.
+fn rolling(material: &Deformable, ellipse: HertzEllipse, half_width: f64) -> Option<DepthLimit> {
+    let yield_stress = yield_stress(material)?;
+    Some(material.strength().map_or_else(
+        || DepthLimit::uniform_ellipse_rolling(ellipse, half_width, yield_stress),
+        |strength| {
+            DepthLimit::ellipse_rolling(ellipse, half_width, |depth| yield_stress * strength.factor(depth))
+        },
+    ))
+}
+
 /// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure.
 fn onset(material: &Deformable, ellipse: HertzEllipse, half_width: f64) -> Option<DepthLimit> {
-    let yield_stress = material.hardening_law()?.yield_stress();
-    if yield_stress <= 0.0 {
-        return None;
-    }
+    let yield_stress = yield_stress(material)?;
     let poisson_ratio = material.elastic().poisson_ratio.get();
     if let Some(strength) = material.strength() {
         let over_depth = |depth: f64| yield_stress * strength.factor(depth);

@@ -9,6 +9,9 @@ use crate::solver::half_spaces::{self, HalfSpaceProblem};
 const SOLVER_BYTES: u64 = 56 << 20;
 /// Bytes of the report of a step: of each cell of the surface where maps are asked for, of each row and layer, and of the rest.
 const MAP_BYTES: u64 = 24;
+/// Bytes of the layers of a body, of each cell: 14 numbers. Copies of them while a step is written, encoded and stored.
+const LAYER_BYTES: u64 = 8 * 14;
+const LAYER_COPIES: u64 = 4;
 const ROW_BYTES: u64 = 220;
 const STEP_BYTES: u64 = 6 << 10;
 /// Cells of the layers that are a unit of work.
@@ -36,12 +39,14 @@ pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstim
         Load::Target(target) => 1 + usize::from(target.figure.is_permanent()),
     } as u64;
     let solves = if matches!(job.load, Load::Onset | Load::Target(_)) { SEARCH_SOLVES } else { 1 };
-    let maps = if job.output.fields { MAP_BYTES * surface } else { 0 };
+    let bodies = problem.materials.iter().flatten().count() as u64;
+    let (maps, fields) =
+        if job.output.fields { (MAP_BYTES * surface, LAYER_BYTES * volume * bodies) } else { (0, 0) };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + layers) + maps;
     Ok(JobEstimate {
         equations: usize::try_from(surface + 5 * yielding * volume).unwrap_or(usize::MAX),
-        bytes: SOLVER_BYTES + grid.bytes + step * steps,
-        result_bytes: step * steps,
+        bytes: SOLVER_BYTES + grid.bytes + LAYER_COPIES * fields + step * steps,
+        result_bytes: (step + fields) * steps,
         work: (volume / WORK_UNIT).max(1) * steps * solves,
     })
 }

@@ -4,6 +4,7 @@ mod document;
 mod elastic;
 mod estimate;
 mod flow;
+mod layers;
 mod notes;
 mod run;
 mod step;

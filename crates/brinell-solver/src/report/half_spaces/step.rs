@@ -4,6 +4,7 @@ use super::document::{
     BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
+use super::layers::layers;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
@@ -61,13 +62,15 @@ impl StepWriter<'_> {
                 peak_pressure: write.stress(hertz.peak_pressure),
                 yield_onset_force: self.reference.onset_force().map(|force| write.force(force)),
                 yield_onset_depth: self.reference.onset_depth().map(|depth| write.length(depth)),
-                shakedown_pressure: None,
-                shakedown_depth: None,
+                shakedown_pressure: self.reference.rolling().map(|limit| write.stress(limit.peak_pressure)),
+                shakedown_depth: self.reference.rolling().map(|limit| write.length(limit.depth)),
             }),
             yield_onset: self.yield_onset(step),
             validity,
             estimated_error: self.estimated_error(step),
             fields: None,
+            layers: (self.job.output.fields && !is_stopped)
+                .then(|| of_bodies(step, |body, _| layers(body, write))),
             three_dimensional: Some(self.three_dimensional(step)),
             history: step.history.iter().map(|record| in_units(record, write)).collect(),
         }
