@@ -58,6 +58,8 @@ fn three_dimensions_have_two_semi_axes_and_two_pictures() {
         assert!(text.contains(part), "{part} is missing in\n{text}");
     }
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let svg = stdout(&brinell(&["solve", raceway, "--format", "svg"], ""));
+    assert!(svg.matches("<rect").count() > 300, "a filled map has a rectangle for each cell that is pressed");
 }
 
 #[test]

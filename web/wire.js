@@ -168,10 +168,35 @@
  *
  * @typedef {string} JobState
  *
+ * @typedef {object} Layers
+ * @property {(number)[]} equivalent_plastic_strain
+ * @property {(number)[]} plastic_strain_xx
+ * @property {(number)[]} plastic_strain_xy
+ * @property {(number)[]} plastic_strain_xz
+ * @property {(number)[]} plastic_strain_yy
+ * @property {(number)[]} plastic_strain_yz
+ * @property {(number)[]} plastic_strain_zz
+ * @property {(number)[]} sigma_xx
+ * @property {(number)[]} sigma_xy
+ * @property {(number)[]} sigma_xz
+ * @property {(number)[]} sigma_yy
+ * @property {(number)[]} sigma_yz
+ * @property {(number)[]} sigma_zz
+ * @property {(number)[]} von_mises
+ * @property {(number)[]} x
+ * @property {(number)[]} y
+ * @property {(number)[]} z
+ * @property {(number)[]} z_faces
+ *
+ * @typedef {object} LayersOfBodies
+ * @property {Layers | null} lower
+ * @property {Layers | null} upper
+ *
  * @typedef {object} Links
  * @property {string} [cancel]
  * @property {string} [depth_svg]
  * @property {string} events
+ * @property {string} [field_vtr]
  * @property {string} [field_vtu]
  * @property {string} [increments_csv]
  * @property {string} [load_approach_svg]
@@ -273,6 +298,7 @@
  * @property {Flow} [flow]
  * @property {Hertz | null} hertz
  * @property {(Iteration)[]} history
+ * @property {LayersOfBodies} [layers]
  * @property {LoadReport} load
  * @property {PlasticZoneOfBodies} plasticity
  * @property {SolveStatus} status

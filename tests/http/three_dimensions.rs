@@ -144,3 +144,92 @@ fn a_large_job_is_cancelled_at_once() {
     let waited = asked.elapsed();
     assert!(waited < Duration::from_millis(1500), "{waited:?} in a debug build");
 }
+
+/// The generator splitmix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn one_of<T: Clone>(&mut self, all: &[T]) -> T {
+        let part = self.next();
+        let last = all.iter().enumerate().rev().find(|(k, _)| *k as f64 <= part * all.len() as f64);
+        last.map_or(&all[0], |(_, one)| one).clone()
+    }
+}
+
+/// Bodies that may be anything, sound or not.
+fn any_job(random: &mut Random) -> Value {
+    let radius =
+        |random: &mut Random| random.one_of(&[json!(null), json!(-6), json!(4), json!(12), json!(300)]);
+    let mut body = |is_upper: bool| {
+        let shape = match random.one_of(&[0, 1, 2]) {
+            0 => json!({"type": "sphere", "radius": random.one_of(&[0.01, 5.0, 2000.0])}),
+            1 => json!({"type": "flat"}),
+            _ => json!({"type": "curved", "radius_x": radius(random), "radius_y": radius(random),
+                "rotation": 180.0 * random.next() - 90.0}),
+        };
+        if is_upper && random.next() < 0.3 {
+            return json!({"shape": shape, "material": {"rigid": true}});
+        }
+        let mut material = json!({"young_modulus": random.one_of(&[2000, 210_000]),
+            "poisson_ratio": 0.49 * random.next()});
+        if random.next() < 0.7 {
+            material["plasticity"] = random.one_of(&[
+                json!({"law": "bilinear", "yield_stress": 600, "tangent_modulus": 0}),
+                json!({"law": "bilinear", "yield_stress": 600, "tangent_modulus": 5000,
+                    "over_depth": [[0, 1.5], [0.1, 1]], "backstress": [{"modulus": 30_000, "rate": 60}]}),
+                json!({"law": "voce", "yield_stress": 400, "saturation_stress": 700, "rate": 50}),
+                json!({"law": "ramberg_osgood", "reference_stress": 500, "offset": 0.4, "exponent": 6}),
+            ]);
+        }
+        if random.next() < 0.3 {
+            material["initial_stress"] = json!([{"depth": 0, "sigma_x": -300, "sigma_z": -200},
+                {"depth": 0.2, "sigma_x": 0, "sigma_z": 0}]);
+        }
+        json!({"shape": shape, "material": material})
+    };
+    let (upper, lower) = (body(true), body(false));
+    let (force, approach) = (10f64.powf(6.0 * random.next() - 1.0), 0.1 * random.next());
+    let load = random.one_of(&[
+        json!({"force": force}),
+        json!({"approach": approach}),
+        json!({"forces": [0.2 * force, force]}),
+        json!({"history": [{"force": force}, {"force": 0}]}),
+        json!({"onset": true}),
+        json!({"target": {"peak_pressure": 1500}}),
+        json!({"target": {"dent_depth": 1e-3}}),
+    ]);
+    let theory = random.one_of(&["deformation", "flow"]);
+    json!({"analysis": "three_dimensional", "upper": upper, "lower": lower, "load": load,
+        "mesh": {"elements_per_half_width": 4}, "solver": {"theory": theory},
+        "output": {"fields": random.next() < 0.3}})
+}
+
+/// An answer, or a fault that is named: nothing of it is the service's own.
+#[test]
+#[ignore = "full"]
+fn any_bodies_are_solved_or_refused() {
+    let server = Server::start();
+    let count = std::env::var("BRINELL_RANDOM_JOBS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
+    let mut solved = 0;
+    for seed in 0..count {
+        let job = any_job(&mut Random(seed));
+        let begin = Instant::now();
+        let answer = server.target.post("/v1/solve", job.to_string());
+        println!("{seed}: {} in {:?}", answer.status, begin.elapsed());
+        assert!(matches!(answer.status, 200 | 202 | 422), "{seed}: {} {job}", answer.json());
+        if answer.status == 200 {
+            let status = answer.json()["status"].clone();
+            assert!(status == "succeeded" || status == "not_converged", "{seed}: {} {job}", answer.json());
+            solved += 1;
+        }
+    }
+    assert!(3 * solved > count, "{solved} of {count}");
+}

@@ -1004,7 +1004,7 @@ class Hertz(BaseModel):
     shakedown_pressure: Annotated[
         float | None,
         Field(
-            description='Elastic peak pressure up to which the line contact shakes down when it rolls freely, by the orthogonal shear stress over depth: 4 k where strength is the same everywhere. `null` without yield and in other analyses than plane strain. Unit: MPa (SI: Pa).',
+            description='Elastic peak pressure up to which the contact shakes down when it rolls freely, by the orthogonal shear stress over depth: where strength is the same everywhere, 4 k of a line in plane strain. In three dimensions it rolls along its shorter semi-axis, and this is an upper bound: 4.68 k of a circle. `null` without yield, in plane stress and in axisymmetry. Unit: MPa (SI: Pa).',
             ge=0.0,
         ),
     ]
@@ -1266,6 +1266,103 @@ class Iteration1(BaseModel):
     ]
 
 
+class Layers(BaseModel):
+    """
+    Cells of the layers of one body. The cell at `x[i]`, `y[j]`, `z[k]` stands at the place `(k * x.length + i) * y.length + j` of an array, counted from 0. Axes are those of the contact: x along its shorter semi-axis, y along the longer one, z into the body.
+    """
+
+    equivalent_plastic_strain: Annotated[
+        list[float], Field(description='Equivalent plastic strain. Without unit.')
+    ]
+    plastic_strain_xx: Annotated[
+        list[float],
+        Field(
+            description='Plastic strain along x; 0 in a body that does not yield, like the following. Without unit.'
+        ),
+    ]
+    plastic_strain_xy: Annotated[
+        list[float],
+        Field(
+            description='Plastic shear strain of x and y, half of the change of the angle; so are the following. Without unit.'
+        ),
+    ]
+    plastic_strain_xz: Annotated[
+        list[float], Field(description='Plastic shear strain of x and z. Without unit.')
+    ]
+    plastic_strain_yy: Annotated[
+        list[float], Field(description='Plastic strain along y. Without unit.')
+    ]
+    plastic_strain_yz: Annotated[
+        list[float], Field(description='Plastic shear strain of y and z. Without unit.')
+    ]
+    plastic_strain_zz: Annotated[
+        list[float], Field(description='Plastic strain along the normal. Without unit.')
+    ]
+    sigma_xx: Annotated[
+        list[float],
+        Field(
+            description='Stress along x, initial stress included. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    sigma_xy: Annotated[
+        list[float], Field(description='Shear stress of x and y. Unit: MPa (SI: Pa).')
+    ]
+    sigma_xz: Annotated[
+        list[float], Field(description='Shear stress of x and z. Unit: MPa (SI: Pa).')
+    ]
+    sigma_yy: Annotated[
+        list[float],
+        Field(
+            description='Stress along y, initial stress included. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    sigma_yz: Annotated[
+        list[float], Field(description='Shear stress of y and z. Unit: MPa (SI: Pa).')
+    ]
+    sigma_zz: Annotated[
+        list[float], Field(description='Normal stress. Unit: MPa (SI: Pa).')
+    ]
+    von_mises: Annotated[
+        list[float], Field(description='Von Mises stress. Unit: MPa (SI: Pa).')
+    ]
+    x: Annotated[
+        list[float],
+        Field(description='Middles of the cells along x. Unit: mm (SI: m).'),
+    ]
+    y: Annotated[
+        list[float],
+        Field(description='Middles of the cells along y. Unit: mm (SI: m).'),
+    ]
+    z: Annotated[
+        list[float], Field(description='Middles of the layers. Unit: mm (SI: m).')
+    ]
+    z_faces: Annotated[
+        list[float],
+        Field(
+            description='Faces of the layers, from the surface down; one more than layers. Unit: mm (SI: m).'
+        ),
+    ]
+
+
+class LayersOfBodies(BaseModel):
+    """
+    One value for each body.
+    """
+
+    lower: Annotated[
+        Layers | None,
+        Field(
+            description='Of the lower body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+    upper: Annotated[
+        Layers | None,
+        Field(
+            description='Of the upper body; null if it is rigid or the step was stopped.'
+        ),
+    ]
+
+
 class Limits(BaseModel):
     """
     Bounds on single requests.
@@ -1319,6 +1416,12 @@ class Links(BaseModel):
         Field(description='Stresses over depth, drawn; where the job asks for them.'),
     ] = None
     events: Annotated[str, Field(description='Its events as they happen.')]
+    field_vtr: Annotated[
+        str | None,
+        Field(
+            description='Layers of half-spaces for ParaView; where a job in three dimensions asks for fields.'
+        ),
+    ] = None
     field_vtu: Annotated[
         str | None,
         Field(description='Mesh and fields for ParaView; where the job asks for them.'),
@@ -2951,6 +3054,12 @@ class Step(BaseModel):
     ] = None
     hertz: Hertz | None
     history: Annotated[list[Iteration1], Field(description='Every outer iteration.')]
+    layers: Annotated[
+        LayersOfBodies | None,
+        Field(
+            description='Stresses and plastic strain in the layers of half-spaces in three dimensions, which have no mesh; absent unless `output.fields` asks for them.'
+        ),
+    ] = None
     load: Annotated[
         PrescribedForce | PrescribedApproach, Field(description='What was prescribed.')
     ]

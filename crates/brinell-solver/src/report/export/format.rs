@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::csv::table;
 use super::layers_vtr::layers_vtr;
 use super::{depth_svg, field_vtu, load_approach_svg, pressure_svg, surface_svg};
-use crate::job::Job;
+use crate::job::{Analysis, Job};
 use crate::report::Report;
 
 /// Why a report has no such form.
@@ -139,11 +139,12 @@ impl Export {
         match self {
             Self::FieldVtu | Self::FieldVtr => job.output.fields = true,
             Self::SubsurfaceCsv | Self::DepthSvg => job.output.subsurface = true,
+            // The map is one of the fields.
+            Self::PressureSvg => job.output.fields |= job.analysis == Analysis::ThreeDimensional,
             Self::SummaryCsv
             | Self::PressureCsv
             | Self::IncrementsCsv
             | Self::SurfaceCsv
-            | Self::PressureSvg
             | Self::LoadApproachSvg
             | Self::SurfaceSvg => {}
         }
