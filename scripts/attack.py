@@ -124,23 +124,6 @@ def deaf_readers(path, job=LARGE):
     return attack
 
 
-def ranges(service):
-    """One byte of a large answer, again and again, on 16 connections."""
-    large = service.job(LARGE)
-    over = threading.Event()
-
-    def ask():
-        connection = service.connect(30)
-        while not over.is_set():
-            connection.request("GET", f"/v1/jobs/{large}/fields/1", headers={"Range": "bytes=9000000-9000000"})
-            assert (answer := connection.getresponse()).status == 206 and len(answer.read()) == 1
-
-    threads = [threading.Thread(target=quiet(ask), daemon=True) for _ in range(16)]
-    for thread in threads:
-        thread.start()
-    service.over = over
-
-
 def solvers(service):
     """Twelve clients that loop over /v1/solve with the largest job that may be."""
     over = threading.Event()
@@ -194,7 +177,7 @@ def requests_without_answers(service):
 
 ATTACKS = {"silent": silent, "slow heads": slow_heads, "slow bodies": slow_bodies, "waits": waits, "event streams": event_streams, "deaf followers": deaf_followers,
            "deaf readers of results": deaf_readers("/result"), "deaf readers of arrays": deaf_readers("/fields/1"),
-           "deaf readers of VTK files": deaf_readers("/field.vtu"), "deaf readers of tables": deaf_readers("/pressure.csv", SWEEP), "ranges": ranges, "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
+           "deaf readers of VTK files": deaf_readers("/field.vtu"), "deaf readers of tables": deaf_readers("/pressure.csv", SWEEP), "solvers": solvers, "checks": checks, "checks of 40 keys": checks_of_keys,
            "requests without answers": requests_without_answers}
 
 

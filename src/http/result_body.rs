@@ -1,14 +1,11 @@
 //! Results as they leave: step by step as they are read, so that none is in memory as a whole; compressed as they are
-//! kept; under a tag that says when a client has them already; in ranges where they are bytes.
+//! kept; under a tag that says when a client has them already.
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use axum::body::Body;
-use axum::http::header::{
-    ACCEPT_RANGES, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_LENGTH, CONTENT_RANGE, CONTENT_TYPE, ETAG,
-    IF_NONE_MATCH, IF_RANGE, RANGE, VARY,
-};
+use axum::http::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, IF_NONE_MATCH, VARY};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, body::Bytes};
@@ -282,67 +279,6 @@ pub(super) async fn written(
     Ok(state.jobs.decoders.run(key, move || Bytes::from(piece.write(&source))).await)
 }
 
-/// An answer of so many bytes under a tag, whole or the one range that is asked for (RFC 9110, section 14); `body` makes them.
-pub(super) fn bytes(
-    tag: &str,
-    media_type: &'static str,
-    length: usize,
-    headers: &HeaderMap,
-    body: impl FnOnce(Range<usize>) -> Body,
-) -> Response {
-    let common: [(HeaderName, &str); 4] = [
-        (CONTENT_TYPE, media_type),
-        (ETAG, tag),
-        (ACCEPT_RANGES, "bytes"),
-        (CACHE_CONTROL, "private, no-cache"),
-    ];
-    if is_known(tag, headers) {
-        return (StatusCode::NOT_MODIFIED, common).into_response();
-    }
-    let is_current = headers.get(IF_RANGE).is_none_or(|known| known.as_bytes() == tag.as_bytes());
-    let mut ranges = headers.get_all(RANGE).iter().filter(|_| is_current);
-    let range = ranges.next().filter(|_| ranges.next().is_none()).and_then(|range| range.to_str().ok());
-    let sent = |range: Range<usize>| ([(CONTENT_LENGTH, range.len())], body(range));
-    match range.and_then(|range| byte_range(range, length)) {
-        None => (common, sent(0..length)).into_response(),
-        Some(Err(())) => {
-            let all = [(CONTENT_RANGE, format!("bytes */{length}"))];
-            (StatusCode::RANGE_NOT_SATISFIABLE, common, all).into_response()
-        }
-        Some(Ok((from, to))) => {
-            let part = [(CONTENT_RANGE, format!("bytes {from}-{}/{length}", to - 1))];
-            (StatusCode::PARTIAL_CONTENT, common, part, sent(from..to)).into_response()
-        }
-    }
-}
-
-/// The one range of bytes in a header, its end excluded; an error where it begins behind the end, `None` where the header is to
-/// be ignored.
-fn byte_range(text: &str, length: usize) -> Option<Result<(usize, usize), ()>> {
-    let (unit, range) = text.split_once('=')?;
-    let (first, last) = range.split_once('-')?;
-    let (first, last) = (first.trim(), last.trim());
-    if !unit.trim().eq_ignore_ascii_case("bytes") {
-        return None;
-    }
-    // No number of digits is too large to be behind the end.
-    let position = |text: &str| {
-        let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        is_number.then(|| text.parse::<usize>().unwrap_or(usize::MAX))
-    };
-    let (from, to) = if first.is_empty() {
-        (length.saturating_sub(position(last)?), length)
-    } else {
-        let from = position(first)?;
-        let to = if last.is_empty() { length } else { position(last)?.saturating_add(1).min(length) };
-        if from >= to && from < length {
-            return None;
-        }
-        (from, to)
-    };
-    Some(if from < to { Ok((from, to)) } else { Err(()) })
-}
-
 /// Why this job has no report.
 pub(super) fn no_result(record: &JobRecord) -> Problem {
     let kind = if record.state.is_finished() { ProblemType::NoResult } else { ProblemType::JobUnfinished };
@@ -351,34 +287,5 @@ pub(super) fn no_result(record: &JobRecord) -> Problem {
         Some(failure) => Problem::new(kind, format!("the job failed: {}", failure.detail))
             .with_errors(failure.errors.clone()),
         None => problem,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ranges_are_read_as_the_standard_has_them() {
-        for (text, range) in [
-            ("bytes=0-9", Some(Ok((0, 10)))),
-            ("bytes=90-", Some(Ok((90, 100)))),
-            ("bytes=-5", Some(Ok((95, 100)))),
-            ("bytes=-500", Some(Ok((0, 100)))),
-            ("bytes=95-200", Some(Ok((95, 100)))),
-            ("bytes=100-", Some(Err(()))),
-            ("bytes=-0", Some(Err(()))),
-            ("bytes=9-3", None),
-            ("Bytes=0-9", Some(Ok((0, 10)))),
-            ("bytes=99999999999999999999-", Some(Err(()))),
-            ("bytes=-99999999999999999999", Some(Ok((0, 100)))),
-            ("bytes=0-1,5-6", None),
-            ("bytes=--5", None),
-            ("bytes=+1-5", None),
-            ("bytes=-", None),
-            ("lines=0-1", None),
-        ] {
-            assert_eq!(byte_range(text, 100), range, "{text}");
-        }
     }
 }

@@ -3,7 +3,7 @@
 use bytes::Bytes;
 
 use super::{Deflated, EncodeError, encode};
-use brinell_solver::report::{FieldArrays, StepReport};
+use brinell_solver::report::{StepReport, encode_fields, encode_layers};
 
 /// Where the steps of a report stand in its JSON.
 const STEPS: &str = "\"steps\":[]";
@@ -15,7 +15,7 @@ pub struct StepResult {
     pub number: usize,
     /// The step's report without its fields (JSON).
     pub report: Deflated,
-    /// Its fields, as [`FieldArrays`] writes them, in double precision.
+    /// Its fields, as [`encode_fields`] writes them, in double precision.
     pub fields: Option<Bytes>,
 }
 
@@ -25,8 +25,8 @@ impl StepResult {
     /// # Errors
     /// [`EncodeError`] if a number in it is NaN or infinite.
     pub fn encode(number: usize, mut report: StepReport) -> Result<Self, EncodeError> {
-        let fields = report.fields.take().map(|fields| FieldArrays::encode(&fields));
-        let layers = || report.layers.take().map(|layers| FieldArrays::encode_layers(&layers));
+        let fields = report.fields.take().map(|fields| encode_fields(&fields));
+        let layers = || report.layers.take().map(|layers| encode_layers(&layers));
         let fields =
             fields.or_else(layers).transpose().map_err(|error| EncodeError::Altered(error.to_string()))?;
         let report = Deflated::compress(&encode(&report)?)?;

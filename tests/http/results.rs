@@ -1,10 +1,11 @@
-//! Large results: in parts, in a binary form, in ranges, and not sent twice.
+//! Large results: in parts, as an archive of arrays, and not sent twice.
 
-use std::io::{Read, Write};
+use std::io::{Cursor, Read, Write};
 use std::net::TcpStream;
 
-use brinell_solver::report::{FieldArrays, StepReport};
+use brinell_solver::report::StepReport;
 use serde_json::json;
+use zip::ZipArchive;
 
 use crate::curl::{Answer, curl};
 use crate::server::{Server, example};
@@ -174,44 +175,46 @@ fn a_compressed_result_is_the_same_result() {
     assert_eq!((again.status, again.body.len()), (304, 0));
 }
 
+fn archive(answer: &Answer) -> ZipArchive<Cursor<&[u8]>> {
+    ZipArchive::new(Cursor::new(&answer.body[..])).unwrap()
+}
+
+/// The numbers of a file of an `.npz` archive, without its header; its checksum holds.
+fn bytes_of(answer: &Answer, name: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    archive(answer).by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+    assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
+    bytes.split_off(10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]])))
+}
+
 #[test]
-fn fields_are_had_as_arrays_of_numbers() {
+fn fields_are_an_archive_of_arrays() {
     let solved = Solved::new(true);
     let answer = solved.get("/fields/2", &[]);
-    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/octet-stream")));
-    let read = FieldArrays::read(&answer.body).unwrap().decode().unwrap();
+    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/zip")));
     let step = solved.get("/result?step=2", &[]).json()["steps"][0].clone();
     let step: StepReport = serde_json::from_value(step).unwrap();
-    let (read, expected) = (read.upper.unwrap(), step.fields.unwrap().upper.unwrap());
-    assert_eq!(read.elements, expected.elements);
+    let expected = step.fields.unwrap().upper.unwrap();
+    let corners = bytes_of(&answer, "upper/elements.npy");
+    let (corners, []) = corners.as_chunks() else { panic!("numbers of four bytes") };
+    let corners: Vec<u32> = corners.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect();
+    assert_eq!(corners, expected.elements.concat());
     let largest = expected.von_mises.iter().copied().fold(0.0, f64::max);
-    for (single, double) in read.von_mises.iter().zip(&expected.von_mises) {
+    let read = bytes_of(&answer, "upper/von_mises.npy");
+    assert_eq!(read.len(), 4 * expected.von_mises.len());
+    for (bytes, double) in read.as_chunks().0.iter().zip(&expected.von_mises) {
+        let single = f64::from(f32::from_le_bytes(*bytes));
         assert!((single - double).abs() < 1e-6 * largest, "{single} for {double}");
     }
 
-    let range = solved.get("/fields/2", &["-r", "0-7"]);
-    assert_eq!((range.status, range.body.as_slice()), (206, &b"BRNFLD01"[..]));
-    assert_eq!(range.header("content-range"), Some(format!("bytes 0-7/{}", answer.body.len()).as_str()));
-    let length = answer.body.len();
-    assert_eq!(answer.header("content-length"), Some(length.to_string().as_str()));
-    for (first, last) in [(8, 8), (1000, 5001), (length / 3, length / 2), (length - 1, length - 1)] {
-        let part = solved.get("/fields/2", &["-r", &format!("{first}-{last}")]);
-        assert_eq!((part.status, part.body.as_slice()), (206, &answer.body[first..=last]), "{first}-{last}");
-    }
-    let beyond = solved.get("/fields/2", &["-r", "99999999-"]);
-    assert_eq!(beyond.status, 416);
     let known = format!("If-None-Match: {}", answer.header("etag").unwrap());
     assert_eq!(solved.get("/fields/2", &["-H", &known]).status, 304);
     let compressed = solved.get("/fields/2", &["--compressed"]);
     assert_eq!((compressed.header("content-encoding"), compressed.body == answer.body), (None, true));
 
     let some = solved.get("/fields/2?arrays=von_mises,nodes", &[]);
-    let header_end = 16 + u32::from_le_bytes(some.body[8..12].try_into().unwrap()) as usize;
-    let header: serde_json::Value = serde_json::from_slice(&some.body[16..header_end]).unwrap();
-    let names: Vec<_> = header["arrays"].as_array().unwrap().iter().map(|array| &array["name"]).collect();
-    assert_eq!(names, ["nodes", "von_mises", "nodes", "von_mises"]);
-    let per_node = |answer: &Answer| answer.body.len() / read.nodes.len();
-    assert!(per_node(&some) < 30 && per_node(&answer) > 100, "of both bodies");
+    let names = ["upper/nodes.npy", "upper/von_mises.npy", "lower/nodes.npy", "lower/von_mises.npy"];
+    assert_eq!(archive(&some).file_names().map(Result::unwrap).collect::<Vec<_>>(), names);
     assert_ne!(some.header("etag"), answer.header("etag"), "other bytes, another tag");
     let all =
         "nodes,elements,displacement,sigma_x,sigma_y,sigma_z,tau_xy,von_mises,equivalent_plastic_strain";

@@ -1,7 +1,7 @@
 //! What is damaged is told as such, and holds nothing else up.
 
 use brinell::jobs::{FIELDS_PART, JobId, NewJob, StepResult, StoreError, Turn};
-use brinell_solver::report::{FieldArrays, FieldsReport, PerBody};
+use brinell_solver::report::{FieldsReport, PerBody, encode_fields};
 use brinell_solver::solver::SolveStatus;
 use sqlx::{Connection, PgConnection, SqliteConnection};
 
@@ -78,7 +78,7 @@ async fn rich_job(subject: &Subject) -> JobId {
     let id = subject.store.enqueue(NewJob { callback_url, ..job("x") }, Turn::free()).await.unwrap().job.id;
     let lease = subject.claim_one().await;
     let fields = FieldsReport { nodes: vec![[0.0; 2]; 40_000], ..FieldsReport::default() };
-    let fields = FieldArrays::encode(&PerBody { upper: Some(fields), lower: None }).unwrap();
+    let fields = encode_fields(&PerBody { upper: Some(fields), lower: None }).unwrap();
     assert!(fields.len() > 2 * FIELDS_PART);
     let report = brinell::jobs::Deflated::compress(b"{}").unwrap();
     let steps = [StepResult { number: 0, report, fields: Some(fields.into()) }];

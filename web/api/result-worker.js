@@ -1,7 +1,7 @@
 /** Fetches results and fields, packs mesh fields into typed arrays and hands them over without copying. */
 
 import { NOTHING, UNREADABLE } from './answers.js';
-import { FieldReader } from './field-arrays.js';
+import { readFields } from './npz.js';
 
 /** Nodal fields that are shown. */
 const SCALARS = ['von_mises', 'equivalent_plastic_strain', 'sigma_x', 'sigma_y', 'sigma_z', 'tau_xy'];
@@ -67,15 +67,12 @@ async function answerOf({ url, options }, number, silence, buffers) {
   // Whoever solves waits as long as the service does.
   if (options.method === 'POST') silence.end();
   const response = await fetch(url, { ...options, signal: silence.controller.signal });
-  const binary = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
-  if (response.ok && binary) {
-    const reader = new FieldReader();
-    await each(response, number, silence, (chunk) => reader.push(chunk));
-    return { answer: reader.finish(buffers) };
-  }
   const parts = /** @type {Uint8Array[]} */ ([]);
   await each(response, number, silence, (chunk) => parts.push(chunk.slice()));
-  const text = await new Blob(/** @type {BlobPart[]} */ (parts)).text();
+  const body = new Blob(/** @type {BlobPart[]} */ (parts));
+  const isArchive = /^application\/zip/.test(response.headers.get('content-type') ?? '');
+  if (response.ok && isArchive) return { answer: readFields(await body.arrayBuffer(), buffers) };
+  const text = await body.text();
   // 202: it takes longer than one waits, and goes on as a job.
   if (response.status === 202) return { status: 202, problem: {} };
   if (!response.ok) return { status: response.status, problem: problemOf(text) };

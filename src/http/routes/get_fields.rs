@@ -1,43 +1,45 @@
 //! `GET /v1/jobs/{id}/fields/{step}`: mesh and nodal fields of a step as arrays of numbers.
 
 use std::future::ready;
-use std::ops::Range;
+use std::io::{self, Write};
+use std::mem;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::body::Body;
 use axum::extract::{Path, State};
-use axum::http::HeaderMap;
-use axum::response::Response;
+use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE, ETAG};
+use axum::http::{HeaderMap, HeaderName, StatusCode};
+use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
 use tokio::sync::mpsc::Sender;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
 
 use crate::http::access::Caller;
 use crate::http::job_path::JobPath;
 use crate::http::query::{Arrays, ArraysQuery};
-use crate::http::result_body::{Fields, no_result};
+use crate::http::result_body::{self, Fields, no_result};
 use crate::http::written_body::written;
-use crate::http::{HttpState, Problem, ProblemType, result_body};
+use crate::http::{HttpState, Problem, ProblemType};
 use crate::jobs::{JobId, KeyId, StoreError};
-use brinell_solver::report::FieldPiece;
+use brinell_solver::report::NpyFile;
 
 /// Mesh and nodal fields of a step, as arrays of numbers
 ///
-/// In single precision, little-endian, behind a header of JSON that lists the arrays: docs/results.md has the layout. A
-/// fifth of the size of the same fields in the result, and read without parsing.
+/// An archive that numpy opens (`.npz`): `lower/von_mises.npy` and so on, in single precision, not compressed. A fifth of
+/// the size of the same fields in the result, and read without parsing.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/fields/{step}", tag = "results",
     params(
         ("id" = JobId, Path, description = "The job's id, as its `Location` has it."),
         ("step" = usize, Path, description = "The step, counted from 1.", minimum = 1, example = 1),
         ArraysQuery,
-        ("Range" = Option<String>, Header, description = "One range of bytes (RFC 9110).", example = "bytes=0-1023"),
     ),
     responses(
-        (status = OK, description = "The arrays.", body = Vec<u8>, content_type = "application/octet-stream", headers(
-            ("ETag" = String, description = "Name of these bytes, for `If-None-Match` and `If-Range`."),
+        (status = OK, description = "The archive.", body = Vec<u8>, content_type = "application/zip", headers(
+            ("ETag" = String, description = "Name of these bytes, for `If-None-Match`."),
         )),
-        (status = PARTIAL_CONTENT, description = "The range that was asked for.", body = Vec<u8>, content_type = "application/octet-stream"),
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
-        (status = RANGE_NOT_SATISFIABLE, description = "The range begins behind the end."),
     ),
     extensions(("x-problems" = json!(["step-not-found", "job-unfinished", "no-result", "not-in-result"]))),
 )]
@@ -60,34 +62,61 @@ pub(in crate::http) async fn get_fields(
         let detail = "the result has no mesh fields; solve the job with \"output\": {\"fields\": true}";
         return Err(Problem::new(ProblemType::NotInResult, detail));
     };
-    let arrays = fields.layout().single_precision(wanted.0.as_deref());
-    let arrays = arrays.map_err(|error| StoreError::damaged(error.to_string()))?;
-    let length = arrays.iter().filter_map(FieldPiece::length).sum();
-    let tag = format!("\"{id}-{}-{step}-f32{}\"", head.attempt, wanted.name());
-    let write = move |range| move |sender| send(state, caller.key(), fields, arrays, range, sender);
-    let body = |range| Body::from_stream(written(ready(turn), write(range)));
-    Ok(result_body::bytes(&tag, "application/octet-stream", length, &headers, body))
+    let tag = format!("\"{id}-{}-{step}-npz{}\"", head.attempt, wanted.name());
+    let common: [(HeaderName, &str); 3] =
+        [(CONTENT_TYPE, "application/zip"), (ETAG, &tag), (CACHE_CONTROL, "private, no-cache")];
+    if result_body::is_known(&tag, &headers) {
+        return Ok((StatusCode::NOT_MODIFIED, common).into_response());
+    }
+    let files = fields.layout().npy(wanted.0.as_deref());
+    let write = move |sender| send(state, caller.key(), fields, files, sender);
+    Ok((common, Body::from_stream(written(ready(turn), write))).into_response())
 }
 
-/// Sends the part of the pieces that is in a range; each is read and made when the client takes
-/// it.
+/// Sends an archive of these files (zip, not compressed); each piece is read and written when the client
+/// takes it.
 async fn send(
     state: HttpState,
     key: Option<KeyId>,
     mut fields: Fields,
-    pieces: Vec<FieldPiece>,
-    range: Range<usize>,
+    files: Vec<NpyFile>,
     sender: Sender<Bytes>,
 ) -> Result<(), StoreError> {
-    let mut begin = 0;
-    for piece in pieces {
-        let end = begin + piece.length().unwrap_or(0);
-        let (from, to) = (range.start.max(begin), range.end.min(end));
-        if from < to {
-            let text = result_body::written(&state, key, &mut fields, piece).await?;
-            let _ = sender.send(text.slice(from - begin..to - begin)).await;
+    let written = Written::default();
+    let mut archive = ZipWriter::new_stream(written.clone());
+    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+    for NpyFile { name, header, numbers } in files {
+        archive.start_file(name, options).map_err(StoreError::unavailable)?;
+        archive.write_all(&header).map_err(StoreError::unavailable)?;
+        for piece in numbers {
+            let piece = result_body::written(&state, key, &mut fields, piece).await?;
+            archive.write_all(&piece).map_err(StoreError::unavailable)?;
+            if sender.send(written.take()).await.is_err() {
+                return Ok(());
+            }
         }
-        begin = end;
     }
+    archive.finish().map_err(StoreError::unavailable)?;
+    let _ = sender.send(written.take()).await;
     Ok(())
+}
+
+/// The bytes of an archive that are not sent yet.
+#[derive(Clone, Default)]
+struct Written(Arc<Mutex<Vec<u8>>>);
+
+impl Written {
+    fn take(&self) -> Bytes {
+        mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner)).into()
+    }
+}
+
+impl Write for Written {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }

@@ -1,23 +1,12 @@
-//! The mesh fields of a step as arrays of numbers: a tenth of the size of their JSON, and read without parsing.
+//! The mesh fields of a step as arrays of numbers, as they are kept: without digits to parse, and read piece by piece.
 //!
-//! ```text
-//! offset          bytes   content
-//! 0               8       "BRNFLD01"
-//! 8               4       H, length of the header (u32); a multiple of 8
-//! 12              4       zero
-//! 16              H       header: JSON, padded with spaces
-//! 16 + H                  data
-//! ```
+//! The bytes are the eight letters `BRNFLD01`, the length of a header (u32), four zeros, the header in JSON, padded
+//! with spaces to a multiple of 8, and the arrays, each from a multiple of 8 on. Numbers are little-endian. The header
+//! lists the arrays: body, name, type (`f64`, for `elements` `u32`), how many there are (`count`), numbers of each
+//! (`components`), and `offset` from the end of the header \[bytes\]. A rigid body has no arrays. Names, meanings
+//! and units are those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
 //!
-//! Numbers are little-endian. The header lists the arrays of both bodies:
-//!
-//! ```json
-//! {"arrays": [{"body": "upper", "name": "nodes", "type": "f32", "components": 2, "count": 812, "offset": 0}, …]}
-//! ```
-//!
-//! `count` is the number of nodes or elements, `components` the numbers for each; they stand together. `offset` is counted
-//! in bytes from the beginning of the data and is a multiple of 8. `type` is `f32` or `f64`, and `u32` for `elements`.
-//! A rigid body has no arrays. Names, meanings and units are those of [`FieldsReport`] or, in three dimensions, of [`LayersReport`].
+//! Nobody but the store sees these bytes: [`FieldLayout`] makes JSON and the files of an `.npz` archive of them.
 
 use std::ops::Range;
 
@@ -47,7 +36,7 @@ pub enum FieldArraysError {
         /// Node at fault.
         index: usize,
     },
-    /// The bytes are not what [`FieldArrays::encode`] writes.
+    /// The bytes are not those of [`encode_fields`].
     #[error("not an array of fields: {0}")]
     Malformed(String),
 }
@@ -75,7 +64,6 @@ impl std::fmt::Display for Side {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Number {
-    F32,
     F64,
     U32,
 }
@@ -83,7 +71,7 @@ enum Number {
 impl Number {
     const fn bytes(self) -> usize {
         match self {
-            Self::F32 | Self::U32 => 4,
+            Self::U32 => 4,
             Self::F64 => 8,
         }
     }
@@ -91,7 +79,6 @@ impl Number {
     /// The numbers that bytes stand for.
     fn read(self, bytes: &[u8]) -> impl Iterator<Item = f64> {
         bytes.chunks_exact(self.bytes()).map(move |bytes| match self {
-            Self::F32 => bytes.try_into().map_or(0.0, |bytes| f64::from(f32::from_le_bytes(bytes))),
             Self::F64 => bytes.try_into().map_or(0.0, f64::from_le_bytes),
             Self::U32 => bytes.try_into().map_or(0.0, |bytes| f64::from(u32::from_le_bytes(bytes))),
         })
@@ -163,13 +150,6 @@ enum NumbersForm {
     SinglePrecision,
 }
 
-/// The fields of a step in their binary form, over bytes of any owner.
-#[derive(Debug, Clone)]
-pub struct FieldArrays<B> {
-    bytes: B,
-    layout: FieldLayout,
-}
-
 /// The names of the arrays of a body, in their order.
 pub const FIELD_NAMES: [&str; 9] = [
     "nodes",
@@ -215,16 +195,11 @@ impl Encoder {
 
     fn finish(mut self) -> Result<Vec<u8>, FieldArraysError> {
         self.data.resize(self.data.len().next_multiple_of(ALIGNMENT), 0);
-        Ok([beginning(self.arrays)?, self.data].concat())
+        let mut header = serde_json::to_vec(&Header { arrays: self.arrays }).map_err(malformed)?;
+        header.resize(header.len().next_multiple_of(ALIGNMENT), b' ');
+        let length = u32::try_from(header.len()).map_err(malformed)?;
+        Ok([&MAGIC[..], &length.to_le_bytes(), &[0; 4], &header, &self.data].concat())
     }
-}
-
-/// Everything before the data.
-fn beginning(arrays: Vec<Array>) -> Result<Vec<u8>, FieldArraysError> {
-    let mut header = serde_json::to_vec(&Header { arrays }).map_err(malformed)?;
-    header.resize(header.len().next_multiple_of(ALIGNMENT), b' ');
-    let length = u32::try_from(header.len()).map_err(malformed)?;
-    Ok([&MAGIC[..], &length.to_le_bytes(), &[0; 4], &header].concat())
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "errors are mapped to it")]
@@ -236,58 +211,56 @@ fn scalars(values: &[f64]) -> &[[f64; 1]] {
     values.as_chunks().0
 }
 
-impl FieldArrays<Vec<u8>> {
-    /// The fields of both bodies in double precision.
-    ///
-    /// # Errors
-    /// [`FieldArraysError::NotFinite`].
-    pub fn encode(fields: &PerBody<Option<FieldsReport>>) -> Result<Vec<u8>, FieldArraysError> {
-        let mut encoder = Encoder::default();
-        for (body, fields) in [(Side::Upper, &fields.upper), (Side::Lower, &fields.lower)] {
-            let Some(fields) = fields else { continue };
-            let FieldsReport {
-                nodes,
-                elements,
-                displacement,
-                sigma_x,
-                sigma_y,
-                sigma_z,
-                tau_xy,
-                von_mises,
-                equivalent_plastic_strain,
-            } = fields;
-            encoder.floats(body, "nodes", nodes)?;
-            encoder.array(body, "elements", Number::U32, 4, elements.len());
-            encoder.data.extend(elements.iter().flatten().flat_map(|corner| corner.to_le_bytes()));
-            encoder.floats(body, "displacement", displacement)?;
-            for (name, values) in [
-                ("sigma_x", sigma_x),
-                ("sigma_y", sigma_y),
-                ("sigma_z", sigma_z),
-                ("tau_xy", tau_xy),
-                ("von_mises", von_mises),
-                ("equivalent_plastic_strain", equivalent_plastic_strain),
-            ] {
-                encoder.floats(body, name, scalars(values))?;
-            }
+/// The fields of both bodies in double precision, as [`FieldLayout`] reads them.
+///
+/// # Errors
+/// [`FieldArraysError::NotFinite`].
+pub fn encode_fields(fields: &PerBody<Option<FieldsReport>>) -> Result<Vec<u8>, FieldArraysError> {
+    let mut encoder = Encoder::default();
+    for (body, fields) in [(Side::Upper, &fields.upper), (Side::Lower, &fields.lower)] {
+        let Some(fields) = fields else { continue };
+        let FieldsReport {
+            nodes,
+            elements,
+            displacement,
+            sigma_x,
+            sigma_y,
+            sigma_z,
+            tau_xy,
+            von_mises,
+            equivalent_plastic_strain,
+        } = fields;
+        encoder.floats(body, "nodes", nodes)?;
+        encoder.array(body, "elements", Number::U32, 4, elements.len());
+        encoder.data.extend(elements.iter().flatten().flat_map(|corner| corner.to_le_bytes()));
+        encoder.floats(body, "displacement", displacement)?;
+        for (name, values) in [
+            ("sigma_x", sigma_x),
+            ("sigma_y", sigma_y),
+            ("sigma_z", sigma_z),
+            ("tau_xy", tau_xy),
+            ("von_mises", von_mises),
+            ("equivalent_plastic_strain", equivalent_plastic_strain),
+        ] {
+            encoder.floats(body, name, scalars(values))?;
         }
-        encoder.finish()
     }
+    encoder.finish()
+}
 
-    /// The layers of both bodies in double precision.
-    ///
-    /// # Errors
-    /// [`FieldArraysError::NotFinite`].
-    pub fn encode_layers(layers: &PerBody<Option<LayersReport>>) -> Result<Vec<u8>, FieldArraysError> {
-        let mut encoder = Encoder::default();
-        for (body, layers) in [(Side::Upper, &layers.upper), (Side::Lower, &layers.lower)] {
-            let Some(layers) = layers else { continue };
-            for (name, values) in LAYER_NAMES.into_iter().zip(layers.arrays()) {
-                encoder.floats(body, name, scalars(values))?;
-            }
+/// The layers of both bodies in double precision, as [`FieldLayout`] reads them.
+///
+/// # Errors
+/// [`FieldArraysError::NotFinite`].
+pub fn encode_layers(layers: &PerBody<Option<LayersReport>>) -> Result<Vec<u8>, FieldArraysError> {
+    let mut encoder = Encoder::default();
+    for (body, layers) in [(Side::Upper, &layers.upper), (Side::Lower, &layers.lower)] {
+        let Some(layers) = layers else { continue };
+        for (name, values) in LAYER_NAMES.into_iter().zip(layers.arrays()) {
+            encoder.floats(body, name, scalars(values))?;
         }
-        encoder.finish()
     }
+    encoder.finish()
 }
 
 impl FieldLayout {
@@ -378,26 +351,55 @@ impl FieldLayout {
         pieces
     }
 
-    /// The same fields in single precision: the arrays of these names, or all of them.
-    ///
-    /// # Errors
-    /// [`FieldArraysError::Malformed`].
-    pub fn single_precision(&self, names: Option<&[&str]>) -> Result<Vec<FieldPiece>, FieldArraysError> {
-        let (mut singles, mut pieces, mut end): (Vec<Array>, _, usize) = (Vec::new(), Vec::new(), 0);
-        let pad = |end: usize| FieldPiece::Text(vec![0; end.next_multiple_of(ALIGNMENT) - end]);
+    /// The arrays of these names, or all of them, as the files of an `.npz` archive, in single precision.
+    pub fn npy(&self, names: Option<&[&str]>) -> Vec<NpyFile> {
         let is_wanted = |array: &&Array| names.is_none_or(|names| names.contains(&array.name.as_str()));
-        for array in self.arrays.iter().filter(is_wanted) {
-            pieces.push(pad(end));
-            let number = if array.number == Number::F64 { Number::F32 } else { array.number };
-            let single = Array { number, offset: end.next_multiple_of(ALIGNMENT), ..array.clone() };
-            end = single.offset + single.bytes();
-            pieces.extend(self.numbers(array, NumbersForm::SinglePrecision));
-            singles.push(single);
-        }
-        pieces.push(pad(end));
-        pieces.insert(0, FieldPiece::Text(beginning(singles)?));
-        Ok(pieces)
+        let file = |array: &Array| NpyFile {
+            name: format!("{}/{}.npy", array.body, array.name),
+            header: npy_header(array.number, &self.shape(array)),
+            numbers: self.numbers(array, NumbersForm::SinglePrecision).collect(),
+        };
+        self.arrays.iter().filter(is_wanted).map(file).collect()
     }
+
+    /// The shape of an array: nodes or elements with their components; cells of half-spaces by layer, x and y.
+    fn shape(&self, array: &Array) -> Vec<usize> {
+        let along = |name| {
+            self.arrays
+                .iter()
+                .find(|other| other.body == array.body && other.name == name)
+                .map(|axis| axis.count)
+        };
+        match [along("z"), along("x"), along("y")] {
+            [Some(z), Some(x), Some(y)] if z * x * y == array.count => vec![z, x, y],
+            _ if array.components == 1 => vec![array.count],
+            _ => vec![array.count, array.components],
+        }
+    }
+}
+
+/// A file of an `.npz` archive: one array.
+#[derive(Debug, Clone)]
+pub struct NpyFile {
+    /// `lower/von_mises.npy`.
+    pub name: String,
+    /// What stands before the numbers.
+    pub header: Vec<u8>,
+    /// The numbers.
+    pub numbers: Vec<FieldPiece>,
+}
+
+/// What numpy reads before the numbers of an array: type and shape in a Python dictionary, padded to 64 bytes
+/// (version 1.0 of the format, <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>).
+fn npy_header(number: Number, shape: &[usize]) -> Vec<u8> {
+    const BEGINNING: usize = 10;
+    let number = if number == Number::U32 { "<u4" } else { "<f4" };
+    let shape: String = shape.iter().map(|length| format!("{length}, ")).collect();
+    let text = format!("{{'descr': '{number}', 'fortran_order': False, 'shape': ({shape}), }}");
+    let length = (BEGINNING + text.len() + 1).next_multiple_of(64) - BEGINNING;
+    let size = u16::try_from(length).unwrap_or(u16::MAX).to_le_bytes();
+    let text = format!("{text:<width$}\n", width = length - 1);
+    [b"\x93NUMPY\x01\x00", &size[..], text.as_bytes()].concat()
 }
 
 impl FieldPiece {
@@ -406,16 +408,6 @@ impl FieldPiece {
         match self {
             Self::Text(_) => 0..0,
             Self::Numbers(piece) => piece.source.clone(),
-        }
-    }
-
-    /// Its length \[bytes\], if that does not depend on the numbers.
-    pub fn length(&self) -> Option<usize> {
-        match self {
-            Self::Text(text) => Some(text.len()),
-            Self::Numbers(NumbersPiece { form: NumbersForm::Json, .. }) => None,
-            Self::Numbers(piece) if piece.number == Number::F64 => Some(piece.source.len() / 2),
-            Self::Numbers(piece) => Some(piece.source.len()),
         }
     }
 
@@ -456,73 +448,13 @@ impl NumbersPiece {
                     reason = "it was an integer"
                 )]
                 Number::U32 => serde_json::to_writer(&mut text, &(number as u32)),
-                Number::F32 | Number::F64 => serde_json::to_writer(&mut text, &number),
+                Number::F64 => serde_json::to_writer(&mut text, &number),
             };
             if is_tuple && (k + 1) % self.components == 0 {
                 text.push(b']');
             }
         }
         text
-    }
-}
-
-impl<B: AsRef<[u8]>> FieldArrays<B> {
-    /// Reads what [`FieldArrays::encode`] or [`FieldLayout::single_precision`] has written.
-    ///
-    /// # Errors
-    /// [`FieldArraysError::Malformed`].
-    pub fn read(bytes: B) -> Result<Self, FieldArraysError> {
-        let layout = FieldLayout::read(bytes.as_ref())?;
-        if layout.end() <= bytes.as_ref().len() {
-            Ok(Self { bytes, layout })
-        } else {
-            Err(malformed("the data are cut off"))
-        }
-    }
-
-    fn data(&self, array: &Array) -> &[u8] {
-        &self.bytes.as_ref()[self.layout.source(array)]
-    }
-
-    /// The fields as the report has them.
-    ///
-    /// # Errors
-    /// [`FieldArraysError::Malformed`].
-    pub fn decode(&self) -> Result<PerBody<Option<FieldsReport>>, FieldArraysError> {
-        Ok(PerBody { upper: self.body(Side::Upper)?, lower: self.body(Side::Lower)? })
-    }
-
-    fn body(&self, body: Side) -> Result<Option<FieldsReport>, FieldArraysError> {
-        if self.layout.arrays.iter().all(|array| array.body != body) {
-            return Ok(None);
-        }
-        let elements = self.find(body, "elements", 4)?;
-        let corners = self.data(elements).as_chunks::<4>().0.iter().map(|bytes| u32::from_le_bytes(*bytes));
-        Ok(Some(FieldsReport {
-            nodes: self.pairs(body, "nodes")?,
-            elements: corners.collect::<Vec<_>>().as_chunks().0.to_vec(),
-            displacement: self.pairs(body, "displacement")?,
-            sigma_x: self.values(body, "sigma_x", 1)?,
-            sigma_y: self.values(body, "sigma_y", 1)?,
-            sigma_z: self.values(body, "sigma_z", 1)?,
-            tau_xy: self.values(body, "tau_xy", 1)?,
-            von_mises: self.values(body, "von_mises", 1)?,
-            equivalent_plastic_strain: self.values(body, "equivalent_plastic_strain", 1)?,
-        }))
-    }
-
-    fn find(&self, body: Side, name: &str, components: usize) -> Result<&Array, FieldArraysError> {
-        let found = self.layout.arrays.iter().find(|array| array.body == body && array.name == name);
-        found.filter(|array| array.components == components).ok_or_else(|| malformed(format!("no {name}")))
-    }
-
-    fn values(&self, body: Side, name: &str, components: usize) -> Result<Vec<f64>, FieldArraysError> {
-        let array = self.find(body, name, components)?;
-        Ok(array.number.read(self.data(array)).collect())
-    }
-
-    fn pairs(&self, body: Side, name: &str) -> Result<Vec<[f64; 2]>, FieldArraysError> {
-        Ok(self.values(body, name, 2)?.as_chunks().0.to_vec())
     }
 }
 
@@ -548,28 +480,8 @@ mod tests {
         }
     }
 
-    #[test]
-    fn fields_are_read_as_they_were_written() {
-        let written = FieldArrays::encode(&fields()).unwrap();
-        assert_eq!(FieldArrays::read(&written).unwrap().decode().unwrap(), fields());
-    }
-
-    #[test]
-    fn layers_are_written_like_the_report() {
-        let names = LAYER_NAMES.map(|name| (name.to_owned(), serde_json::json!([0.5, -2.0, 1e-7])));
-        let body = serde_json::Value::Object(names.into_iter().collect());
-        let lower: LayersReport = serde_json::from_value(body).unwrap();
-        let layers = PerBody { upper: None, lower: Some(lower) };
-        let written = FieldArrays::encode_layers(&layers).unwrap();
-        let layout = FieldLayout::read(&written).unwrap();
-        assert_eq!(layout.member(), "layers");
-        assert_eq!(layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(), LAYER_NAMES);
-        let json = made(&written, layout.json());
-        assert_eq!(String::from_utf8(json).unwrap(), serde_json::to_string(&layers).unwrap());
-    }
-
-    /// What pieces are together.
-    fn made(bytes: &[u8], pieces: Vec<FieldPiece>) -> Vec<u8> {
+    /// The bytes of pieces, one after the other.
+    fn written(bytes: &[u8], pieces: Vec<FieldPiece>) -> Vec<u8> {
         pieces.into_iter().flat_map(|piece| piece.clone().write(&bytes[piece.source()])).collect()
     }
 
@@ -580,60 +492,74 @@ mod tests {
         upper.nodes = (0..5000).map(|k| [f64::from(k) / 7.0, 1e-9 * f64::from(k)]).collect();
         upper.von_mises = (0..9000).map(f64::from).collect();
         for fields in [fields(), many, PerBody { upper: None, lower: None }] {
-            let written = FieldArrays::encode(&fields).unwrap();
-            let json = made(&written, FieldLayout::read(&written).unwrap().json());
+            let bytes = encode_fields(&fields).unwrap();
+            let layout = FieldLayout::read(&bytes).unwrap();
+            assert!(layout.end() <= bytes.len());
+            let json = written(&bytes, layout.json());
             assert_eq!(String::from_utf8(json).unwrap(), serde_json::to_string(&fields).unwrap());
         }
     }
 
     #[test]
-    fn single_precision_is_half_as_long_and_aligned() {
-        let written = FieldArrays::encode(&fields()).unwrap();
-        let pieces = FieldLayout::read(&written).unwrap().single_precision(None).unwrap();
-        let length: Option<usize> = pieces.iter().map(FieldPiece::length).sum();
-        let single = made(&written, pieces);
-        assert_eq!(length, Some(single.len()));
-        let arrays = FieldArrays::read(&single).unwrap();
-        let FieldLayout { data, arrays: listed } = &arrays.layout;
-        assert!(listed.iter().all(|array| (data + array.offset).is_multiple_of(ALIGNMENT)));
-        let read = arrays.decode().unwrap().upper.unwrap();
-        assert_eq!(read.elements, fields().upper.unwrap().elements);
-        let third = read.displacement[2][0];
-        let error = (3.0 * third - 1.0).abs();
-        assert!(error > 1e-12 && error < 1e-7, "{third}");
+    fn layers_are_written_like_the_report_and_have_the_shape_of_their_grid() {
+        let values = |name| if name == "z" { vec![0.5, -2.0] } else { vec![1e-7] };
+        let mut body: serde_json::Map<_, _> =
+            LAYER_NAMES.into_iter().map(|name| (name.to_owned(), values(name).into())).collect();
+        body.insert("x".to_owned(), vec![1.0, 2.0, 3.0].into());
+        body.insert("sigma_xx".to_owned(), vec![0.0; 6].into());
+        let lower: LayersReport = serde_json::from_value(body.into()).unwrap();
+        let layers = PerBody { upper: None, lower: Some(lower) };
+        let bytes = encode_layers(&layers).unwrap();
+        let layout = FieldLayout::read(&bytes).unwrap();
+        assert_eq!(layout.member(), "layers");
+        let json = written(&bytes, layout.json());
+        assert_eq!(String::from_utf8(json).unwrap(), serde_json::to_string(&layers).unwrap());
+        let stress = layout.npy(Some(&["sigma_xx"])).remove(0);
+        assert!(String::from_utf8_lossy(&stress.header).contains("'shape': (2, 3, 1, )"));
     }
 
     #[test]
-    fn arrays_are_chosen_by_their_names() {
-        let written = FieldArrays::encode(&fields()).unwrap();
-        let layout = FieldLayout::read(&written).unwrap();
+    fn a_file_of_an_archive_has_type_shape_and_numbers() {
+        let bytes = encode_fields(&fields()).unwrap();
+        let files = FieldLayout::read(&bytes).unwrap().npy(Some(&["displacement", "elements"]));
+        let shown = files.into_iter().map(|NpyFile { name, header, numbers }| {
+            assert_eq!(header.len() % 64, 0);
+            let text = String::from_utf8_lossy(&header[10..]).trim().to_owned();
+            (name, text, written(&bytes, numbers))
+        });
+        let elements: Vec<u8> = [0_u32, 1, 2, 2].into_iter().flat_map(u32::to_le_bytes).collect();
+        let numbers = [0.0, 0.5, 1.0, 2.0, 1.0 / 3.0, 4.0_f32];
+        let displacement = numbers.into_iter().flat_map(f32::to_le_bytes).collect();
+        let about =
+            |kind, shape| format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
+        let expected = [
+            ("upper/elements.npy".to_owned(), about("<u4", "(1, 4, )"), elements),
+            ("upper/displacement.npy".to_owned(), about("<f4", "(3, 2, )"), displacement),
+        ];
+        assert_eq!(shown.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn arrays_have_the_names_that_can_be_asked_for() {
+        let layout = FieldLayout::read(&encode_fields(&fields()).unwrap()).unwrap();
         assert_eq!(layout.arrays.iter().map(|array| &*array.name).collect::<Vec<_>>(), FIELD_NAMES);
-        let all = FieldArrays::read(made(&written, layout.single_precision(None).unwrap())).unwrap();
-        for names in [&["von_mises", "elements"][..], &["nodes"], &[]] {
-            let some = made(&written, layout.single_precision(Some(names)).unwrap());
-            let some = FieldArrays::read(some).unwrap();
-            assert_eq!(some.layout.arrays.len(), names.len());
-            for array in &some.layout.arrays {
-                assert!(names.contains(&array.name.as_str()));
-                let same = all.find(array.body, &array.name, array.components).unwrap();
-                assert_eq!(some.data(array), all.data(same));
-            }
-        }
+        let names: Vec<_> = layout.npy(None).into_iter().map(|file| file.name).collect();
+        assert_eq!(names, FIELD_NAMES.map(|name| format!("upper/{name}.npy")));
     }
 
     #[test]
-    fn numbers_that_are_none_are_not_written() {
+    fn numbers_that_are_not_finite_are_refused() {
         let mut spoilt = fields();
         spoilt.upper.as_mut().unwrap().sigma_y[1] = f64::NAN;
-        let error = FieldArrays::encode(&spoilt).unwrap_err();
+        let error = encode_fields(&spoilt).unwrap_err();
         assert_eq!(error.to_string(), "/fields/upper/sigma_y/1 is not a finite number");
     }
 
     #[test]
-    fn damage_is_an_error() {
-        let written = FieldArrays::encode(&fields()).unwrap();
-        for length in [0, 4, 15, 40, written.len() - 8] {
-            assert!(FieldArrays::read(&written[..length]).is_err(), "{length}");
+    fn a_damaged_header_is_an_error() {
+        let bytes = encode_fields(&fields()).unwrap();
+        for length in [0, 4, 15, 40] {
+            assert!(FieldLayout::read(&bytes[..length]).is_err(), "{length}");
         }
     }
 }

@@ -26,7 +26,8 @@ pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
 pub use error_bars::ErrorEstimate;
 pub use field_arrays::{
-    FIELD_NAMES, FieldArrays, FieldArraysError, FieldLayout, FieldPiece, NumbersPiece, Side as FieldSide,
+    FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, Side as FieldSide,
+    encode_fields, encode_layers,
 };
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};

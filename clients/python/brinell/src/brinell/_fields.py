@@ -5,7 +5,7 @@ The one place that knows how the service sends them (docs/results.md).
 
 from __future__ import annotations
 
-import json
+import io
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -20,25 +20,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 
-_TYPES = {"u32": "<u4", "f32": "<f4", "f64": "<f8"}
-_MAGIC = b"BRNFLD01"
-
 
 def decode(data: bytes) -> dict[str, dict[str, Array]]:
-    """The arrays of each body, by their names."""
-    if data[:8] != _MAGIC:
-        raise ValueError(
-            "the service sends fields in a form that this version of the package does not know"
-        )
-    length = int.from_bytes(data[8:12], "little")
+    """The arrays of each body, by their names: those of an `.npz` archive."""
     bodies: dict[str, dict[str, Array]] = {}
-    for array in json.loads(data[16 : 16 + length])["arrays"]:
-        count, components = array["count"], array["components"]
-        values = np.frombuffer(
-            data, _TYPES[array["type"]], count * components, 16 + length + array["offset"]
-        )
-        shaped = values.reshape(count, components) if components > 1 else values
-        bodies.setdefault(array["body"], {})[array["name"]] = shaped
+    with np.load(io.BytesIO(data)) as archive:
+        for name, values in archive.items():
+            body, array = name.split("/")
+            bodies.setdefault(body, {})[array] = values
     return bodies
 
 

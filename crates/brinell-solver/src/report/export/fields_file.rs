@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// A file made of the arrays of a step ([`FieldArrays`](crate::report::FieldArrays)).
+/// A file made of the arrays of a step ([`FieldLayout`](crate::report::FieldLayout)).
 pub trait FieldsFile: Sized {
     /// A piece of it.
     type Piece: Clone;

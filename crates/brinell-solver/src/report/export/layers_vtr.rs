@@ -18,7 +18,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::surface_vtu::faces;
 use super::vtu::unusable;
 use super::{ExportError, FieldsFile};
-use crate::report::{FieldArrays, FieldLayout, FieldSide, Report};
+use crate::report::{FieldLayout, FieldSide, Report, encode_layers};
 
 const BYTES: usize = size_of::<f64>();
 
@@ -56,7 +56,7 @@ const END: &str = "</Coordinates>\n</Piece>\n</RectilinearGrid>\n</VTKFile>\n";
 pub(super) fn layers_vtr(report: &Report, step: usize) -> Result<String, ExportError> {
     let shown = report.steps.get(step).ok_or(ExportError::NoStep(step))?;
     let layers = shown.layers.as_ref().ok_or(ExportError::NoLayers)?;
-    let bytes = FieldArrays::encode_layers(layers).map_err(unusable)?;
+    let bytes = encode_layers(layers).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
     Ok(VtrFile::new(report, [step, report.steps.len()], &layout)?.whole(&bytes))
 }

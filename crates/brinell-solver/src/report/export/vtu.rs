@@ -21,7 +21,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::surface_vtu::surface_vtu;
 use super::{ExportError, FieldsFile};
 use crate::job::{Analysis, Named};
-use crate::report::{FieldArrays, FieldArraysError, FieldLayout, FieldSide, Report};
+use crate::report::{FieldArraysError, FieldLayout, FieldSide, Report, encode_fields};
 
 /// VTK's number for a quadrilateral with 4 nodes.
 const QUAD: u8 = 9;
@@ -42,7 +42,7 @@ pub fn field_vtu(report: &Report, step: usize) -> Result<String, ExportError> {
         let maps = whole.maps.as_ref().ok_or(ExportError::NoFields)?;
         return Ok(surface_vtu(report, [step, report.steps.len()], maps.clone()).collect());
     }
-    let bytes = FieldArrays::encode(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
+    let bytes = encode_fields(shown.fields.as_ref().ok_or(ExportError::NoFields)?).map_err(unusable)?;
     let layout = FieldLayout::read(&bytes).map_err(unusable)?;
     Ok(VtuFile::new(report, [step, report.steps.len()], shown.approach, &layout)?.whole(&bytes))
 }
@@ -425,8 +425,7 @@ mod tests {
             von_mises: vec![5.0; 4],
             equivalent_plastic_strain: vec![6.0; 4],
         };
-        let bytes =
-            FieldArrays::encode(&PerBody { upper: Some(square.clone()), lower: Some(square) }).unwrap();
+        let bytes = encode_fields(&PerBody { upper: Some(square.clone()), lower: Some(square) }).unwrap();
         let layout = FieldLayout::read(&bytes).unwrap();
         let mut bodies = [0, 1].map(|name| Body::new(name, &layout, name == 0, 0.25).unwrap().unwrap());
         bodies[0].axis = vec![0, 3];

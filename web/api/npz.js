@@ -1,0 +1,52 @@
+/** Reads the archives that the service sends fields in: `.npz`, a zip of arrays of numpy that are not compressed. */
+
+/** @typedef {{upper: any, lower: any}} Arrays as {@link import('../types.js').Mesh}; `null` for a rigid body */
+
+const END = 0x06054b50;
+const END_BYTES = 22;
+const ENTRY_BYTES = 46;
+const LOCAL_BYTES = 30;
+/** Types of numbers that the service sends. */
+const KINDS = /** @type {Record<string, Float32ArrayConstructor | Uint32ArrayConstructor>} */ ({
+  '<f4': Float32Array,
+  '<u4': Uint32Array,
+});
+
+/** The files of an archive: names and places. @param {DataView} view @returns {{name: string, at: number, size: number}[]} */
+function files(view) {
+  // The service writes no comment behind the end.
+  const end = view.byteLength - END_BYTES;
+  if (end < 0 || view.getUint32(end, true) !== END) throw new Error('the fields are cut short, or these are none');
+  const count = view.getUint16(end + 10, true);
+  let at = view.getUint32(end + 16, true);
+  return Array.from({ length: count }, () => {
+    const [size, length] = [view.getUint32(at + 24, true), view.getUint16(at + 28, true)];
+    const local = view.getUint32(at + 42, true);
+    const name = new TextDecoder().decode(new Uint8Array(view.buffer, at + ENTRY_BYTES, length));
+    at += ENTRY_BYTES + length + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    const data = local + LOCAL_BYTES + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
+    return { name, at: data, size };
+  });
+}
+
+/** The numbers of a file, in memory of their own. @param {DataView<ArrayBuffer>} view @param {number} at @param {number} size */
+function numbers(view, at, size) {
+  const data = at + 10 + view.getUint16(at + 8, true);
+  const header = new TextDecoder().decode(new Uint8Array(view.buffer, at + 10, data - at - 10));
+  const kind = KINDS[/'descr': '([^']*)'/.exec(header)?.[1] ?? ''];
+  if (!kind) throw new Error(`numbers of another type: ${header}`);
+  return new kind(view.buffer.slice(data, at + size));
+}
+
+/** @param {ArrayBuffer} archive @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over @returns {Arrays} */
+export function readFields(archive, buffers) {
+  const view = new DataView(archive);
+  const fields = /** @type {Arrays} */ ({ upper: null, lower: null });
+  for (const { name, at, size } of files(view)) {
+    const [body, array] = name.replace(/\.npy$/, '').split('/');
+    const values = numbers(view, at, size);
+    (fields[/** @type {'upper' | 'lower'} */ (body)] ??= {})[array] = values;
+    buffers.push(/** @type {ArrayBuffer} */ (values.buffer));
+  }
+  return fields;
+}
