@@ -394,7 +394,7 @@ pub struct NpyFile {
 fn npy_header(number: Number, shape: &[usize]) -> Vec<u8> {
     const BEGINNING: usize = 10;
     let number = if number == Number::U32 { "<u4" } else { "<f4" };
-    let shape: String = shape.iter().map(|length| format!("{length}, ")).collect();
+    let shape = shape.iter().map(|length| format!("{length},")).collect::<Vec<_>>().join(" ");
     let text = format!("{{'descr': '{number}', 'fortran_order': False, 'shape': ({shape}), }}");
     let length = (BEGINNING + text.len() + 1).next_multiple_of(64) - BEGINNING;
     let size = u16::try_from(length).unwrap_or(u16::MAX).to_le_bytes();
@@ -515,7 +515,7 @@ mod tests {
         let json = written(&bytes, layout.json());
         assert_eq!(String::from_utf8(json).unwrap(), serde_json::to_string(&layers).unwrap());
         let stress = layout.npy(Some(&["sigma_xx"])).remove(0);
-        assert!(String::from_utf8_lossy(&stress.header).contains("'shape': (2, 3, 1, )"));
+        assert!(String::from_utf8_lossy(&stress.header).contains("'shape': (2, 3, 1,)"));
     }
 
     #[test]
@@ -533,8 +533,8 @@ mod tests {
         let about =
             |kind, shape| format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
         let expected = [
-            ("upper/elements.npy".to_owned(), about("<u4", "(1, 4, )"), elements),
-            ("upper/displacement.npy".to_owned(), about("<f4", "(3, 2, )"), displacement),
+            ("upper/elements.npy".to_owned(), about("<u4", "(1, 4,)"), elements),
+            ("upper/displacement.npy".to_owned(), about("<f4", "(3, 2,)"), displacement),
         ];
         assert_eq!(shown.collect::<Vec<_>>(), expected);
     }
