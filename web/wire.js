@@ -214,6 +214,8 @@
  * @property {(number)[]} approach
  * @property {(number)[]} force
  * @property {(number)[]} stiffness
+ * @property {(number)[]} [stiffness_from]
+ * @property {(number)[]} [stiffness_to]
  *
  * @typedef {PrescribedForce | PrescribedApproach} LoadReport
  *
@@ -292,7 +294,7 @@
  * @property {number} approach
  * @property {string} approach_datum
  * @property {Contact} contact
- * @property {number} contact_stiffness
+ * @property {number | null} contact_stiffness
  * @property {ErrorEstimate | null} estimated_error
  * @property {FieldsOfBodies} [fields]
  * @property {Flow} [flow]

@@ -76,7 +76,7 @@ export const STEP_FIGURES = {
     title: 'contact stiffness',
     short: 'dP/dα',
     unit: (/** @type {Report} */ report) => unit(stiffnessOf(report), report.units),
-    value: (/** @type {Step} */ { contact_stiffness: slope }) => slope,
+    value: (/** @type {Step} */ { contact_stiffness: slope }) => slope ?? undefined,
     bar: /** @type {const} */ ('contact_stiffness'),
   },
   hertz: {

@@ -27,13 +27,16 @@ const OVER_LOAD = {
   stiffness: { text: 'dP/dα', of: STEP_FIGURES.stiffness, along: slopesAlong },
 };
 
-/** dP/dα at the increments of a step, from the curve of all of them. @param {Step} step @param {Report} report */
-function slopesAlong({ flow }, { load_approach: curve }) {
-  const places = flow?.increments.approach.map((approach, k) =>
-    curve ? curve.approach.findIndex((at, j) => at === approach && curve.force[j] === flow.increments.force[k]) : -1,
-  );
-  return places?.map((place) => curve?.stiffness[place]);
+/** dP/dα at the increments of a step or at its load, from the curve of all of them. @param {Step} step @param {Report} report */
+function slopesAlong({ flow, approach, contact }, { load_approach: curve }) {
+  const ends = flow?.increments ?? { approach: [approach], force: [contact.force] };
+  const placeOf = (/** @type {number} */ approach, /** @type {number} */ force) =>
+    curve?.approach.findIndex((at, j) => at === approach && curve.force[j] === force) ?? -1;
+  return ends.approach.map((approach, k) => curve?.stiffness[placeOf(approach, ends.force[k])]);
 }
+
+/** A figure of a step or, where it has none of its own, of the curve there. @param {OverLoad} figures @param {Step} step @param {Report} report */
+const valueAt = ({ of, along }, step, report) => of.value(step) ?? along?.(step, report)?.at(-1);
 
 export class SweepPanel {
   #kind = 'approach';
@@ -189,8 +192,9 @@ function overApproach(swept, shown, at) {
  * @param {Report} report @param {OverLoad} figures @param {boolean} inTurn whether loads have an order
  * @returns {{x: number[], y: number[]}}
  */
-function overForce(report, { of, along, rest }, inTurn) {
-  const value = (/** @type {Step} */ step) => of.value(step) ?? 0;
+function overForce(report, figures, inTurn) {
+  const { along, rest } = figures;
+  const value = (/** @type {Step} */ step) => valueAt(figures, step, report) ?? 0;
   const steps = answered(report);
   if (!inTurn || !steps.every(({ flow }) => flow)) {
     steps.sort((a, b) => a.contact.force - b.contact.force);
@@ -232,6 +236,6 @@ function overLoad(swept, shown, at, figures) {
       return turns ? apart(curve, curve.x, along ? undefined : 'known at the ends of loads alone') : [curve];
     }),
     marks: [...onsets(swept, 'x', 'first yield'), { across: 'x', at: report.steps[at].contact.force, text: 'shown' }],
-    words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(of.value(report.steps[at]))} ${name}.`,
+    words: `${label} over force, ${report.steps.length} points, at the step shown ${figure(valueAt(figures, report.steps[at], report))} ${name}.`,
   };
 }

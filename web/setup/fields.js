@@ -260,6 +260,7 @@ export const SETTINGS = [
   { key: 'solver/max_iterations', label: 'Iterations at most', quantity: 'number' },
   { key: 'output/subsurface', label: 'Stresses over depth', kind: 'flag' },
   { key: 'output/fields', label: 'Stress field on the mesh', kind: 'flag' },
+  { key: 'output/contact_stiffness', label: 'Contact stiffness where bodies yield', kind: 'flag' },
   { key: 'tags', label: 'Tags', kind: 'tags', hint: 'One a line, as bearing: NU-210' },
 ];
 
@@ -289,6 +290,7 @@ export const DEFAULTS = {
   '/solver/max_iterations': 500,
   '/output/subsurface': true,
   '/output/fields': false,
+  '/output/contact_stiffness': false,
 };
 
 /** Examples of the tables are about as large as a cylinder of this radius [mm]. */

@@ -221,7 +221,7 @@ export const INITIAL_STRESS = {"columns":["length","stress","stress"],"descripti
 export const FIGURES = {
   length: ["a","approach","b","depth","displacement","gap","half_width","height","left","nodes","outline","peak_position","peak_position_y","pile_up","pile_up_position","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
   stress: ["initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","mean_pressure","peak_pressure","pressure","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
-  load: ["force","yield_onset_force"],
+  load: ["force","stiffness_from","stiffness_to","yield_onset_force"],
   slope: ["contact_stiffness","stiffness","unloading_stiffness"],
   area: ["area","reverse_area"],
   volume: ["volume"],

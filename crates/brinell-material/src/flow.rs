@@ -591,23 +591,6 @@ impl<const N: usize> ConstitutiveModel for FlowPlasticity<N> {
         (response, end)
     }
 
-    fn combined(&self, parts: &[(f64, FlowState<N>)]) -> FlowState<N> {
-        let scalar = |value: &dyn Fn(&FlowState<N>) -> f64| -> f64 {
-            parts.iter().map(|(part, state)| part * value(state)).sum()
-        };
-        let tensor = |value: &dyn Fn(&FlowState<N>) -> [f64; 4]| -> [f64; 4] {
-            std::array::from_fn(|k| scalar(&|state| value(state)[k]))
-        };
-        FlowState {
-            strain: tensor(&|state| state.strain),
-            plastic_strain: tensor(&|state| state.plastic_strain),
-            // Beyond the edge of the plastic zone what falls towards it is below zero.
-            accumulated: scalar(&|state| state.accumulated).max(0.0),
-            backstress: std::array::from_fn(|i| tensor(&|state| state.backstress[i])),
-            plastic_work: scalar(&|state| state.plastic_work),
-        }
-    }
-
     fn tangent(
         &self,
         strain: [f64; 4],

@@ -14,7 +14,6 @@
 
 use std::sync::Arc;
 
-use super::model::largest_part;
 use super::{
     ConstitutiveModel, ElasticModuli, HardeningLaw, Inverse, ModuliReduction, OutOfPlane, PerPoint,
     PointOrigin, PointResponse, ReferenceModuli,
@@ -119,18 +118,6 @@ impl<M: ConstitutiveModel> ConstitutiveModel for Inhomogeneous<M> {
         let strain = std::array::from_fn(|k| strain[k] + state.initial_strain[k]);
         let (response, inner) = self.layer(state).update(strain, &state.inner);
         (response, InhomogeneousState { inner, ..*state })
-    }
-
-    /// Of the layer that it is made of most.
-    fn combined(&self, parts: &[(f64, Self::State)]) -> Self::State {
-        let (_, most) = largest_part(parts);
-        let inner: Vec<_> = parts.iter().map(|(part, state)| (*part, state.inner)).collect();
-        let strain = |k: usize| parts.iter().map(|(part, state)| part * state.initial_strain[k]).sum();
-        InhomogeneousState {
-            layer: most.layer,
-            initial_strain: std::array::from_fn(strain),
-            inner: self.layer(&most).combined(&inner),
-        }
     }
 
     fn tangent(

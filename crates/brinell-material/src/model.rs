@@ -89,12 +89,6 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         None
     }
 
-    /// A state that is made of so much of each of these; the parts add up to 1. For a model that does not say otherwise it is the one that
-    /// it is made of most.
-    fn combined(&self, parts: &[(f64, Self::State)]) -> Self::State {
-        largest_part(parts).1
-    }
-
     /// Turns the strains of the points of an element into initial stresses `D_e ε - σ` \[MPa\], but for a stress that the
     /// unloaded body has already, whose nodal forces are zero; returns the points that
     /// count as yielded, or `None` where all initial stresses are zero (the strains are then left in any state).
@@ -129,9 +123,4 @@ pub trait ConstitutiveModel: Debug + Send + Sync + 'static {
         }
         is_loaded.then_some(yielded)
     }
-}
-
-/// The largest of the parts that a state is made of.
-pub(super) fn largest_part<S: Copy + Default>(parts: &[(f64, S)]) -> (f64, S) {
-    parts.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
 }

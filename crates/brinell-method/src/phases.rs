@@ -21,7 +21,7 @@ pub enum Phase {
     Contact,
     /// Plastic law and initial-stress loads.
     Plasticity,
-    /// Forward and back substitutions, and the contact stiffness, which takes little else.
+    /// Forward and back substitutions.
     Solves,
     /// Final fields.
     Output,

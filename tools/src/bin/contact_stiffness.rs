@@ -47,7 +47,7 @@ fn at(job: &Value, factor: f64) -> Option<Value> {
     } else {
         job["load"] = json!({"force": force});
     }
-    job["output"] = json!({"subsurface": false});
+    job["output"] = json!({"subsurface": false, "contact_stiffness": (factor - 1.0).abs() < f64::EPSILON});
     Some(job)
 }
 
@@ -82,7 +82,7 @@ fn compare(job: &Value) -> Option<Compared> {
     let analysis = job["analysis"].as_str().unwrap_or("plane_strain").replace('_', " ");
     let kind = if plastic > 0.0 { format!("{analysis}, {theory}") } else { "elastic".to_owned() };
     let codes = step.validity.iter().map(|note| note.code.clone()).collect();
-    Some(Compared { kind, stiffness: step.contact_stiffness, bar, slopes, codes })
+    Some(Compared { kind, stiffness: step.contact_stiffness?, bar, slopes, codes })
 }
 
 fn main() {

@@ -62,7 +62,7 @@ fn ratios(
         take("approach", bar.approach, step.approach, exact.approach);
     }
     if let Some(slope) = slope {
-        take("contact stiffness", bar.contact_stiffness, step.contact_stiffness, slope);
+        take("contact stiffness", bar.contact_stiffness, step.contact_stiffness.unwrap_or(0.0), slope);
     }
     Some(all)
 }

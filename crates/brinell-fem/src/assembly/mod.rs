@@ -1,6 +1,5 @@
 //! From elements to equations: numbering, stiffness, initial-stress loads and stresses.
 
-mod carried_states;
 mod equations;
 mod moduli_reduction;
 mod plastic_points;

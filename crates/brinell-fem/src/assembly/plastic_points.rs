@@ -21,7 +21,6 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use super::carried_states::moved_stress_field;
 use super::moduli_reduction::ElementReduction;
 use super::{Equations, StressField, stress};
 use crate::element::{ElementStiffness, QUADRATURE_POINTS, Quad, StressState};
@@ -58,15 +57,6 @@ pub trait MaterialModel: Debug + Send + Sync {
 
     /// Stresses at nodal displacements `[u_x, u_y]` \[mm\] that were reached from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
-
-    /// The same where the nodes of the mesh have moved a little in the body and have kept their displacements, and its stress before any
-    /// load has stayed with the material.
-    fn moved_stress_field(
-        &self,
-        unloaded: &Unloaded<'_>,
-        moved: &Mesh,
-        displacement: &[[f64; 2]],
-    ) -> StressField;
 }
 
 /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` at the points of each element \[MPa\].
@@ -136,15 +126,6 @@ impl<M: ConstitutiveModel> MaterialModel for M {
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
         stress::evaluate(self, unloaded, displacement, |element| unloaded.states(self, element))
     }
-
-    fn moved_stress_field(
-        &self,
-        unloaded: &Unloaded<'_>,
-        moved: &Mesh,
-        displacement: &[[f64; 2]],
-    ) -> StressField {
-        moved_stress_field(self, unloaded, moved, displacement, |element| unloaded.states(self, element))
-    }
 }
 
 /// The Gauss points of a body that may yield: their geometry, their law, and the states of the last accepted increment.
@@ -183,15 +164,6 @@ pub trait PlasticPoints: Debug + Send + Sync {
     /// Stresses in the whole body at nodal displacements `[u_x, u_y]` \[mm\] that are reached from the last accepted
     /// increment; elements outside of the region are taken from rest.
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField;
-
-    /// The same where the nodes of the mesh have moved a little in the body and have kept their displacements, and states have stayed with
-    /// the material.
-    fn moved_stress_field(
-        &self,
-        unloaded: &Unloaded<'_>,
-        moved: &Mesh,
-        displacement: &[[f64; 2]],
-    ) -> StressField;
 }
 
 /// The region of one model.
@@ -326,15 +298,6 @@ impl<M: ConstitutiveModel> PlasticPoints for Region<M> {
 
     fn stress_field(&self, unloaded: &Unloaded<'_>, displacement: &[[f64; 2]]) -> StressField {
         stress::evaluate(&*self.model, unloaded, displacement, self.states_by_element(unloaded))
-    }
-
-    fn moved_stress_field(
-        &self,
-        unloaded: &Unloaded<'_>,
-        moved: &Mesh,
-        displacement: &[[f64; 2]],
-    ) -> StressField {
-        moved_stress_field(&*self.model, unloaded, moved, displacement, self.states_by_element(unloaded))
     }
 }
 

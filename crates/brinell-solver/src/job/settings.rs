@@ -152,11 +152,13 @@ record! {
         pub subsurface: bool = Field::flag().label("Stresses over depth", ""),
         /// Mesh and nodal fields, some megabytes.
         pub fields: bool = Field::flag().label("Stress field on the mesh", ""),
+        /// Contact stiffness of bodies that yield too, from two more solves of each step on small meshes.
+        pub contact_stiffness: bool = Field::flag().label("Contact stiffness", "dP/dα"),
     }
 }
 
 impl Default for OutputSettings {
     fn default() -> Self {
-        Self { subsurface: true, fields: false }
+        Self { subsurface: true, fields: false, contact_stiffness: false }
     }
 }

@@ -161,8 +161,11 @@ fn settings() -> impl Strategy<Value = (MeshSettings, SolverSettings, OutputSett
         SolverSettings { theory, increments, coupling, contact, tolerance, max_iterations }
     });
     let mesh = (4..=320_u32).prop_map(|elements_per_half_width| MeshSettings { elements_per_half_width });
-    let output =
-        (any::<bool>(), any::<bool>()).prop_map(|(subsurface, fields)| OutputSettings { subsurface, fields });
+    let output = any::<[bool; 3]>().prop_map(|[subsurface, fields, contact_stiffness]| OutputSettings {
+        subsurface,
+        fields,
+        contact_stiffness,
+    });
     (mesh, solver, output)
 }
 

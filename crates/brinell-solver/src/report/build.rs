@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::contact_stiffness::{LoadDifferences, Seen};
+use super::load_approach::CurvePoint;
 use super::target::TargetSeen;
 use super::units::UnitConverter;
 use super::{
@@ -14,8 +16,8 @@ use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
 use crate::solver::method::observer::ask;
 use crate::solver::outline_of;
 use crate::solver::{
-    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Phase, PhaseTimes, Solution,
-    SolveStatus, StepSolution,
+    BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase, PhaseTimes,
+    Solution, SolveStatus, StepSolution,
 };
 
 /// Writes the report of each step as it is finished, and the rest at the end.
@@ -23,8 +25,9 @@ pub(super) struct ReportBuilder<'a> {
     job: &'a Job,
     write: UnitConverter,
     status: Option<SolveStatus>,
-    /// Approach, force and contact stiffness of the converged steps.
-    curve: Vec<[f64; 3]>,
+    /// The converged steps.
+    curve: Vec<CurvePoint>,
+    differences: LoadDifferences<'a>,
     /// Whether they are a history and not a curve.
     is_history: bool,
     target: TargetSeen,
@@ -35,13 +38,14 @@ pub(super) struct ReportBuilder<'a> {
 }
 
 impl<'a> ReportBuilder<'a> {
-    pub(super) fn new(job: &'a Job) -> Self {
+    pub(super) fn new(job: &'a Job, options: Options<'a>) -> Self {
         let write = UnitConverter::new(job.units, job.analysis);
         Self {
             job,
             write,
             status: None,
             curve: Vec::new(),
+            differences: LoadDifferences::new(job, options),
             is_history: false,
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
@@ -51,29 +55,30 @@ impl<'a> ReportBuilder<'a> {
 
     /// Gives up the steps so far, but for the time they took.
     pub(super) fn begin_anew(&mut self) {
-        *self = Self { time: self.time, ..Self::new(self.job) };
+        let options = self.differences.options;
+        *self = Self { time: self.time, ..Self::new(self.job, options) };
     }
 
     /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
     pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
         let start = observer.elapsed();
-        let fields = FieldReports::of(self.job, &step, self.write, observer).unwrap_or_else(|interrupt| {
+        let slope = self.differences.next(Seen::of(&step), observer);
+        let fields = slope.and_then(|slope| {
+            step.contact_stiffness = step.contact_stiffness.or(slope);
+            FieldReports::of(self.job, &step, self.write, observer)
+        });
+        let fields = fields.unwrap_or_else(|interrupt| {
             step.status = interrupt.into();
-            step.contact_stiffness = 0.0;
+            step.contact_stiffness = None;
             FieldReports::NONE
         });
         let step = &step;
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
-            if step.increments.is_empty() {
-                self.curve.push([step.approach, step.force(), step.contact_stiffness]);
-            } else {
-                self.is_history = true;
-                self.curve.extend(step.increments.iter().map(|end| [end.approach, end.force, 0.0]));
-                if let Some(end) = self.curve.last_mut() {
-                    end[2] = step.contact_stiffness;
-                }
-            }
+            self.is_history |= !step.increments.is_empty();
+            let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
+            let end = [step.approach, step.force(), half_width];
+            self.curve.extend(load_approach::points(&step.increments, end, step.spacing, stiffness));
         }
         // What is kept of a coarser mesh comes after the steps of the mesh that was asked for.
         if !step.is_preliminary() || self.mesh.nodes == 0 {
@@ -88,7 +93,7 @@ impl<'a> ReportBuilder<'a> {
 
     /// The report without its steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, is_history, target, mesh, time } = self;
+        let Self { job, write, status, curve, is_history, target, mesh, time, differences: _ } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {
@@ -184,7 +189,7 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
         approach: write.length(step.approach),
         approach_datum: approach_datum(job, write),
         contact: contact::report(step, write),
-        contact_stiffness: write.stiffness(step.contact_stiffness),
+        contact_stiffness: step.contact_stiffness.map(|slope| write.stiffness(slope)),
         flow: flow::flow(step, write),
         subsurface,
         subsurface_below_peak,

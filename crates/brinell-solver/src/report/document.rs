@@ -58,10 +58,12 @@ pub struct StepReport {
     pub approach_datum: String,
     /// Contact pressure and its resultants.
     pub contact: ContactReport,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings.
-    /// 0 where nothing touches, where the step was stopped, where the bodies do not bear the load, and where bodies yield in three
-    /// dimensions, of which it is not known \[stiffness\].
-    pub contact_stiffness: f64,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing
+    /// touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did
+    /// not converge, and where bodies flow at a constant stress in plane stress \[stiffness\].
+    #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub contact_stiffness: Option<f64>,
     /// What only flow theory knows: increments, dents, energies; absent under deformation theory.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowReport>,
@@ -357,7 +359,7 @@ pub struct Timings {
     pub contact: f64,
     /// Plastic law and initial-stress loads \[ms >= 0\].
     pub plasticity: f64,
-    /// Forward and back substitutions, the contact stiffness among them \[ms >= 0\].
+    /// Forward and back substitutions \[ms >= 0\].
     pub solves: f64,
     /// Final fields and this report \[ms >= 0\].
     pub output: f64,

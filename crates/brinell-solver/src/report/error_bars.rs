@@ -15,12 +15,9 @@
 //!                 edge that is not resolved, 0.6 h/a on one of a body of revolution; 0.25 (h/l)²; what a clamped end may do that rings are too thick for on top; 0 where it is prescribed
 //!                 where nothing touches any more, of what is left: max(|Δ|, that floor · the largest approach / what is left, 0.15 h/a),
 //!                 h/a of the widest contact
-//! stiffness       0.1 h/a; of bodies that yield max(3 |Δ| of the approach, 0.3 h/a), in plane stress 0.5 h/a; of bodies with a
-//!                 memory 0.12 + 1.5 h/a, in plane strain 0.03 + 0.6 h/a, below an earlier load 0.01 + 0.3 h/a; of those whose contact
-//!                 is in several parts, or in a hole, or in plane stress passes corners, 4 h/a; where it ends on a narrow edge at least
-//!                 what one pair more or less changes, and where the mesh does not tell how fast the contact grows 1
+//! stiffness       0.1 h/a of elastic bodies; 0.02 of a difference between loads, in plane stress 0.05
 //! force           0; of the onset of yield max(|Δ|, 0.2 h/a), at an end of the contact 0.6 h/a; under a prescribed approach
-//!                 max(|Δ|, floor of the approach · max(1, α/P dP/dα)), where that of a plastic body of revolution is 0.1 h/a
+//!                 max(|Δ|, floor of the approach · 1.5, 2 of bodies of revolution), where that of a plastic body of revolution is 0.1 h/a
 //! ```
 //!
 //! At the onset of yield what the error of the force is on the curves over force, of the stiffness half of it, and under flow theory the
@@ -37,6 +34,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::contact_stiffness;
 use super::mesh_effects::{
     clamped_end, flows, is_ring_on_few_elements, overshoot, peak_is_next_to_end, peak_is_unbounded, plateau,
     rise_at_corners, size_beside_peak, size_between_points,
@@ -98,54 +96,19 @@ const BESIDE_PEAK_FLOOR: f64 = 0.2;
 /// Floor of the error of the approach that a history leaves over h/a.
 const RESIDUAL_FLOOR: f64 = 0.15;
 
-/// Floor of the error of the contact stiffness over h/a: of elastic bodies, of bodies that yield, and of these in plane stress.
-const STIFFNESS_FLOORS: [f64; 3] = [0.1, 0.3, 0.5];
-/// The part of it for bodies that yield that is so many times the difference of the approaches.
-const STIFFNESS_OVER_APPROACH: f64 = 3.0;
-/// The same with a memory, where material that has just come under the contact is elastic at first, and its part over h/a: in plane
-/// strain, and elsewhere.
-const STIFFNESS_OF_STRIPS: [f64; 2] = [0.03, 0.6];
-const STIFFNESS_OF_HISTORIES: [f64; 2] = [0.12, 1.5];
+/// Error of the contact stiffness of elastic bodies over h/a.
+const STIFFNESS_FLOOR: f64 = 0.1;
 
-/// The same over h/a for a contact in several parts and a pin in its hole, where no mesh grows with the contact, and in plane stress
-/// for one that passes corners, at each of which the curve has one.
-const STIFFNESS_OF_FIXED_ENDS: f64 = 4.0;
+/// Relative change of the force over that of the approach, at most: of lines, and of bodies of revolution up to a cone.
+const STEEPEST: [f64; 2] = [1.5, 2.0];
 
-/// The same where an earlier load of a history has been larger, so that what yields there hardly does now.
-const STIFFNESS_BELOW_LARGEST: [f64; 2] = [0.01, 0.3];
-
-/// Whether corners of the surfaces carry pressure between the ends of the contact, beside its middle.
-fn has_corners_within(step: &StepSolution) -> bool {
-    let is_within = |x: f64| {
-        step.patch.is_some_and(|patch| {
-            x.abs() > step.spacing && x > patch.left + step.spacing && x < patch.right - step.spacing
-        })
-    };
-    step.loaded_corners.iter().any(|&x| is_within(x))
-}
-
-/// The bar of the contact stiffness for elements of a size over the half-width and an approach that differs by so much.
-fn stiffness_bar(step: &StepSolution, yields: bool, size: f64, approach: f64) -> f64 {
-    let [elastic, plastic, plane_stress] = STIFFNESS_FLOORS;
-    let floor = match step.stress_state {
-        StressState::PlaneStress => plane_stress,
-        StressState::PlaneStrain | StressState::Axisymmetric => plastic,
-    };
-    let is_faceted = step.stress_state == StressState::PlaneStress && has_corners_within(step);
-    if !yields {
-        elastic * size
-    } else if step.parts.len() > 1 || step.conforming.is_some() || is_faceted {
-        STIFFNESS_OF_FIXED_ENDS * size
-    } else if step.energy.is_some() {
-        let is_below_largest = step.approach < step.reached[0];
-        let [bias, scatter] = match step.stress_state {
-            _ if is_below_largest => STIFFNESS_BELOW_LARGEST,
-            StressState::PlaneStrain => STIFFNESS_OF_STRIPS,
-            StressState::PlaneStress | StressState::Axisymmetric => STIFFNESS_OF_HISTORIES,
-        };
-        bias + scatter * size
-    } else {
-        (floor * size).max(STIFFNESS_OVER_APPROACH * approach)
+/// The bar of the contact stiffness for elements of a size over the half-width; 0 where there is none.
+fn stiffness_bar(step: &StepSolution, yields: bool, size: f64) -> f64 {
+    match (step.contact_stiffness, step.stress_state) {
+        (None, _) => 0.0,
+        (Some(_), _) if !yields || step.approach < step.reached[0] => STIFFNESS_FLOOR * size,
+        (Some(_), StressState::PlaneStress) => contact_stiffness::PLANE_STRESS_ERROR,
+        (Some(_), StressState::PlaneStrain | StressState::Axisymmetric) => contact_stiffness::ERROR,
     }
 }
 
@@ -280,25 +243,24 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
     let approach = increments.approach
         + (bands * relative(step.approach, coarse.approach)).max(approach_floor)
         + clamped_end;
-    let difference = match step.load {
-        ContactLoad::Force(_) => relative(step.approach, coarse.approach),
-        ContactLoad::Approach(_) => relative(step.force(), coarse.force),
-    };
     // What an error of the force is on the curves over force.
     let onset = step.onset_error.unwrap_or(0.0);
-    let contact_stiffness =
-        stiffness_bar(step, yields, size, difference).max(step.stiffness_error) + WITH_FORCE * onset;
+    let of_stiffness = stiffness_bar(step, yields, size) + WITH_FORCE * onset;
     let (approach, force) = match step.load {
-        ContactLoad::Force(force) => {
-            let compliance = step.contact_stiffness * step.approach;
-            (approach + if compliance > 0.0 { onset * force / compliance } else { onset }, onset)
-        }
+        ContactLoad::Force(_) => (approach + onset, onset),
         ContactLoad::Approach(_) => {
             // What an error of the approach is on the curve of force over approach.
             let force = step.force();
-            let slope = if force > 0.0 { step.contact_stiffness * step.approach / force } else { 0.0 };
-            let floor = (increments.approach + approach_floor) * slope.max(1.0);
-            (0.0, (bands * relative(force, coarse.force)).max(floor) + slope.max(1.0) * clamped_end)
+            let steepest = match step.stress_state {
+                StressState::Axisymmetric => STEEPEST[1],
+                StressState::PlaneStrain | StressState::PlaneStress => STEEPEST[0],
+            };
+            // Below an earlier load, what that one has left is part of the approach.
+            let is_left = step.approach < step.reached[0] && force > 0.0;
+            let slope = if is_left { step.unloading_stiffness * step.approach / force } else { 0.0 };
+            let slope = slope.max(steepest);
+            let floor = (increments.approach + approach_floor) * slope;
+            (0.0, (bands * relative(force, coarse.force)).max(floor) + slope * clamped_end)
         }
     };
     let width_floor = (half_width_floor(step, flows) * size)
@@ -317,6 +279,6 @@ pub(super) fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> 
             + relative(half_width, coarse.half_width).max(width_floor),
         approach,
         force,
-        contact_stiffness,
+        contact_stiffness: of_stiffness,
     })
 }

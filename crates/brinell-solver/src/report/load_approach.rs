@@ -3,9 +3,14 @@
 use serde::{Deserialize, Serialize};
 
 use super::units::UnitConverter;
+use crate::solver::IncrementRecord;
 
 /// Approaches closer together than this part of the larger one count as one point of the curve.
 const SAME: f64 = 1e-9;
+
+/// Elements by which the contact grows between loads whose difference says how steep the curve is: while it grows by one element,
+/// the approach on a mesh deviates to one side and then to the other.
+const GROWTH: f64 = 2.0;
 
 /// Force over approach, only of converged steps: in order of the approach or, of a history, in the order of the increments
 /// with the bodies at rest before them.
@@ -16,35 +21,79 @@ pub struct LoadApproach {
     pub force: Vec<f64>,
     /// Approach α \[length\].
     pub approach: Vec<f64>,
-    /// dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between
-    /// the ends of the loads of a history it is the slope of the parabola through a point and its neighbours \[stiffness\].
+    /// dP/dα along this curve: the contact stiffness of a step that has one, else the difference between two points of the curve
+    /// \[stiffness\].
     pub stiffness: Vec<f64>,
+    /// Force from which on each slope was taken, that of the point itself where the contact stiffness of the step is known. Up to
+    /// `stiffness_to` the contact grows by two elements or more, where the curve is long enough. Empty before version 0.3 \[force\].
+    #[serde(default)]
+    pub stiffness_from: Vec<f64>,
+    /// Force up to which it was taken. Empty before version 0.3 \[force\].
+    #[serde(default)]
+    pub stiffness_to: Vec<f64>,
 }
 
-/// The curve through points `[approach, force, contact stiffness]` of converged steps; `None` of fewer than two different approaches.
+/// A point of the curve.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct CurvePoint {
+    /// Approach \[mm\].
+    pub approach: f64,
+    /// Force \[N/mm, or N\].
+    pub force: f64,
+    /// Half-width of the contact over the size of its elements.
+    pub elements: f64,
+    /// Contact stiffness, where it is known \[N/mm per mm, or N per mm\].
+    pub stiffness: Option<f64>,
+}
+
+impl CurvePoint {
+    fn is_at(&self, other: &Self) -> bool {
+        (self.approach - other.approach).abs() <= SAME * self.approach.abs()
+    }
+}
+
+/// The points of a step: the ends of its increments, or what it ends with, `[approach, force, half-width]`, where it has none. The last
+/// of them has the contact stiffness of the step.
+pub(super) fn points(
+    increments: &[IncrementRecord],
+    end: [f64; 3],
+    spacing: f64,
+    stiffness: Option<f64>,
+) -> Vec<CurvePoint> {
+    let ends = increments.iter().map(|end| [end.approach, end.force, end.half_width]);
+    let mut ends: Vec<_> = ends.collect();
+    if ends.is_empty() {
+        ends.push(end);
+    }
+    let point = |[approach, force, half_width]: [f64; 3]| CurvePoint {
+        approach,
+        force,
+        elements: half_width / spacing,
+        stiffness: None,
+    };
+    let mut points: Vec<_> = ends.into_iter().map(point).collect();
+    if let Some(last) = points.last_mut() {
+        last.stiffness = stiffness;
+    }
+    points
+}
+
+/// The curve through points of converged steps; `None` of fewer than two different approaches.
 ///
 /// Deformation theory has no memory, so the order in which the loads were applied does not matter.
-pub(super) fn curve(mut points: Vec<[f64; 3]>, write: UnitConverter) -> Option<LoadApproach> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    points.dedup_by(|b, a| b[0] - a[0] <= SAME * b[0].abs());
-    if points.len() < 2 {
-        return None;
-    }
-    Some(LoadApproach {
-        force: points.iter().map(|[_, p, _]| write.force(*p)).collect(),
-        approach: points.iter().map(|[alpha, ..]| write.length(*alpha)).collect(),
-        stiffness: points.iter().map(|[.., slope]| write.stiffness(*slope)).collect(),
-    })
+pub(super) fn curve(mut points: Vec<CurvePoint>, write: UnitConverter) -> Option<LoadApproach> {
+    points.sort_by(|a, b| a.approach.total_cmp(&b.approach));
+    points.dedup_by(|b, a| b.is_at(a));
+    (points.len() >= 2).then(|| written(&points, &slopes(&points), write))
 }
 
-/// The way of a history through points `[approach, force, contact stiffness]` of its increments, from rest. Where no stiffness is
-/// known it is the slope within the run that rises or falls.
-pub(super) fn history(points: &[[f64; 3]], write: UnitConverter) -> Option<LoadApproach> {
-    let mut way = vec![[0.0; 3]];
+/// The way of a history through points of its increments, from rest. Slopes are taken within the run that rises or falls.
+pub(super) fn history(points: &[CurvePoint], write: UnitConverter) -> Option<LoadApproach> {
+    let mut way = vec![CurvePoint::default()];
     way.extend(points);
     // Of two points at one place the later one knows more.
     way.dedup_by(|b, a| {
-        let is_same = (b[0] - a[0]).abs() <= SAME * b[0].abs();
+        let is_same = b.is_at(a);
         if is_same {
             *a = *b;
         }
@@ -53,74 +102,113 @@ pub(super) fn history(points: &[[f64; 3]], write: UnitConverter) -> Option<LoadA
     if way.len() < 2 {
         return None;
     }
-    let known: Vec<f64> = way.iter().map(|point| point[2]).collect();
-    let way: Vec<[f64; 2]> = way.into_iter().map(|[approach, force, _]| [approach, force]).collect();
-    let mut stiffness: Vec<f64> = Vec::with_capacity(way.len());
+    let mut all: Vec<Slope> = Vec::with_capacity(way.len());
     let mut first = 0;
     while first + 1 < way.len() {
-        let rises = way[first + 1][0] > way[first][0];
-        let same_way = |pair: &&[[f64; 2]]| (pair[1][0] > pair[0][0]) == rises;
+        let rises = way[first + 1].approach > way[first].approach;
+        let same_way = |pair: &&[CurvePoint]| (pair[1].approach > pair[0].approach) == rises;
         let length = way[first..].windows(2).take_while(same_way).count();
         let run = slopes(&way[first..=first + length]);
         // A turning point belongs to the run that ends there.
-        stiffness.extend(run.into_iter().skip(usize::from(first > 0)));
+        all.extend(run.into_iter().skip(usize::from(first > 0)));
         first += length;
     }
-    for (slope, known) in stiffness.iter_mut().zip(known) {
-        if known > 0.0 {
-            *slope = known;
-        }
-    }
-    Some(LoadApproach {
-        force: way.iter().map(|[_, p]| write.force(*p)).collect(),
-        approach: way.iter().map(|[alpha, _]| write.length(*alpha)).collect(),
-        stiffness: stiffness.into_iter().map(|slope| write.stiffness(slope)).collect(),
-    })
+    Some(written(&way, &all, write))
 }
 
-/// Slopes of a curve through at least two points of different abscissae.
-fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
-    let secant = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-    if let [a, b] = points {
-        return vec![secant(*a, *b); 2];
+fn written(points: &[CurvePoint], slopes: &[Slope], write: UnitConverter) -> LoadApproach {
+    LoadApproach {
+        force: points.iter().map(|point| write.force(point.force)).collect(),
+        approach: points.iter().map(|point| write.length(point.approach)).collect(),
+        stiffness: slopes.iter().map(|slope| write.stiffness(slope.value)).collect(),
+        stiffness_from: slopes.iter().map(|slope| write.force(slope.between[0])).collect(),
+        stiffness_to: slopes.iter().map(|slope| write.force(slope.between[1])).collect(),
+    }
+}
+
+/// A slope and the forces between which it was taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Slope {
+    value: f64,
+    between: [f64; 2],
+}
+
+/// Slopes at each of at least two points of different approaches that only rise or only fall.
+fn slopes(points: &[CurvePoint]) -> Vec<Slope> {
+    (0..points.len()).map(|k| slope(points, k)).collect()
+}
+
+fn slope(points: &[CurvePoint], k: usize) -> Slope {
+    let here = points[k];
+    if let Some(value) = here.stiffness {
+        return Slope { value, between: [here.force; 2] };
     }
     let last = points.len() - 1;
-    (0..=last)
-        .map(|k| {
-            let middle = k.clamp(1, last - 1);
-            let [a, b, c] = [points[middle - 1], points[middle], points[middle + 1]];
-            // Newton's form of the parabola: its slope at x is s_ab + c₂ (2x - x_a - x_b).
-            let curvature = (secant(b, c) - secant(a, b)) / (c[0] - a[0]);
-            secant(a, b) + curvature * (2.0 * points[k][0] - a[0] - b[0])
-        })
-        .collect()
+    let span = |by: usize| [points[k.saturating_sub(by)], points[(k + by).min(last)]];
+    let is_wide = |[a, b]: &[CurvePoint; 2]| (b.elements - a.elements).abs() >= GROWTH;
+    let [from, to] = (1..=last).map(span).find(is_wide).unwrap_or([points[0], points[last]]);
+    let value = match secant_exponent(from, to) {
+        Some(exponent) if here.approach > 0.0 => exponent * here.force / here.approach,
+        _ => (to.force - from.force) / (to.approach - from.approach),
+    };
+    Slope { value, between: [from.force, to.force] }
+}
+
+/// Exponent of the power law through two points, by which a slope may be taken at one end of a span as well as in its middle.
+fn secant_exponent(from: CurvePoint, to: CurvePoint) -> Option<f64> {
+    let is_power = [from, to].iter().all(|point| point.force > 0.0 && point.approach > 0.0);
+    is_power.then(|| (to.force / from.force).ln() / (to.approach / from.approach).ln())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::{Analysis, Units};
 
+    fn points(of: &[[f64; 3]]) -> Vec<CurvePoint> {
+        let point = |&[approach, force, elements]: &[f64; 3]| CurvePoint {
+            approach,
+            force,
+            elements,
+            stiffness: None,
+        };
+        of.iter().map(point).collect()
+    }
+
+    /// A sphere, `P ∝ α^1.5`, whose approaches deviate by a thousandth from one point to the next.
     #[test]
-    fn a_parabola_is_differentiated_exactly() {
-        let points = [0.1, 0.4, 0.5, 1.3].map(|x| [x, 1.0 + 2.0 * x + 3.0 * x * x]);
-        for (slope, [x, _]) in slopes(&points).iter().zip(points) {
-            assert!((slope - 2.0 - 6.0 * x).abs() < 1e-12, "{slope} at {x}");
+    fn slopes_span_two_elements() {
+        let sphere: Vec<[f64; 3]> = (0..21)
+            .map(|k| {
+                let approach = 0.9 + 0.01 * f64::from(k);
+                let deviation = if k % 2 == 0 { 1e-3 } else { -1e-3 };
+                [approach * (1.0 + deviation), approach.powf(1.5), 20.0 * approach.sqrt()]
+            })
+            .collect();
+        for (found, [approach, force, _]) in slopes(&points(&sphere)).iter().zip(sphere) {
+            let exact = 1.5 * force / approach;
+            assert!((found.value / exact - 1.0).abs() < 0.02, "{found:?} {exact}");
+            let growth = (found.between[1].cbrt() - found.between[0].cbrt()) * 20.0;
+            assert!((GROWTH..2.0 * GROWTH).contains(&growth), "{growth}");
         }
     }
 
     #[test]
     fn a_history_keeps_its_order_and_turns_where_it_turns() {
-        use crate::job::{Analysis, Units};
         let write = UnitConverter::new(Units::MmNMpa, Analysis::PlaneStrain);
-        let way =
-            history(&[[1.0, 2.0, 0.0], [2.0, 4.0, 1.9], [1.5, 1.0, 0.0], [1.0, 0.0, 0.0]], write).unwrap();
+        let mut way = points(&[[1.0, 2.0, 9.0], [2.0, 4.0, 12.0], [1.5, 1.0, 6.0], [1.0, 0.0, 0.0]]);
+        way[1].stiffness = Some(1.9);
+        let way = history(&way, write).unwrap();
         assert_eq!(way.approach, [0.0, 1.0, 2.0, 1.5, 1.0]);
-        assert_eq!(way.stiffness[..3], [2.0, 2.0, 1.9]);
-        assert!(way.stiffness.len() == 5 && way.stiffness[3] > 2.0);
+        assert_eq!(way.stiffness, [2.0, 2.0, 1.9, 4.0, 2.0]);
+        assert_eq!((&way.stiffness_from[2..4], &way.stiffness_to[2..4]), (&[4.0, 4.0][..], &[4.0, 0.0][..]));
     }
 
     #[test]
-    fn two_points_have_one_slope() {
-        assert_eq!(slopes(&[[1.0, 1.0], [2.0, 4.0]]), [3.0, 3.0]);
+    fn two_points_have_one_exponent() {
+        let found = slopes(&points(&[[1.0, 1.0, 5.0], [2.0, 4.0, 5.1]]));
+        assert!((found[0].value - 2.0).abs() < 1e-12 && (found[1].value - 4.0).abs() < 1e-12);
+        let [from, to] = found[1].between;
+        assert!((from - 1.0).abs() < 1e-12 && (to - 4.0).abs() < 1e-12);
     }
 }

@@ -2,6 +2,7 @@
 
 mod build;
 mod contact;
+mod contact_stiffness;
 mod document;
 mod error_bars;
 pub mod export;

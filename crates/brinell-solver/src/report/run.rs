@@ -7,6 +7,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::build::{ReportBuilder, in_units};
+use super::contact_stiffness::{of_small_mesh, small_solves};
 use super::units::UnitConverter;
 use super::{Report, StepReport, half_spaces, target};
 use crate::contact::ContactError;
@@ -193,14 +194,16 @@ fn with_result(job: &Job, estimate: Estimate) -> JobEstimate {
     let nodes = estimate.equations as u64 / 2;
     let fields = if job.output.fields { FIELD_BYTES * nodes } else { 0 };
     let step = fields + STEP_BYTES + STEP_BYTES_PER_ELEMENT * u64::from(job.mesh.elements_per_half_width);
+    let work = (estimate.bytes / WORK_UNIT).max(1);
     JobEstimate {
         equations: estimate.equations,
         bytes: SOLVER_BYTES
             + estimate.bytes
+            + of_small_mesh(job, estimate.bytes)
             + FIELD_COPIES * fields
             + increments * (nodes * INCREMENT_BYTES + REPORTED_INCREMENT_BYTES),
         result_bytes: step * steps as u64 + increments * REPORTED_INCREMENT_BYTES,
-        work: (estimate.bytes / WORK_UNIT).max(1) * solves as u64,
+        work: work * solves as u64 + of_small_mesh(job, work) * small_solves(job, steps as u64),
     }
 }
 
@@ -264,9 +267,9 @@ pub fn run_each(
 ) -> Result<Report, RunError> {
     let observer = &mut InUnits { observer, write: UnitConverter::new(job.units, job.analysis) };
     if job.analysis == Analysis::ThreeDimensional {
-        return half_spaces::run_each(job, observer, on_step);
+        return half_spaces::run_each(job, options, observer, on_step);
     }
-    let mut reports = Reports { builder: ReportBuilder::new(job), number: 0, on_step };
+    let mut reports = Reports { builder: ReportBuilder::new(job, options), number: 0, on_step };
     let solution =
         solver::run_each(job, options, observer, &mut reports).map_err(|error| RunError::of(job, &error))?;
     Ok(reports.builder.finish(&solution, observer))
@@ -305,7 +308,11 @@ mod tests {
         let step = solver::run(&job, &mut Unobserved).unwrap().steps.remove(0);
         let mut numbers = Vec::new();
         let mut on_step = |number, _| numbers.push(number);
-        let mut reports = Reports { builder: ReportBuilder::new(&job), number: 0, on_step: &mut on_step };
+        let mut reports = Reports {
+            builder: ReportBuilder::new(&job, Options::default()),
+            number: 0,
+            on_step: &mut on_step,
+        };
         for anew in [false, false, true, false] {
             if anew {
                 reports.begin_anew();

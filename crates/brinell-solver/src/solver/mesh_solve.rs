@@ -81,8 +81,6 @@ pub(crate) struct MeshSolve {
     pub reaches_edge: bool,
     /// From where to where the surfaces have moved into each other beyond the zone \[mm\].
     pub meets: Option<(f64, f64)>,
-    /// Whether an earlier load of a history has pressed the bodies together as far.
-    pub is_within_earlier_contact: bool,
     /// Times the zone was widened.
     pub enlargements: usize,
 }
@@ -91,16 +89,7 @@ impl MeshSolve {
     /// Puts together what an iteration found.
     pub fn of(problem: &Problem, system: System, outcome: Outcome, fields: Vec<ModelField>) -> Self {
         let Found { patch, reaches_edge, meets } = find_contact(problem, &system, &outcome, &fields);
-        Self {
-            system,
-            outcome,
-            fields,
-            patch,
-            reaches_edge,
-            meets,
-            is_within_earlier_contact: false,
-            enlargements: 0,
-        }
+        Self { system, outcome, fields, patch, reaches_edge, meets, enlargements: 0 }
     }
 
     /// Where material yields.

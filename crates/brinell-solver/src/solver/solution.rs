@@ -61,12 +61,9 @@ pub struct StepSolution {
     pub patch: Option<ContactPatch>,
     /// Its connected parts, from outermost node to outermost node.
     pub parts: Vec<ContactPatch>,
-    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; 0 for a step that was
-    /// stopped \[N/mm per mm\].
-    pub contact_stiffness: f64,
-    /// Part of the contact stiffness that is not known, at least, where the contact ends on rounded edges with few elements or the
-    /// mesh does not tell how fast it grows; 0 elsewhere.
-    pub stiffness_error: f64,
+    /// Contact stiffness dP/dα: the slope of the load-approach curve at this load; `None` where bodies yield as it grows, and of a step
+    /// that was stopped \[N/mm per mm\].
+    pub contact_stiffness: Option<f64>,
     /// Largest contact pressure; of bodies that yield in plane stress at most what their flow stress allows \[MPa\].
     pub peak_pressure: f64,
     /// x of it; where nothing touches, of the largest that the history had \[mm\].

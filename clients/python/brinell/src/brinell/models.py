@@ -1488,9 +1488,21 @@ class LoadApproach(BaseModel):
     stiffness: Annotated[
         list[float],
         Field(
-            description='dP/dα along this curve: of the loading, with the plastic flow that it brings; the contact stiffness of each step. Between the ends of the loads of a history it is the slope of the parabola through a point and its neighbours. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+            description='dP/dα along this curve: the contact stiffness of a step that has one, else the difference between two points of the curve. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
         ),
     ]
+    stiffness_from: Annotated[
+        list[float] | None,
+        Field(
+            description='Force from which on each slope was taken, that of the point itself where the contact stiffness of the step is known. Up to `stiffness_to` the contact grows by two elements or more, where the curve is long enough. Empty before version 0.3. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ] = None
+    stiffness_to: Annotated[
+        list[float] | None,
+        Field(
+            description='Force up to which it was taken. Empty before version 0.3. Unit: N/mm (SI: N/m) of thickness; N in axisymmetry and three dimensions.'
+        ),
+    ] = None
 
 
 class MaxPlasticStrainTarget(BaseModel):
@@ -1660,6 +1672,12 @@ class OutputSettings(BaseModel):
     model_config = ConfigDict(
         extra='forbid',
     )
+    contact_stiffness: Annotated[
+        bool | None,
+        Field(
+            description='Contact stiffness of bodies that yield too, from two more solves of each step on small meshes. Default: `false`.'
+        ),
+    ] = None
     fields: Annotated[
         bool | None,
         Field(description='Mesh and nodal fields, some megabytes. Default: `false`.'),
@@ -2659,11 +2677,7 @@ class Timings(BaseModel):
         Field(description='Plastic law and initial-stress loads. Unit: ms.', ge=0.0),
     ]
     solves: Annotated[
-        float,
-        Field(
-            description='Forward and back substitutions, the contact stiffness among them. Unit: ms.',
-            ge=0.0,
-        ),
+        float, Field(description='Forward and back substitutions. Unit: ms.', ge=0.0)
     ]
     symbolic: Annotated[
         float, Field(description='Symbolic factorization. Unit: ms.', ge=0.0)
@@ -3036,9 +3050,9 @@ class Step(BaseModel):
         Contact, Field(description='Contact pressure and its resultants.')
     ]
     contact_stiffness: Annotated[
-        float,
+        float | None,
         Field(
-            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings. 0 where nothing touches, where the step was stopped, where the bodies do not bear the load, and where bodies yield in three dimensions, of which it is not known. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+            description='Contact stiffness dP/dα: the slope of the load-approach curve at this load, with the plastic flow that it brings; 0 where nothing touches. `null` where bodies yield as the load rises and `output.contact_stiffness` does not ask for it, where the answer did not converge, and where bodies flow at a constant stress in plane stress. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
         ),
     ]
     estimated_error: ErrorEstimate | None

@@ -138,7 +138,7 @@ impl Table {
             contact.peak_pressure,
             contact.mean_pressure,
             contact.half_width,
-            step.contact_stiffness,
+            step.contact_stiffness.map_or_else(String::new, |slope| slope.to_string()),
         );
         if self.has_flow {
             write_flow(text, step.flow.as_ref());

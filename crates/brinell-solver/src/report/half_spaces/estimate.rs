@@ -2,6 +2,7 @@
 
 use crate::job::{Job, Load};
 use crate::report::JobEstimate;
+use crate::report::contact_stiffness::{of_small_mesh, small_solves};
 use crate::solver::SolveError;
 use crate::solver::half_spaces::{self, HalfSpaceProblem};
 
@@ -43,10 +44,15 @@ pub(super) fn estimate(job: &Job, problem: &HalfSpaceProblem) -> Result<JobEstim
     let (maps, fields) =
         if job.output.fields { (MAP_BYTES * surface, LAYER_BYTES * volume * bodies) } else { (0, 0) };
     let step = STEP_BYTES + ROW_BYTES * (columns + rows + layers) + maps;
+    let work = (volume / WORK_UNIT).max(1);
     Ok(JobEstimate {
         equations: usize::try_from(surface + 5 * yielding * volume).unwrap_or(usize::MAX),
-        bytes: SOLVER_BYTES + grid.bytes + LAYER_COPIES * fields + step * steps,
+        bytes: SOLVER_BYTES
+            + grid.bytes
+            + of_small_mesh(job, grid.bytes)
+            + LAYER_COPIES * fields
+            + step * steps,
         result_bytes: (step + fields) * steps,
-        work: (volume / WORK_UNIT).max(1) * steps * solves,
+        work: work * steps * solves + of_small_mesh(job, work) * small_solves(job, steps),
     })
 }

@@ -9,12 +9,14 @@ use super::notes::notes;
 use super::step::StepWriter;
 use crate::job::{FieldError, Job, Load, Named as _, TargetFigure, Theory};
 use crate::report::build::{timings, worse};
+use crate::report::contact_stiffness::{LoadDifferences, Seen as SeenLoad};
+use crate::report::load_approach::CurvePoint;
 use crate::report::run::RunError;
 use crate::report::target::TargetSeen;
 use crate::report::units::UnitConverter;
 use crate::report::{JobEstimate, MeshReport, Report, StepReport, load_approach};
-use crate::solver::half_spaces::{self, HalfSpaceStep};
-use crate::solver::{Observer, SolveStatus, StepReceiver};
+use crate::solver::half_spaces::{self, HalfSpaceFigures, HalfSpaceStep};
+use crate::solver::{Observer, Options, SolveStatus, StepReceiver};
 
 /// What a job will cost.
 ///
@@ -31,6 +33,7 @@ pub fn preflight(job: &Job) -> Result<JobEstimate, Vec<FieldError>> {
 /// Solves a job and hands over the report of each step; the report that is returned has no steps.
 pub fn run_each(
     job: &Job,
+    options: Options<'_>,
     observer: &mut dyn Observer,
     on_step: &mut dyn FnMut(usize, StepReport),
 ) -> Result<Report, RunError> {
@@ -40,7 +43,9 @@ pub fn run_each(
     let write = UnitConverter::new(job.units, job.analysis);
     let orientation = problem.orientation();
     let writer = StepWriter { job, write, problem: &problem, reference: &reference, orientation };
-    let mut steps = Steps { writer, on_step, number: 0, seen: Seen::default(), time: Duration::ZERO };
+    let differences = LoadDifferences::new(job, options);
+    let seen = Seen::default();
+    let mut steps = Steps { writer, on_step, number: 0, seen, differences, time: Duration::ZERO };
     let done =
         half_spaces::run_each(&problem, observer, &mut steps).map_err(|error| RunError::of(job, &error))?;
     let Steps { seen, time, .. } = steps;
@@ -67,8 +72,8 @@ pub fn run_each(
 /// What the steps so far have in common.
 struct Seen {
     status: Option<SolveStatus>,
-    /// Approach, force and contact stiffness of converged steps.
-    curve: Vec<[f64; 3]>,
+    /// Converged steps.
+    curve: Vec<CurvePoint>,
     mesh: MeshReport,
     flow: FlowState,
     target: TargetSeen,
@@ -93,29 +98,37 @@ struct Steps<'a> {
     /// Of the next step.
     number: usize,
     seen: Seen,
+    differences: LoadDifferences<'a>,
     /// Time spent on reports.
     time: Duration,
 }
 
 impl StepReceiver<HalfSpaceStep> for Steps<'_> {
-    fn step(&mut self, step: HalfSpaceStep, observer: &mut dyn Observer) {
+    fn step(&mut self, mut step: HalfSpaceStep, observer: &mut dyn Observer) {
         let start = observer.elapsed();
         let StepWriter { job, write, reference, .. } = self.writer;
+        let mut stiffness = self.writer.elastic_stiffness(&step);
+        let is_unknown = step.status == SolveStatus::Converged && stiffness.is_none();
+        let reached = [step.figures.force, step.figures.approach];
+        match self.differences.next(SeenLoad { load: step.load, reached, is_unknown }, observer) {
+            Ok(slope) => stiffness = stiffness.or(slope),
+            Err(interrupt) => step.status = interrupt.into(),
+        }
         let seen = &mut self.seen;
         seen.status = worse(seen.status, step.status);
         seen.mesh = mesh_report(&step, write, seen.mesh.enlargements);
         let flow = seen.flow.report(job, &step, reference, write);
-        let report = self.writer.report(&step, flow, notes(job, self.writer.problem, &step, write));
+        let report =
+            self.writer.report(&step, stiffness, flow, notes(job, self.writer.problem, &step, write));
         if let Load::Target(target) = &job.load {
             let reached = step.target_figure(target.figure);
             seen.target.take(step.figures.force, reached, target_error(&step, target.figure));
         }
         if step.status == SolveStatus::Converged {
-            let stiffness = report.contact_stiffness / write.stiffness(1.0);
-            seen.curve.extend(step.increments.iter().map(|end| [end.approach, end.force, 0.0]));
-            if step.increments.is_empty() {
-                seen.curve.push([step.figures.approach, step.figures.force, stiffness]);
-            }
+            let HalfSpaceFigures { approach, force, semi_axes, .. } = step.figures;
+            let end = [approach, force, semi_axes[0]];
+            let spacing = step.surface.grid.hx();
+            seen.curve.extend(load_approach::points(&step.increments, end, spacing, stiffness));
         }
         self.time += observer.elapsed().saturating_sub(start);
         (self.on_step)(self.number, report);
@@ -125,6 +138,7 @@ impl StepReceiver<HalfSpaceStep> for Steps<'_> {
     fn begin_anew(&mut self) {
         self.number = 0;
         self.seen = Seen::default();
+        self.differences = LoadDifferences::new(self.writer.job, self.differences.options);
     }
 }
 

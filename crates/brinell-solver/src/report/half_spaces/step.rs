@@ -8,6 +8,7 @@ use super::layers::layers;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
+use crate::report::contact_stiffness;
 use crate::report::plastic_strain::bounded;
 use crate::report::units::UnitConverter;
 use crate::report::{
@@ -33,6 +34,7 @@ impl StepWriter<'_> {
     pub fn report(
         &self,
         step: &HalfSpaceStep,
+        contact_stiffness: Option<f64>,
         flow: Option<FlowReport>,
         validity: Vec<ValidityNote>,
     ) -> StepReport {
@@ -48,7 +50,7 @@ impl StepWriter<'_> {
             approach: write.length(step.figures.approach),
             approach_datum: HALF_SPACE_DATUM.to_owned(),
             contact: self.contact(step),
-            contact_stiffness: write.stiffness(self.contact_stiffness(step)),
+            contact_stiffness: contact_stiffness.filter(|_| !is_stopped).map(|slope| write.stiffness(slope)),
             flow,
             subsurface,
             subsurface_below_peak: below_peak,
@@ -67,7 +69,7 @@ impl StepWriter<'_> {
             }),
             yield_onset: self.yield_onset(step),
             validity,
-            estimated_error: self.estimated_error(step),
+            estimated_error: self.estimated_error(step, contact_stiffness),
             fields: None,
             layers: (self.job.output.fields && !is_stopped)
                 .then(|| of_bodies(step, |body, _| layers(body, write))),
@@ -117,14 +119,13 @@ impl StepWriter<'_> {
         })
     }
 
-    /// Of elastic bodies the slope of Hertz's curve; of bodies that yield it is not known.
-    fn contact_stiffness(&self, step: &HalfSpaceStep) -> f64 {
+    /// dP/dα of bodies that have not yielded or that a history has pressed together farther: the slope of Hertz's curve of the same
+    /// contact \[N/mm\].
+    pub fn elastic_stiffness(&self, step: &HalfSpaceStep) -> Option<f64> {
         let yields = step.bodies.iter().flatten().any(|body| body.largest_strain.is_some());
-        if yields || step.status.is_stopped() {
-            0.0
-        } else {
-            self.reference.stiffness(step.figures.semi_axes)
-        }
+        let grows = step.figures.approach >= step.largest_approach;
+        let is_known = !(step.status.is_stopped() || yields && grows);
+        is_known.then(|| self.reference.stiffness(step.figures.semi_axes))
     }
 
     fn three_dimensional(&self, step: &HalfSpaceStep) -> ThreeDimensionalReport {
@@ -251,9 +252,14 @@ impl StepWriter<'_> {
         std::array::from_fn(column)
     }
 
-    fn estimated_error(&self, step: &HalfSpaceStep) -> Option<ErrorEstimate> {
+    fn estimated_error(&self, step: &HalfSpaceStep, stiffness: Option<f64>) -> Option<ErrorEstimate> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
-        let elastic = self.contact_stiffness(step) > 0.0;
+        let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
+            // The stiffness of elastic bodies goes with the size of the contact.
+            (Some(_), _) => 0.5 * relative(errors.area, figures.area),
+            (None, Some(_)) => contact_stiffness::ERROR,
+            (None, None) => 0.0,
+        };
         Some(ErrorEstimate {
             peak_pressure: relative(errors.peak_pressure, figures.peak_pressure),
             half_width: relative(errors.semi_axes[0], figures.semi_axes[0]),
@@ -264,8 +270,7 @@ impl StepWriter<'_> {
             } else {
                 relative(errors.force, figures.force)
             },
-            // The stiffness of elastic bodies goes with the size of the contact.
-            contact_stiffness: if elastic { 0.5 * relative(errors.area, figures.area) } else { 0.0 },
+            contact_stiffness: of_stiffness,
         })
     }
 }

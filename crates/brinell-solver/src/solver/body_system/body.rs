@@ -180,26 +180,6 @@ impl BodyModel {
         unloaded(&self.elastic, self.initial_stress.as_deref())
     }
 
-    /// By how much the nodal forces of stresses change where the nodes of the mesh move a little and keep their displacements,
-    /// `stress` being what they were; but for those of the stress before the load \[N/mm\].
-    pub fn force_change(&self, moved: &Mesh, nodal: &[[f64; 2]], stress: &StressField) -> Vec<[f64; 2]> {
-        let unloaded = self.unloaded();
-        let then = match &self.plastic_region.points {
-            Some(points) => points.moved_stress_field(&unloaded, moved, nodal),
-            None => self.model.moved_stress_field(&unloaded, moved, nodal),
-        };
-        let mut change = then.internal_force;
-        subtract(&mut change, &stress.internal_force);
-        if self.initial_stress.is_some() {
-            // Both evaluated alike: where the body yields before any load they are not the forces of the given stress.
-            let rest = vec![[0.0; 2]; nodal.len()];
-            subtract(&mut change, &self.model.moved_stress_field(&unloaded, moved, &rest).internal_force);
-            let at_rest = self.model.stress_field(&unloaded, &rest).internal_force;
-            change.iter_mut().zip(at_rest).for_each(|(f, r)| *f = [f[0] + r[0], f[1] + r[1]]);
-        }
-        change
-    }
-
     /// `‖∫B̄ᵀσ dV - R‖` over the free components \[N/mm\].
     pub fn residual_norm(&self, field: &StressField, force: &[f64]) -> f64 {
         let equations = &self.elastic.equations;
@@ -335,12 +315,6 @@ impl InitialState {
 }
 
 /// `a -= b`.
-fn subtract(a: &mut [[f64; 2]], b: &[[f64; 2]]) {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = [a[0] - b[0], a[1] - b[1]];
-    }
-}
-
 /// A body before any load.
 fn unloaded<'a>(elastic: &'a ElasticBody, initial: Option<&'a InitialState>) -> Unloaded<'a> {
     Unloaded {

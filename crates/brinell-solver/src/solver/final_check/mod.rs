@@ -2,12 +2,10 @@
 
 mod contact_stiffness;
 mod edge_contact;
-mod mesh_motion;
-mod tangent;
 
 use std::sync::Arc;
 
-use contact_stiffness::{ContactStiffness, contact_stiffness};
+use contact_stiffness::elastic_stiffness;
 use edge_contact::EdgeContact;
 
 use std::f64::consts::PI;
@@ -17,15 +15,19 @@ use crate::contact::{ContactLoad, KktReport};
 use crate::fem::assembly::StressField;
 use crate::fem::element::StressState;
 use crate::material::{ElasticModuli, von_mises};
+use crate::solver::ContactPatch;
 use crate::solver::body_system::body::BodyModel;
 use crate::solver::body_system::system::System;
 use crate::solver::mesh_solve::MeshSolve;
+use crate::solver::method::Interrupted as _;
+use crate::solver::method::contact_system::Linearize as _;
 use crate::solver::method::couplings::iteration::{Outcome, norm, relative};
 use crate::solver::method::final_check::{COLLAPSE_STRAIN, Evidence, LeastScales, judge};
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, Observer, SolveStatus, ask};
 use crate::solver::method::phases::Phase;
 use crate::solver::method::run::Run;
+use crate::solver::method::solve::Answer as _;
 use crate::solver::problem::Problem;
 use crate::solver::solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, StepMesh, StepSolution,
@@ -66,27 +68,17 @@ pub(crate) fn finish(
     least: LeastScales,
     run: &mut Run<'_>,
 ) -> StepSolution {
-    let contact_stiffness = if pass.outcome.status.is_stopped() {
-        ContactStiffness::default()
-    } else {
-        match run.time_observed(Phase::Solves, |observer| contact_stiffness(problem, pass, observer)) {
-            // No answer is lost because its slope is not known, and a body that collapses has none.
-            Ok(stiffness) if stiffness.slope.is_finite() && stiffness.slope > 0.0 => stiffness,
-            Ok(_) => ContactStiffness::default(),
-            Err(interrupt) => {
-                pass.outcome.status = interrupt.into();
-                pass.fields.clear();
-                ContactStiffness::default()
-            }
-        }
-    };
+    let contact_stiffness = if pass.yields() { Ok(None) } else { unyielding_stiffness(problem, pass, run) };
+    let contact_stiffness = contact_stiffness.unwrap_or_else(|interrupt| {
+        pass.outcome.status = interrupt.into();
+        None
+    });
     run.time_observed(Phase::Output, |observer| {
         let (evidence, bodies) = from_fields(pass, least.residual, observer).unwrap_or_else(|interrupt| {
             pass.outcome.status = interrupt.into();
             from_iteration(pass)
         });
-        let is_stopped = pass.outcome.status.is_stopped();
-        let contact_stiffness = if is_stopped { ContactStiffness::default() } else { contact_stiffness };
+        let contact_stiffness = contact_stiffness.filter(|_| !pass.outcome.status.is_stopped());
         let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, least.contact);
         let mut step = step(pass, evidence, &bodies, judged, contact_stiffness, load);
         step.rounded_edge = unresolved_edge(problem, &step);
@@ -156,21 +148,43 @@ fn pointed_pressure(step: &StepSolution, exponent: f64) -> f64 {
 pub(crate) fn as_iterated(pass: &MeshSolve, load: ContactLoad, tolerance: f64) -> StepSolution {
     let (evidence, bodies) = from_iteration(pass);
     let judged = judge(&pass.system, &pass.outcome, &evidence, load, tolerance, ContactScales::default());
-    step(pass, evidence, &bodies, judged, ContactStiffness::default(), load)
+    step(pass, evidence, &bodies, judged, None, load)
+}
+
+/// Slope of the load-approach curve of bodies that have not yielded, which no narrow edge of a punch holds \[N/mm per mm\].
+fn unyielding_stiffness(
+    problem: &Problem,
+    pass: &mut MeshSolve,
+    run: &mut Run<'_>,
+) -> Result<Option<f64>, Interrupt> {
+    let (spacing, force) = (pass.system.zone.spacing(), pass.figures().force);
+    let is_held =
+        |patch| EdgeContact::of(problem, patch, spacing, force).is_some_and(|edge| edge.is_narrow(spacing));
+    let patch = pass.patch.filter(|patch| !is_held(*patch));
+    stiffness_of_elastic_bodies(pass, patch, run)
 }
 
 /// Slope of the load-approach curve where the load begins to fall: plastic strain stays as it is, so that it is that of the
 /// elastic bodies with these pairs in contact \[N/mm per mm\].
-pub(crate) fn unloading_stiffness(pass: &MeshSolve, run: &mut Run<'_>) -> f64 {
-    if pass.outcome.status.is_stopped() {
-        return 0.0;
-    }
-    let MeshSolve { system, outcome, patch, .. } = pass;
-    let stiffness = run.time_observed(Phase::Solves, |observer| {
-        contact_stiffness::unloading(system, &outcome.state, *patch, observer)
-    });
+pub(crate) fn unloading_stiffness(pass: &mut MeshSolve, run: &mut Run<'_>) -> Option<f64> {
     // Whoever stops a job here has its last increment all the same.
-    stiffness.unwrap_or(0.0)
+    stiffness_of_elastic_bodies(pass, pass.patch, run).unwrap_or(None)
+}
+
+/// `None` where the solve was stopped, or the elastic bodies have no factor.
+fn stiffness_of_elastic_bodies(
+    pass: &mut MeshSolve,
+    patch: Option<ContactPatch>,
+    run: &mut Run<'_>,
+) -> Result<Option<f64>, Interrupt> {
+    let MeshSolve { system, outcome, .. } = pass;
+    if outcome.status.is_stopped() {
+        return Ok(None);
+    }
+    if let Err(error) = system.linearize(None, run) {
+        return error.interrupt().map_or(Ok(None), Err);
+    }
+    Ok(Some(run.time(Phase::Solves, || elastic_stiffness(system, &outcome.state, patch))))
 }
 
 /// Energies of the bodies of a history.
@@ -251,7 +265,7 @@ fn step(
     evidence: Evidence,
     bodies: &[Arc<BodySolution>],
     (status, contact_check): (SolveStatus, KktReport),
-    contact_stiffness: ContactStiffness,
+    contact_stiffness: Option<f64>,
     load: ContactLoad,
 ) -> StepSolution {
     let Evidence { unloaded_gap, equilibrium_residual, has_collapsed, reaches_edge } = evidence;
@@ -277,8 +291,7 @@ fn step(
         pairs,
         patch: pass.patch,
         parts: pass.parts(),
-        contact_stiffness: contact_stiffness.slope,
-        stiffness_error: contact_stiffness.least_error,
+        contact_stiffness,
         bodies: system.model_of.map(|model| model.map(|k| Arc::clone(&bodies[k]))),
         history: outcome.history.clone(),
         contact_check,

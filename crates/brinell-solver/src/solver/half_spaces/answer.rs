@@ -123,6 +123,7 @@ impl Answer {
             reaches_edge: evidence.reaches_edge,
             has_collapsed: evidence.has_collapsed,
             is_preliminary: false,
+            largest_approach: 0.0,
             missed: None,
         }
     }

@@ -44,6 +44,8 @@ pub struct HalfSpaceStep {
     pub increments: Vec<IncrementRecord>,
     /// The last of them.
     pub last_increment: LastIncrement,
+    /// Largest approach of the history so far \[mm\]; zero without one.
+    pub largest_approach: f64,
     /// How often the grid was enlarged.
     pub enlargements: usize,
     /// Whether contact or plastic strain still reaches the end of the grid.
@@ -195,6 +197,7 @@ impl Step for HalfSpaceStep {
     fn end_load(&mut self, end: LoadEnd) {
         (self.load, self.last_increment) = (end.load, end.last_increment);
         self.increments = end.increments;
+        self.largest_approach = end.reached[0];
     }
 
     /// The coarse history's own figures are in [`errors`](Self::errors) already.

@@ -287,7 +287,6 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         run: &mut Run<'_>,
     ) -> StepSolution {
         let tolerance = self.mesh.solver.tolerance.get();
-        solve.is_within_earlier_contact = progress.is_below_largest_load();
         let least = LeastScales { residual: progress.scales.force, contact: progress.contact_scales };
         let mut step = final_check::finish(self.problem, solve, load, tolerance, least, run);
         if step.patch.is_some() {
@@ -297,10 +296,11 @@ impl HistoryEngine for HistoryOnMesh<'_> {
         } else {
             [_, step.peak_position, step.middle] = memory.peak;
         }
-        // Plastic strain stays as it is where the load begins to fall, so that the stiffness is that of the elastic bodies.
-        let elastic = solve.system.linearize(None, run);
-        if elastic.is_ok() {
-            step.unloading_stiffness = final_check::unloading_stiffness(solve, run);
+        let unloading = final_check::unloading_stiffness(solve, run);
+        step.unloading_stiffness = unloading.unwrap_or(0.0);
+        // Ends that go back, or forth again over what has yielded, leave it as elastic as the rest.
+        if progress.is_below_largest_load() {
+            step.contact_stiffness = step.contact_stiffness.or(unloading);
         }
         step
     }
