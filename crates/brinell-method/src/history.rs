@@ -311,7 +311,7 @@ impl<E: HistoryEngine> History<'_, E> {
                     return Err(Error::Interrupted(interrupt).into());
                 }
                 if k + 1 == count || interrupted.is_some() || found.has_collapsed {
-                    found.figures.push(Some(figures));
+                    found.figures.push(Some(CoarseFigures { bodies: answer.body_figures(), ..figures }));
                     let outcome = answer.outcome_mut();
                     (outcome.history, outcome.status) = (std::mem::take(&mut history), status);
                     let last_increment = leg.increment(start, end, inherits_error);
@@ -387,25 +387,23 @@ impl<E: HistoryEngine> History<'_, E> {
     }
 }
 
+/// Part of the largest value of a figure in a history below which its changes are relative to that part.
+const LEAST_FIGURE: f64 = 0.05;
+
 /// Relative differences of figures at the end of each load, and the worst of peak pressure and approach over its tolerance.
 fn differences(
     before: &[Option<CoarseFigures>],
     now: &[Option<CoarseFigures>],
 ) -> (Vec<Option<CoarseFigures>>, f64) {
-    let largest =
-        |of: fn(&CoarseFigures) -> f64| now.iter().flatten().map(of).fold(f64::MIN_POSITIVE, f64::max);
-    let (peak, width, approach) =
-        (largest(|f| f.peak_pressure), largest(|f| f.half_width), largest(|f| f.approach));
+    let mut largest = [f64::MIN_POSITIVE; CoarseFigures::COUNT];
+    for figures in now.iter().flatten() {
+        largest.iter_mut().zip(figures.values()).for_each(|(most, value)| *most = most.max(value.abs()));
+    }
     let mut worst: f64 = 0.0;
-    let relative = |a: f64, b: f64, least: f64| (a - b).abs() / b.abs().max(0.05 * least);
     let pairs = before.iter().zip(now).map(|(before, now)| {
-        let (before, now) = (before.as_ref()?, now.as_ref()?);
-        let errors = CoarseFigures {
-            peak_pressure: relative(before.peak_pressure, now.peak_pressure, peak),
-            half_width: relative(before.half_width, now.half_width, width),
-            approach: relative(before.approach, now.approach, approach),
-            force: relative(before.force, now.force, largest(|f| f.force)),
-        };
+        let (before, now) = (before.as_ref()?.values(), now.as_ref()?.values());
+        let relative = |k: usize| (before[k] - now[k]).abs() / now[k].abs().max(LEAST_FIGURE * largest[k]);
+        let errors = CoarseFigures::of(std::array::from_fn(relative));
         worst = worst.max(errors.peak_pressure / PEAK_TOLERANCE).max(errors.approach / APPROACH_TOLERANCE);
         Some(errors)
     });

@@ -5,7 +5,7 @@ use super::couplings::iteration::{Controls, InitialState, Outcome};
 use super::couplings::{self, Coupling};
 use super::observer::IterationRecord;
 use super::run::Run;
-use super::steps::CoarseFigures;
+use super::steps::{BodyFigures, CoarseFigures};
 use crate::{Error, Interrupted};
 use brinell_contact::ContactLoad;
 
@@ -86,6 +86,11 @@ pub trait Answer {
 
     /// Headline figures, those of no contact where nothing touches.
     fn figures(&self) -> CoarseFigures;
+
+    /// Figures of both bodies; by default none.
+    fn body_figures(&self) -> [BodyFigures; 2] {
+        Default::default()
+    }
 
     /// Whether strains have outgrown the theory of small strains.
     fn has_collapsed(&self) -> bool;

@@ -18,6 +18,85 @@ pub struct CoarseFigures {
     pub approach: f64,
     /// Contact force of both sides of the axis \[N/mm\].
     pub force: f64,
+    /// Upper and lower body; zeros of a rigid one.
+    pub bodies: [BodyFigures; 2],
+}
+
+/// Scalar figures of one body.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BodyFigures {
+    /// Largest equivalent plastic strain at a point \[1\].
+    pub max_plastic_strain: f64,
+    /// Mean equivalent plastic strain over the area that has it \[1\].
+    pub mean_plastic_strain: f64,
+    /// Area of the section that has yielded \[mm²\].
+    pub plastic_area: f64,
+    /// Depth of the deepest point of the surface below the undeformed one \[mm\].
+    pub dent: f64,
+    /// Height of the highest point of the surface above the undeformed one \[mm\].
+    pub pile_up: f64,
+    /// Least stress along the surface on the normal below the middle of the contact \[MPa\].
+    pub least_stress: f64,
+    /// Largest von Mises stress over the strength there, that of the surface being 1 \[MPa\].
+    pub largest_von_mises: f64,
+}
+
+impl CoarseFigures {
+    /// How many figures there are.
+    pub const COUNT: usize = 18;
+
+    /// All of them: those of the contact, of the upper, and of the lower body, in the order of the members.
+    pub fn values(&self) -> [f64; Self::COUNT] {
+        let Self { peak_pressure, half_width, approach, force, bodies: [upper, lower] } = *self;
+        let [a, b, c, d, e, f, g] = upper.values();
+        let [h, i, j, k, l, m, n] = lower.values();
+        [peak_pressure, half_width, approach, force, a, b, c, d, e, f, g, h, i, j, k, l, m, n]
+    }
+
+    /// The inverse of [`values`](Self::values).
+    pub fn of(values: [f64; Self::COUNT]) -> Self {
+        let [peak_pressure, half_width, approach, force, bodies @ ..] = values;
+        let [a, b, c, d, e, f, g, lower @ ..] = bodies;
+        let bodies = [BodyFigures::of([a, b, c, d, e, f, g]), BodyFigures::of(lower)];
+        Self { peak_pressure, half_width, approach, force, bodies }
+    }
+}
+
+impl BodyFigures {
+    fn values(&self) -> [f64; 7] {
+        let Self { max_plastic_strain, mean_plastic_strain, plastic_area, dent, pile_up, .. } = *self;
+        let Self { least_stress, largest_von_mises, .. } = *self;
+        [
+            max_plastic_strain,
+            mean_plastic_strain,
+            plastic_area,
+            dent,
+            pile_up,
+            least_stress,
+            largest_von_mises,
+        ]
+    }
+
+    fn of(values: [f64; 7]) -> Self {
+        let [
+            max_plastic_strain,
+            mean_plastic_strain,
+            plastic_area,
+            dent,
+            pile_up,
+            least_stress,
+            largest_von_mises,
+        ] = values;
+        Self {
+            max_plastic_strain,
+            mean_plastic_strain,
+            plastic_area,
+            dent,
+            pile_up,
+            least_stress,
+            largest_von_mises,
+        }
+    }
 }
 
 /// One increment of a load history.
@@ -42,7 +121,7 @@ pub struct IncrementRecord {
 impl IncrementRecord {
     /// The record of an increment.
     pub fn of(figures: CoarseFigures, outcome: &Outcome) -> Self {
-        let CoarseFigures { force, approach, peak_pressure, half_width } = figures;
+        let CoarseFigures { force, approach, peak_pressure, half_width, .. } = figures;
         Self {
             force,
             approach,

@@ -188,7 +188,8 @@ impl Answer for SpringAnswer {
     fn figures(&self) -> CoarseFigures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, pairs } = self.system.figures(contact);
-        CoarseFigures { peak_pressure, half_width: 0.5 * pairs as f64 * self.system.spacing, approach, force }
+        let half_width = 0.5 * pairs as f64 * self.system.spacing;
+        CoarseFigures { peak_pressure, half_width, approach, force, ..CoarseFigures::default() }
     }
 
     fn has_collapsed(&self) -> bool {

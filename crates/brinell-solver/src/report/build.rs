@@ -17,7 +17,7 @@ use crate::solver::method::observer::ask;
 use crate::solver::outline_of;
 use crate::solver::{
     BodySolution, ElasticReference, Interrupt, IterationRecord, Observer, Options, Phase, PhaseTimes,
-    Solution, SolveStatus, StepSolution,
+    Solution, SolveStatus, StepSolution, has_yielded,
 };
 
 /// Writes the report of each step as it is finished, and the rest at the end.
@@ -213,13 +213,9 @@ fn step_report(job: &Job, step: &StepSolution, fields: FieldReports, write: Unit
 }
 
 fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConverter) -> PlasticityReport {
-    let copies = if symmetric { 2.0 } else { 1.0 };
-    let (mut yielded, mut area, mut highest, mut position) = (false, 0.0, 0.0, [0.0; 2]);
-    for point in solution.stress.points.iter().flatten() {
-        if plastic_zone::has_yielded(point) {
-            yielded = true;
-            area += point.area;
-        }
+    let points = || solution.stress.points.iter().flatten();
+    let (mut highest, mut position) = (0.0, [0.0; 2]);
+    for point in points() {
         if point.equivalent_plastic_strain > highest {
             (highest, position) = (point.equivalent_plastic_strain, point.position);
         }
@@ -228,12 +224,12 @@ fn plasticity_report(solution: &BodySolution, symmetric: bool, write: UnitConver
     let zone = plastic_zone::outline(solution, symmetric);
     let written = |polygon: &Vec<[f64; 2]>| polygon.iter().map(|p| p.map(|x| write.length(x))).collect();
     PlasticityReport {
-        yielded,
+        yielded: points().any(has_yielded),
         max_equivalent_plastic_strain: plastic_strain::largest(solution),
-        mean_equivalent_plastic_strain: plastic_strain::mean(solution),
+        mean_equivalent_plastic_strain: solution.mean_plastic_strain(),
         position: write.length(place),
         depth: write.length(depth),
-        area: write.area(copies * area),
+        area: write.area(solution.plastic_area(symmetric)),
         reached_surface: zone.reached_surface,
         outline: zone.outline.iter().map(written).collect(),
         position_y: None,

@@ -23,15 +23,6 @@ pub(super) fn bounded(strain: f64, law: Option<&dyn HardeningLaw>) -> Option<f64
     (strain == 0.0 || law.is_none_or(|law| law.slope(strain) > 0.0)).then_some(strain)
 }
 
-/// Mean equivalent plastic strain over the area that has it.
-pub(super) fn mean(body: &BodySolution) -> f64 {
-    let points = body.stress.points.iter().flatten().filter(|point| point.equivalent_plastic_strain > 0.0);
-    let sums = points.fold([0.0; 2], |[area, sum], point| {
-        [area + point.area, sum + point.area * point.equivalent_plastic_strain]
-    });
-    if sums[0] > 0.0 { sums[1] / sums[0] } else { 0.0 }
-}
-
 /// Codes and messages.
 pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, String)> {
     let mut remarks = Vec::new();

@@ -15,8 +15,7 @@
 use std::collections::BTreeMap;
 
 use crate::analytical::Stress;
-use crate::fem::assembly::GaussPoint;
-use crate::solver::BodySolution;
+use crate::solver::{BodySolution, has_yielded};
 use crate::solver::recovery::{Recovery, Values};
 
 /// Most points of a polygon; a longer one is thinned.
@@ -25,9 +24,6 @@ const MAX_POINTS: usize = 400;
 const MAX_POLYGONS: usize = 8;
 /// Area of a polygon over that of the largest below which it is dropped as noise.
 const NOISE: f64 = 1e-3;
-
-/// Equivalent plastic strain that rounding leaves.
-const ROUNDING: f64 = 1e-13;
 
 /// Where a body is beyond yield.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -41,11 +37,6 @@ pub(super) struct PlasticZone {
 
 /// A corner of the outline: a node, or the zero on the edge between two nodes; and whether it is a mirror image.
 type Corner = (u32, u32, bool);
-
-/// Whether a point has yielded by more than rounding leaves at the verge of yield.
-pub(super) fn has_yielded(point: &GaussPoint) -> bool {
-    point.yielded && point.equivalent_plastic_strain > ROUNDING
-}
 
 /// Outlines the zone of a body.
 pub(super) fn outline(solution: &BodySolution, symmetric: bool) -> PlasticZone {

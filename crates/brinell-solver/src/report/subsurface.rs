@@ -26,7 +26,7 @@ pub(super) fn profile(
 ) -> SubsurfaceReport {
     let mesh = &body.mesh;
     let mut recovery = recovered(step, body);
-    let line = normal_line(body, x);
+    let line = body.normal_line(x);
     let place = |node: u32| mesh.frame.place(mesh.nodes[node as usize]);
     let surface = line.first().map_or(0.0, |&node| place(node)[1]);
     let mut report = SubsurfaceReport {
@@ -91,14 +91,4 @@ pub(super) fn profile(
         report.yield_stress = Some(yield_stress);
     }
     report
-}
-
-/// Nodes of the grid line below the candidate node nearest to `x`.
-fn normal_line(body: &BodySolution, x: f64) -> Vec<u32> {
-    let mesh = &body.mesh;
-    let offset = |node: &u32| (mesh.frame.place(mesh.nodes[*node as usize])[0] - x).abs();
-    let Some(&top) = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b))) else {
-        return Vec::new();
-    };
-    mesh.grid_line_below(top)
 }

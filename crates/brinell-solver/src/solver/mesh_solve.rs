@@ -20,8 +20,9 @@ use crate::solver::method::couplings::iteration::{Controls, Outcome, Scales};
 use crate::solver::method::observer::ask;
 use crate::solver::method::run::Run;
 use crate::solver::method::solve::{Answer, solve};
-use crate::solver::method::steps::CoarseFigures;
+use crate::solver::method::steps::{BodyFigures, CoarseFigures};
 use crate::solver::problem::Problem;
+use crate::solver::solution::BodySolution;
 use crate::solver::strategy::coupling;
 use crate::solver::{IncrementNumber, Interrupt, Observer, SolveError, final_check};
 
@@ -118,9 +119,17 @@ impl MeshSolve {
             .collect()
     }
 
+    /// x of the middle of the contact, 0 of half models and where nothing touches \[mm\].
+    pub fn middle(&self) -> f64 {
+        match self.patch {
+            Some(patch) if !self.system.zone.is_symmetric() => 0.5 * (patch.left + patch.right),
+            _ => 0.0,
+        }
+    }
+
     /// Headline figures; `None` where nothing touches.
     pub fn figures_of_contact(&self) -> Option<CoarseFigures> {
-        self.patch.map(|_| self.figures())
+        self.patch.map(|_| CoarseFigures { bodies: self.body_figures(), ..self.figures() })
     }
 
     /// Connected parts of the contact.
@@ -161,7 +170,22 @@ impl Answer for MeshSolve {
         let ContactFigures { force, approach, peak_pressure, .. } =
             self.system.figures(&self.outcome.state.response.contact);
         let half_width = self.patch.map_or(0.0, |patch| patch.half_width());
-        CoarseFigures { peak_pressure, half_width, approach, force }
+        CoarseFigures { peak_pressure, half_width, approach, force, ..CoarseFigures::default() }
+    }
+
+    fn body_figures(&self) -> [BodyFigures; 2] {
+        let (system, symmetric) = (&self.system, self.system.zone.is_symmetric());
+        let of_model: Vec<BodyFigures> = system
+            .bodies
+            .iter()
+            .zip(&self.fields)
+            .map(|(body, field)| {
+                let solution = BodySolution::of(body, field.nodal.clone(), field.stress.clone());
+                solution.figures(self.middle(), symmetric)
+            })
+            .collect();
+        let of = |model: Option<usize>| model.and_then(|k| of_model.get(k)).copied().unwrap_or_default();
+        system.model_of.map(of)
     }
 
     fn has_collapsed(&self) -> bool {

@@ -45,11 +45,12 @@ pub use method::observer::{
     Held, IncrementNumber, Interrupt, IterationRecord, Observer, SolveStatus, Unobserved,
 };
 pub use method::phases::{Phase, PhaseTimes};
-pub use method::steps::{CoarseFigures, IncrementRecord, StepReceiver};
+pub use method::steps::{BodyFigures, CoarseFigures, IncrementRecord, StepReceiver};
 pub use outline::outline_of;
 pub use problem::ModelOf;
 pub(crate) use problem::Problem;
 pub use reference::ElasticReference;
+pub(crate) use solution::has_yielded;
 pub use solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,
 };

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::analytical::RoundedEdge;
+use crate::analytical::{RoundedEdge, Stress};
 use crate::contact::{ContactLoad, KktReport};
 use crate::fem::assembly::{GaussPoint, MaterialModel, PointStresses, StressField};
 use crate::fem::element::StressState;
@@ -16,10 +16,19 @@ use crate::solver::mesh_sizing::rough::LEAST_PART;
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
-use crate::solver::method::steps::{CoarseFigures, IncrementRecord, LoadEnd, Step};
+use crate::solver::recovery::Recovery;
+use crate::solver::method::steps::{BodyFigures, CoarseFigures, IncrementRecord, LoadEnd, Step};
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
 const SURFACE: f64 = 2.5;
+
+/// Equivalent plastic strain that rounding leaves.
+const ROUNDING: f64 = 1e-13;
+
+/// Whether a point has yielded by more than rounding leaves at the verge of yield.
+pub(crate) fn has_yielded(point: &GaussPoint) -> bool {
+    point.yielded && point.equivalent_plastic_strain > ROUNDING
+}
 
 /// The answer to a job.
 #[derive(Debug, Clone, Default)]
@@ -363,6 +372,64 @@ impl BodySolution {
     /// Depth of the deepest point of that surface below the undeformed one \[mm\].
     pub fn dent_depth(&self) -> f64 {
         -self.surface().iter().map(|[_, height]| *height).fold(0.0, f64::min)
+    }
+
+    /// Height of the highest point of that surface above the undeformed one \[mm\].
+    pub fn pile_up(&self) -> f64 {
+        self.surface().iter().map(|[_, height]| *height).fold(0.0, f64::max)
+    }
+
+    /// Mean equivalent plastic strain over the area that has it.
+    pub fn mean_plastic_strain(&self) -> f64 {
+        let points = self.stress.points.iter().flatten();
+        let strained = points.filter(|point| point.equivalent_plastic_strain > 0.0);
+        let sums = strained.fold([0.0; 2], |[area, sum], point| {
+            [area + point.area, sum + point.area * point.equivalent_plastic_strain]
+        });
+        if sums[0] > 0.0 { sums[1] / sums[0] } else { 0.0 }
+    }
+
+    /// Area of the section that has yielded, both sides of the axis \[mm²\].
+    pub fn plastic_area(&self, symmetric: bool) -> f64 {
+        let points = self.stress.points.iter().flatten();
+        let area: f64 = points.filter(|point| has_yielded(point)).map(|point| point.area).sum();
+        if symmetric { 2.0 * area } else { area }
+    }
+
+    /// All figures that have an error; stresses are those below the node of the surface nearest to x.
+    pub fn figures(&self, x: f64, symmetric: bool) -> BodyFigures {
+        if self.displacement.is_empty() {
+            return BodyFigures::default();
+        }
+        let mut recovery = Recovery::new(self, symmetric);
+        // The surface itself is known by other means.
+        let below = self.normal_line(x).into_iter().skip(1).map(|node| {
+            let position = self.mesh.nodes[node as usize];
+            let [sigma_x, sigma_y, sigma_z, tau_xy, ..] = recovery.node(node);
+            let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(self.mesh.frame.normal(position));
+            [stress.sigma_x, stress.von_mises() / self.model.strength(position)]
+        });
+        let [least_stress, largest_von_mises] =
+            below.fold([0.0; 2], |[least, most], [along, von_mises]| {
+                [f64::min(least, along), f64::max(most, von_mises)]
+            });
+        BodyFigures {
+            max_plastic_strain: self.max_plastic_strain(),
+            mean_plastic_strain: self.mean_plastic_strain(),
+            plastic_area: self.plastic_area(symmetric),
+            dent: self.dent_depth(),
+            pile_up: self.pile_up(),
+            least_stress,
+            largest_von_mises,
+        }
+    }
+
+    /// Nodes of the grid line below the candidate node nearest to `x`.
+    pub(crate) fn normal_line(&self, x: f64) -> Vec<u32> {
+        let mesh = &self.mesh;
+        let offset = |node: &u32| (mesh.frame.place(mesh.nodes[*node as usize])[0] - x).abs();
+        let top = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b)));
+        top.map_or_else(Vec::new, |&top| mesh.grid_line_below(top))
     }
 
     /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its centre.

@@ -284,10 +284,7 @@ fn step(
         spacing: system.zone.spacing(),
         peak_pressure: system.peak_pressure(&contact.force).min(limit),
         peak_position: peak_position(&pairs),
-        middle: match pass.patch {
-            Some(patch) if !system.zone.is_symmetric() => 0.5 * (patch.left + patch.right),
-            _ => 0.0,
-        },
+        middle: pass.middle(),
         pairs,
         patch: pass.patch,
         parts: pass.parts(),

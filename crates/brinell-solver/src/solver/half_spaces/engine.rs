@@ -206,7 +206,7 @@ impl solve::Answer for Answer {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
         let [x, y] = semi_axes(self.system.grid(), &contact.force);
-        CoarseFigures { peak_pressure, half_width: x.min(y), approach, force }
+        CoarseFigures { peak_pressure, half_width: x.min(y), approach, force, ..CoarseFigures::default() }
     }
 
     fn has_collapsed(&self) -> bool {

@@ -73,7 +73,7 @@ impl HalfSpaceFigures {
     /// Adds what half as many increments change, relative to figures: of approach, force and widths their own, of all others that of the
     /// pressure, which changes most.
     pub(super) fn add_increments(&mut self, figures: &Self, changes: CoarseFigures) {
-        let CoarseFigures { peak_pressure, half_width, approach, force } = changes;
+        let CoarseFigures { peak_pressure, half_width, approach, force, .. } = changes;
         let relative = Self {
             force,
             approach,
