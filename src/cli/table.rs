@@ -215,10 +215,10 @@ impl Page {
             ("peak pressure", names.stress),
             contact.peak_pressure,
             hertz.map(|hertz| hertz.peak_pressure),
-            error.map(|error| error.peak_pressure),
+            error.and_then(|error| error.peak_pressure),
         );
         let half_widths = hertz.map(|hertz| hertz.half_width);
-        let error_of_width = error.map(|error| error.half_width);
+        let error_of_width = error.and_then(|error| error.half_width);
         self.figure((names.width(), names.length), contact.half_width, half_widths, error_of_width);
         if let Some(whole) = &step.three_dimensional {
             let errors = whole.estimated_error.as_ref();
@@ -228,7 +228,7 @@ impl Page {
         }
         let mean = hertz.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
-        let error_of_approach = error.map(|error| error.approach);
+        let error_of_approach = error.and_then(|error| error.approach);
         let elastic = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
         let elastic = elastic.map(|hertz| hertz.approach);
         self.figure(("approach", names.length), step.approach, elastic, error_of_approach);
@@ -276,7 +276,7 @@ impl Page {
             let place = format!("at {} {}", self.names.pile_up_abscissa(), significant(*pile_up_position, 3));
             self.value(&format!("pile-up, {body} body"), length, *pile_up, None, &place);
         }
-        let error = step.estimated_error.as_ref().map(|error| error.approach);
+        let error = step.estimated_error.as_ref().and_then(|error| error.approach);
         self.value("permanent approach", length, step.approach, error, "");
         for body in ["upper", "lower"] {
             let tensions = step.profiles().filter(|(of, _)| *of == body).filter_map(|(_, profile)| {

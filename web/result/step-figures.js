@@ -4,7 +4,7 @@ import { forceOf, stiffnessOf, unit } from '../lib/units.js';
 
 /** @typedef {import('../types.js').Step} Step */
 /** @typedef {import('../types.js').Report} Report */
-/** @typedef {keyof NonNullable<Step['estimated_error']>} Barred a figure whose error the mesh tells */
+/** @typedef {Exclude<keyof NonNullable<Step['estimated_error']>, 'bodies'>} Barred a figure of the contact whose error the mesh tells */
 /**
  * @typedef {object} StepFigure
  * @property {string} title

@@ -30,7 +30,8 @@ def test_the_reference_problem(client: Client, job: Any) -> None:
     assert result.peak_pressure == pytest.approx(1182.4, rel=1e-4)
     assert result.approach == pytest.approx(0.017910, rel=1e-4)
     assert result.hertz["peak_pressure"] == pytest.approx(1500, rel=1e-4)
-    assert 0 < result.relative_error["peak_pressure"] < 0.01
+    assert 0 < result.relative_error["peak_pressure"] < 0.02
+    assert 0 < result.relative_error["lower.depth"] < 0.02
     assert result.report.steps[0].contact.peak_pressure == result.peak_pressure
     assert np.isnan(result.dent_depth)
     assert client.solve(EXAMPLES / "two_cylinders.json").peak_pressure == result.peak_pressure

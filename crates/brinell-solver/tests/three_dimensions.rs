@@ -129,12 +129,12 @@ fn an_ellipsoid_leaves_a_dent() {
     assert_eq!(report.status, SolveStatus::Converged);
     let [loaded, unloaded] = [&report.steps[0], &report.steps[1]];
     let error = loaded.estimated_error.unwrap();
-    assert_near(loaded.contact.peak_pressure, 1174.5, error.peak_pressure.min(0.04));
-    assert_near(loaded.approach, 3.805e-3, error.approach.min(0.01));
+    assert_near(loaded.contact.peak_pressure, 1174.5, error.peak_pressure.unwrap().min(0.04));
+    assert_near(loaded.approach, 3.805e-3, error.approach.unwrap().min(0.01));
     let whole = unloaded.three_dimensional.as_ref().unwrap();
     let errors = whole.estimated_error.as_ref().unwrap().bodies.lower.unwrap();
     let surface = unloaded.flow.as_ref().unwrap().surfaces.lower.clone().unwrap();
-    assert_near(surface.depth, 1.008e-3, errors.depth.min(0.08));
+    assert_near(surface.depth, 1.008e-3, errors.depth.unwrap().min(0.08));
     assert!(surface.pile_up > 0.05e-3 && !surface.yielded_in_reverse, "{surface:?}");
     let profile = unloaded.subsurface.as_ref().unwrap().lower.as_ref().unwrap();
     let least = profile.sigma_xx.as_ref().unwrap().iter().skip(1).copied().fold(0.0, f64::min);

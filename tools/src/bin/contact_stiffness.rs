@@ -70,7 +70,7 @@ fn compare(job: &Value) -> Option<Compared> {
         report.steps.into_iter().last()
     };
     let step = solve(1.0)?;
-    let bar = step.estimated_error.as_ref()?.contact_stiffness;
+    let bar = step.estimated_error?.contact_stiffness?;
     let mut slopes = [0.0; 3];
     for (slope, by) in slopes.iter_mut().zip(STEPS) {
         *slope = 2.0 * by * force / (solve(1.0 + by)?.approach - solve(1.0 - by)?.approach);

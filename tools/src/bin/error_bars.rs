@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release -p brinell-tools --bin error_bars -- 100 20261125 deformation`
 
+#![recursion_limit = "256"]
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "printing is what it is for")]
 
 #[path = "../../../crates/brinell-solver/tests/support/random_job.rs"]
@@ -12,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use brinell_solver::job::Job;
 use brinell_solver::solver::{
-    self, BodyFigures, CoarseFigures, Interrupt, Observer, SolveStatus, StepSolution,
+    self, Interrupt, Observer, SolveStatus, StepSolution,
 };
 use random_job::Random;
 use serde_json::{Value, json};
@@ -43,17 +44,6 @@ fn solve(job: &Value) -> Option<Vec<StepSolution>> {
     let is_solved = solution.interrupted.is_none()
         && solution.steps.iter().all(|step| step.status == SolveStatus::Converged);
     is_solved.then_some(solution.steps)
-}
-
-fn figures(step: &StepSolution) -> CoarseFigures {
-    let of = |k: usize| step.bodies[k].as_ref().map_or_else(BodyFigures::default, |body| body.figures(step.middle, step.symmetric));
-    CoarseFigures {
-        peak_pressure: step.peak_pressure,
-        half_width: step.half_width(),
-        approach: step.approach,
-        force: step.force(),
-        bodies: [of(0), of(1)],
-    }
 }
 
 fn main() {
@@ -87,6 +77,7 @@ fn main() {
             continue;
         };
         eprint!("\r{jobs} jobs, {unsolved} unsolved, {:.0} s", start.elapsed().as_secs_f64());
+        let Ok(parsed) = Job::from_json(job.to_string().as_bytes()) else { continue };
         for (k, (step, exact)) in found.iter().zip(&exact).enumerate() {
             let flows = step.bodies.iter().flatten().any(|body| {
                 let q = body.stress.points.iter().flatten().map(|p| p.largest_von_mises).fold(0.0, f64::max);
@@ -108,11 +99,11 @@ fn main() {
                 "corners": step.loaded_corners.len(), "edge": step.rounded_edge.is_some(), "tip": step.rounded_tip.is_some(), "collapsed": step.has_collapsed,
                 "corners_exact": exact.loaded_corners.len(), "edge_exact": exact.rounded_edge.is_some(), "tip_exact": exact.rounded_tip.is_some(),
                 "parts": step.parts.iter().map(|p| [p.left, p.right]).collect::<Vec<_>>(), "peak_position": step.peak_position, "middle": step.middle, "symmetric": step.symmetric,
-                "unresolved": step.unresolved, "conforming": step.conforming.is_some(), "mean": step.mean_pressure(), "vm": vm, "unbounded": unbounded,
+                "unresolved": step.unresolved, "conforming": step.conforming.is_some(), "mean": step.mean_pressure(), "vm": vm, "shear": step.bodies.each_ref().map(|body| body.as_ref().map_or(1.0, |body| body.model.elastic().shear)), "bars": brinell_solver::report::estimate_error(&parsed, step), "unbounded": unbounded,
                 "yields": yields, "flows": flows, "stiffness": [step.contact_stiffness, exact.contact_stiffness],
                 "depth": step.bodies.each_ref().map(|body| body.as_ref().map_or(0.0, |body| body.depth())),
-                "found": figures(step).values(), "coarse": step.coarse.map(|c| c.values()),
-                "increments": step.increment_error.map(|c| c.values()), "exact": figures(exact).values(),
+                "found": step.figures().values(), "coarse": step.coarse.map(|c| c.values()),
+                "increments": step.increment_error.map(|c| c.values()), "exact": exact.figures().values(),
                 "job": job,
             }));
         }

@@ -138,7 +138,7 @@ pub enum LoadReport {
 }
 
 /// One value for each body.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct PerBody<T> {
     /// Of the upper body.

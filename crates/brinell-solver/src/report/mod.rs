@@ -25,7 +25,7 @@ mod validity;
 
 pub use contact::{ContactNodes, ContactReport, Patch};
 pub use document::*;
-pub use error_bars::ErrorEstimate;
+pub use error_bars::{BodyErrors, ErrorEstimate, estimate as estimate_error};
 pub use field_arrays::{
     FIELD_NAMES, FieldArraysError, FieldLayout, FieldPiece, NpyFile, NumbersPiece, Side as FieldSide,
     encode_fields, encode_layers,
@@ -33,7 +33,7 @@ pub use field_arrays::{
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, SectionReport,
+    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, SectionReport,
     ThreeDimensionalReport,
 };
 pub use layer_fields::{LAYER_NAMES, LayersReport};

@@ -22,7 +22,7 @@ pub(super) fn remarks(job: &Job, step: &StepSolution) -> Vec<(&'static str, Stri
     remarks.extend(by_hardness(job));
     let utilized = step.bodies.iter().flatten().filter_map(initial_utilization);
     remarks.extend(utilized.max_by(f64::total_cmp).and_then(initial_yield));
-    let coarsest = step.bodies.iter().flatten().filter_map(coarsest);
+    let coarsest = step.bodies.iter().flatten().filter_map(|body| coarsest(body));
     if let Some((ratio, [x, y])) = coarsest.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let elements = f64::from(job.mesh.elements_per_half_width);
         let wanted = (elements * ratio.ln() / COARSE_RATIO.ln()).ceil().min(MAX_ELEMENTS);
@@ -73,8 +73,13 @@ fn initial_utilization(body: &Arc<BodySolution>) -> Option<f64> {
     ratios.max_by(f64::total_cmp)
 }
 
+/// Whether the strength of a body changes within elements that are stressed.
+pub(super) fn is_coarse(body: &BodySolution) -> bool {
+    coarsest(body).is_some()
+}
+
 /// The largest ratio of strengths within an element that is stressed, and the middle of that element.
-fn coarsest(body: &Arc<BodySolution>) -> Option<(f64, [f64; 2])> {
+fn coarsest(body: &BodySolution) -> Option<(f64, [f64; 2])> {
     if !body.model.varies_in_strength() {
         return None;
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::units::UnitConverter;
-use super::{ErrorEstimate, StepReport};
+use super::{BodyErrors, ErrorEstimate, PerBody, StepReport};
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
@@ -74,14 +74,21 @@ impl TargetSeen {
     }
 }
 
-/// The error bar of a figure, if it has one.
+/// The error bar of a figure, if it has one; of a figure of both bodies the larger bar.
 fn error_of(figure: TargetFigure, bars: ErrorEstimate, of_revolution: bool) -> Option<f64> {
+    let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
+        let PerBody { upper, lower } = bars.bodies?;
+        [upper, lower].iter().flatten().try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))
+    };
     match figure {
-        TargetFigure::PeakPressure => Some(bars.peak_pressure),
-        TargetFigure::HalfWidth => Some(bars.half_width),
-        TargetFigure::MeanPressure => Some(if of_revolution { 2.0 } else { 1.0 } * bars.half_width),
-        TargetFigure::PermanentApproach => Some(bars.approach),
-        TargetFigure::DentDepth | TargetFigure::MaxPlasticStrain => None,
+        TargetFigure::PeakPressure => bars.peak_pressure,
+        TargetFigure::HalfWidth => bars.half_width,
+        TargetFigure::MeanPressure => {
+            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
+        }
+        TargetFigure::PermanentApproach => bars.approach,
+        TargetFigure::DentDepth => of_bodies(|body| body.depth),
+        TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mesh_effects::{is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded};
+use super::mesh_effects::{is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded};
 use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::units::rounded;
@@ -89,8 +89,6 @@ const VERY_LARGE_STRAIN: f64 = 0.2;
 const COARSE_MESH: f64 = 9.0;
 /// Relative error of the force of an onset of yield beyond which that is said.
 const UNCERTAIN_ONSET: f64 = 0.03;
-/// Part of the largest pressure from which on the error at the tip of a power is told.
-const POINTED_ERROR: f64 = 0.02;
 /// Error of stresses at the surface over the largest von Mises stress from which on it is told.
 const UNCERTAIN_SURFACE: f64 = 0.1;
 /// Depth of a body over the half-width below which its support shapes the answer.
@@ -126,6 +124,13 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
             step.peak_position, step.spacing
         ));
     }
+    if is_clamped_column(job, step) {
+        messages.push(
+            "A clamped body is deeper than wide: the mesh has few elements over its end, and the error of the approach, and of the force under \
+             a given approach, is not known. A body on rollers has no such end."
+                .to_owned(),
+        );
+    }
     if let Some(message) = surface_stress(step).or_else(|| approach_left(job, step)) {
         messages.push(message);
     }
@@ -148,9 +153,7 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
             100.0 * error
         ));
     }
-    let is_told =
-        |tip: &&RoundedTip| tip.arc.is_some() || tip.pressure_error > POINTED_ERROR * step.peak_pressure;
-    if let Some(tip) = step.rounded_tip.as_ref().filter(is_told) {
+    if let Some(tip) = &step.rounded_tip {
         messages.push(rounded_tip(tip, step, half_width));
     }
     if let Some(needed) = step.unresolved {
@@ -180,7 +183,7 @@ fn surface_stress(step: &StepSolution) -> Option<String> {
 
 /// What is said of an approach that a history leaves and that is smaller than its error.
 fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
-    let bar = error_bars::estimate(job, step).filter(|_| step.patch.is_none())?.approach;
+    let bar = error_bars::estimate(job, step).filter(|_| step.patch.is_none())?.approach?;
     (bar > 1.0).then(|| {
         format!(
             "The approach that is left is smaller than its error of {} mm: it may as well be none, or of the other sign.",

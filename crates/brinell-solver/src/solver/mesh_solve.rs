@@ -175,13 +175,14 @@ impl Answer for MeshSolve {
 
     fn body_figures(&self) -> [BodyFigures; 2] {
         let (system, symmetric) = (&self.system, self.system.zone.is_symmetric());
+        let pressure = system.pressures(&self.outcome.state.response.contact.force);
         let of_model: Vec<BodyFigures> = system
             .bodies
             .iter()
             .zip(&self.fields)
             .map(|(body, field)| {
                 let solution = BodySolution::of(body, field.nodal.clone(), field.stress.clone());
-                solution.figures(self.middle(), symmetric)
+                solution.figures(system.stress_state, symmetric, self.middle(), &pressure)
             })
             .collect();
         let of = |model: Option<usize>| model.and_then(|k| of_model.get(k)).copied().unwrap_or_default();

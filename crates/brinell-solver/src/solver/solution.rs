@@ -16,7 +16,7 @@ use crate::solver::mesh_sizing::rough::LEAST_PART;
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
-use crate::solver::recovery::Recovery;
+use crate::solver::surface_recovery::recovered_under;
 use crate::solver::method::steps::{BodyFigures, CoarseFigures, IncrementRecord, LoadEnd, Step};
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
@@ -142,8 +142,6 @@ pub struct NarrowEdge {
     pub elastic: RoundedEdge,
     /// Half-width of that contact \[mm\].
     pub half_width: f64,
-    /// By how much the largest pressure may differ from that of the mesh \[MPa\].
-    pub pressure_error: f64,
 }
 
 /// A tip that is narrow beside the elements.
@@ -153,8 +151,6 @@ pub struct RoundedTip {
     pub arc: Option<f64>,
     /// Largest pressure on it of elastic bodies, in closed form \[MPa\].
     pub elastic_pressure: f64,
-    /// By how much the largest pressure may differ from that of the mesh \[MPa\].
-    pub pressure_error: f64,
 }
 
 /// Energies of both bodies \[N mm/mm, or N mm\].
@@ -250,6 +246,24 @@ impl StepSolution {
             (inside().map(|pair| pair.force).sum::<f64>() >= least).then_some((*part, elements))
         });
         resolved.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Figures of the contact and of both bodies.
+    pub fn figures(&self) -> CoarseFigures {
+        let pressure: Vec<f64> = self.pairs.iter().map(|pair| pair.pressure).collect();
+        let of = |body: &Option<Arc<BodySolution>>| {
+            let of = |body: &Arc<BodySolution>| {
+                body.figures(self.stress_state, self.symmetric, self.middle, &pressure)
+            };
+            body.as_ref().map(of).unwrap_or_default()
+        };
+        CoarseFigures {
+            peak_pressure: self.peak_pressure,
+            half_width: self.half_width(),
+            approach: self.approach,
+            force: self.force(),
+            bodies: self.bodies.each_ref().map(of),
+        }
     }
 
     /// Half of the distance between the ends of the pressure; 0 where nothing touches \[mm\].
@@ -396,14 +410,14 @@ impl BodySolution {
         if symmetric { 2.0 * area } else { area }
     }
 
-    /// All figures that have an error; stresses are those below the node of the surface nearest to x.
-    pub fn figures(&self, x: f64, symmetric: bool) -> BodyFigures {
+    /// All figures that have an error. Stresses are those below the node of the surface nearest to the middle of the contact, under
+    /// a pressure at each candidate node \[MPa\].
+    pub fn figures(&self, state: StressState, symmetric: bool, middle: f64, pressure: &[f64]) -> BodyFigures {
         if self.displacement.is_empty() {
             return BodyFigures::default();
         }
-        let mut recovery = Recovery::new(self, symmetric);
-        // The surface itself is known by other means.
-        let below = self.normal_line(x).into_iter().skip(1).map(|node| {
+        let mut recovery = recovered_under(state, symmetric, self, pressure);
+        let below = self.normal_line(middle).into_iter().map(|node| {
             let position = self.mesh.nodes[node as usize];
             let [sigma_x, sigma_y, sigma_z, tau_xy, ..] = recovery.node(node);
             let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(self.mesh.frame.normal(position));
@@ -430,6 +444,13 @@ impl BodySolution {
         let offset = |node: &u32| (mesh.frame.place(mesh.nodes[*node as usize])[0] - x).abs();
         let top = mesh.contact_nodes.iter().min_by(|a, b| offset(a).total_cmp(&offset(b)));
         top.map_or_else(Vec::new, |&top| mesh.grid_line_below(top))
+    }
+
+    /// Width of the body \[mm\].
+    pub fn width(&self, symmetric: bool) -> f64 {
+        let x = || self.mesh.nodes.iter().map(|node| node[0]);
+        let (left, right) = (x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max));
+        if symmetric { 2.0 * right } else { right - left }
     }
 
     /// Depth of the far boundary below the contact \[mm\]; infinite of a pin, which is held at its centre.

@@ -35,11 +35,21 @@ pub struct SurfaceStress {
 
 /// Stresses recovered on a body, at the candidate nodes from what is known at the surface.
 pub(crate) fn recovered<'a>(step: &StepSolution, body: &'a BodySolution) -> Recovery<'a> {
-    let mut recovery = Recovery::new(body, step.symmetric);
-    let at_rest = body.at_rest();
-    let mut initial = at_rest.as_ref().map(|at_rest| recovered_at_rest(step, at_rest));
     let pressure: Vec<f64> = step.pairs.iter().map(|pair| pair.pressure).collect();
-    for known in surface_stresses(step.stress_state, step.symmetric, body, &pressure) {
+    recovered_under(step.stress_state, step.symmetric, body, &pressure)
+}
+
+/// The same under a pressure at each candidate node \[MPa\].
+pub(crate) fn recovered_under<'a>(
+    state: StressState,
+    symmetric: bool,
+    body: &'a BodySolution,
+    pressure: &[f64],
+) -> Recovery<'a> {
+    let mut recovery = Recovery::new(body, symmetric);
+    let at_rest = body.at_rest();
+    let mut initial = at_rest.as_ref().map(|at_rest| recovered_at_rest(state, symmetric, at_rest));
+    for known in surface_stresses(state, symmetric, body, pressure) {
         let before = initial.as_mut().map_or([0.0; 6], |initial| initial.node(known.node));
         let stress = std::array::from_fn(|k| known.stress[k] + before[k]);
         recovery.know(known.node, stress, known.plastic_strain);
@@ -48,10 +58,14 @@ pub(crate) fn recovered<'a>(step: &StepSolution, body: &'a BodySolution) -> Reco
 }
 
 /// The same before the load, when no surface carries pressure.
-pub(crate) fn recovered_at_rest<'a>(step: &StepSolution, at_rest: &'a BodySolution) -> Recovery<'a> {
-    let mut recovery = Recovery::new(at_rest, step.symmetric);
+pub(crate) fn recovered_at_rest(
+    state: StressState,
+    symmetric: bool,
+    at_rest: &BodySolution,
+) -> Recovery<'_> {
+    let mut recovery = Recovery::new(at_rest, symmetric);
     for nodes in pairs_of(at_rest) {
-        let [c, s] = Segment::of(step.stress_state, at_rest, nodes).tangent;
+        let [c, s] = Segment::of(state, at_rest, nodes).tangent;
         for node in nodes {
             let [x, y, z, shear, ..] = recovery.node(node);
             let along = x * c * c + y * s * s + 2.0 * shear * c * s;

@@ -62,7 +62,7 @@ fn edges_touch_under_the_smallest_approach() {
             let found = step(&on_groove(analysis, 0.0, json!({"approach": approach}), 10));
             assert!(found.contact.force > 0.0 && found.contact.half_width == 2.0, "{analysis} {approach}");
             let again = step(&on_groove(analysis, 0.0, json!({"force": found.contact.force}), 10));
-            let bar = found.estimated_error.map_or(0.5, |bars| bars.force);
+            let bar = found.estimated_error.and_then(|bars| bars.force).unwrap_or(0.5);
             assert_within(again.approach, approach, bar.max(1e-3));
         }
     }
@@ -96,10 +96,8 @@ fn parts_that_are_too_small_for_the_mesh_are_said() {
     assert!(codes(&under_force).contains(&"coarse_mesh"));
     // Each edge is a cylinder of 0.3 mm that carries half of the force.
     let exact = brinell_solver::analytical::HertzLine::new(2.5, 0.3, MODULUS).peak_pressure();
-    assert!(
-        under_force.estimated_error.unwrap().peak_pressure >= 0.8
-            && under_force.contact.peak_pressure < exact
-    );
+    let bar = under_force.estimated_error.unwrap().peak_pressure.unwrap();
+    assert!((1.0 + bar) * under_force.contact.peak_pressure >= exact);
     job["load"] = json!({"onset": true});
     job["lower"]["material"]["plasticity"] =
         json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 0.0});

@@ -36,7 +36,7 @@ fn an_onset_on_a_rounded_edge_is_that_of_the_closed_form() {
         let onset = step.yield_onset.clone().unwrap();
         let error = (onset.force / exact - 1.0).abs();
         assert!(
-            error < 0.02 && error < step.estimated_error.unwrap().force,
+            error < 0.02 && error < step.estimated_error.unwrap().force.unwrap(),
             "{edge_radius}: {}",
             onset.force
         );
@@ -62,7 +62,7 @@ fn elements_find_the_onset_of_the_closed_form() {
             let step = punch(analysis, young_modulus, 1.0, elements, &json!({"onset": true}));
             let is_closed =
                 remark(&step, "coarse_mesh").is_some_and(|message| message.contains("closed form"));
-            (is_closed, step.yield_onset.unwrap().force, step.estimated_error.unwrap().force)
+            (is_closed, step.yield_onset.unwrap().force, step.estimated_error.unwrap().force.unwrap())
         };
         let [(is_closed, closed, bar), (is_still_closed, found, _)] = [15, 60].map(by);
         assert!(is_closed && !is_still_closed, "{analysis}");
@@ -132,8 +132,8 @@ fn an_approach_below_its_error_is_told() {
         "lower": {"shape": block, "material": metal}, "solver": {"theory": "flow"},
         "load": {"history": [{"approach": 0.0063}, {"force": 0}]}, "mesh": {"elements_per_half_width": 12}});
     let step = report(&job).steps.remove(1);
-    assert!(step.estimated_error.unwrap().approach > 1.0);
-    assert!(remark(&step, "coarse_mesh").unwrap().contains("smaller than its error"));
+    assert_eq!(step.estimated_error.unwrap().approach, None);
+    assert!(remark(&step, "coarse_mesh").is_some());
 }
 
 /// A hundred-millionth of a newton beside the stress of a layer.
@@ -157,21 +157,14 @@ fn elastic_bodies_are_not_advised_to_harden() {
 #[test]
 fn pressure_next_to_the_end_of_a_flat_by_points_is_told() {
     let steps = case(include_str!("../cases/flat_with_tight_radius_by_points.json"));
-    let bar = steps[0].estimated_error.unwrap().peak_pressure;
-    assert!((13.88 / steps[0].contact.peak_pressure - 1.0).abs() < bar);
+    assert_eq!(steps[0].estimated_error.unwrap().peak_pressure, None);
     assert!(remark(&steps[0], "coarse_mesh").is_some_and(|message| message.contains("next to an end")));
 }
 
 #[test]
 fn a_high_power_of_revolution_on_few_elements_is_told() {
-    // 24 elements.
-    let exact = [0.12470, 0.048_859, 0.094_330];
-    for (step, exact) in
-        case(include_str!("../cases/high_power_of_revolution_on_few_elements.json")).iter().zip(exact)
-    {
-        assert!(
-            (exact / step.contact.peak_pressure - 1.0).abs() < step.estimated_error.unwrap().peak_pressure
-        );
+    for step in &case(include_str!("../cases/high_power_of_revolution_on_few_elements.json")) {
+        assert_eq!(step.estimated_error.unwrap().peak_pressure, None);
         assert!(remark(step, "coarse_mesh").is_some_and(|message| message.contains("next to an end")));
     }
 }

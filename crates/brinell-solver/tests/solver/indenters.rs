@@ -2,7 +2,7 @@
 //! Sadowsky and Boussinesq; and the limit load of the flat punch on a perfectly plastic block against Prandtl.
 
 use brinell_solver::analytical::{
-    PowerIndenter, RoundedEdge, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure,
+    PowerIndenter, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure,
     shear_yield_von_mises,
 };
 use brinell_solver::report::{StepReport, preflight};
@@ -124,43 +124,31 @@ fn the_bar_of_the_half_width_holds_for_high_powers() {
                 json!({"type": "power", "exponent": exponent, "scale": 3.0, "width": 6.0, "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 400.0, Value::Null));
             let error = (step.contact.half_width - 1.0).abs();
-            assert!(error <= step.estimated_error.unwrap().half_width, "{analysis} {exponent}: {error}");
+            assert!(error <= step.estimated_error.unwrap().half_width.unwrap(), "{analysis} {exponent}: {error}");
         }
     }
 }
 
-/// Powers below 2 are pointed: `p(0) = (n + 1)/(2(n - 1)) · P/(π a²)` (axisymmetric), `n/(n - 1) · P/(π a)` (plane), of which a mesh sees
-/// a part.
+/// Powers below 2 are pointed, and a mesh sees a part of the pressure at the tip.
 #[test]
-fn the_bar_of_a_pointed_power_holds_its_pressure() {
-    for exponent in [1.05_f64, 1.2, 1.5, 1.7, 1.85, 1.95] {
+fn the_peak_of_a_pointed_power_has_no_bar() {
+    for exponent in [1.05_f64, 1.5, 1.95] {
         let indenter = PowerIndenter::new(exponent, 30f64.powf(1.0 - exponent), MODULUS);
-        let rest = exponent - 1.0;
-        for (analysis, force, peak) in [
-            (
-                "axisymmetric",
-                indenter.force(1.0),
-                0.5 * (exponent + 1.0) / rest * indenter.force(1.0) / std::f64::consts::PI,
-            ),
-            (
-                "plane_strain",
-                indenter.line_force(1.0),
-                exponent / rest * indenter.line_force(1.0) / std::f64::consts::PI,
-            ),
-        ] {
+        for (analysis, force) in
+            [("axisymmetric", indenter.force(1.0)), ("plane_strain", indenter.line_force(1.0))]
+        {
             let shape =
                 json!({"type": "power", "exponent": exponent, "scale": 30.0, "width": 20.0, "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 200.0, Value::Null));
-            let error = (peak / step.contact.peak_pressure - 1.0).abs();
-            let bar = step.estimated_error.unwrap().peak_pressure;
-            assert!(error <= bar, "{analysis} {exponent}: {error} in {bar}");
-            let is_told = step.validity.iter().any(|note| note.code == "coarse_mesh");
-            assert!(is_told || error < 0.025, "{analysis} {exponent}: {error}");
+            let bars = step.estimated_error.unwrap();
+            assert!((step.contact.half_width - 1.0).abs() <= bars.half_width.unwrap(), "{analysis} {exponent}");
+            assert_eq!(bars.peak_pressure, None);
+            assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis} {exponent}");
         }
     }
 }
 
-/// An edge that yields by next to nothing is told like an elastic one, and its bar holds the elastic pressure.
+/// An edge that yields by next to nothing is told like an elastic one.
 #[test]
 fn a_rounded_edge_that_hardly_yields_is_told_like_an_elastic_one() {
     let law = json!({"law": "ramberg_osgood", "reference_stress": 200.0, "offset": 0.3, "exponent": 6});
@@ -168,15 +156,8 @@ fn a_rounded_edge_that_hardly_yields_is_told_like_an_elastic_one() {
     let mut job = press("axisymmetric", punch, json!({"force": 31.3}), 40.0, law);
     job["mesh"] = json!({"elements_per_half_width": 12});
     let step = step(&job);
-    let edge = RoundedEdge::circular(0.1356, 1.0 - 0.1356, 31.3, MODULUS);
     let bars = step.estimated_error.unwrap();
-    assert!(
-        (1.0 + bars.peak_pressure) * step.contact.peak_pressure >= 0.99 * edge.peak_pressure(),
-        "{} {bars:?} {}",
-        step.contact.peak_pressure,
-        edge.peak_pressure()
-    );
-    assert!((step.contact.half_width / (1.0 - 0.1356 + edge.width()) - 1.0).abs() <= bars.half_width);
+    assert_eq!([bars.peak_pressure, bars.half_width, bars.approach], [None; 3]);
     assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{:?}", step.validity);
 }
 
@@ -239,7 +220,7 @@ fn a_rounded_punch_ends_on_its_arcs() {
 }
 
 /// Edges whose radius is smaller than an element, in every analysis: the check before knows what they cost, the contact ends on the arcs,
-/// the approach lies between those of sharp punches as wide as the flat and as the whole, and the bar of the peak reaches the closed form.
+/// the approach is near those of sharp punches as wide as the flat and as the whole, and no figure has a bar.
 /// Radii that no mesh resolves are refused in all.
 #[test]
 fn small_edge_radii_are_solved_or_refused_in_every_analysis() {
@@ -257,21 +238,14 @@ fn small_edge_radii_are_solved_or_refused_in_every_analysis() {
         assert_within(found.mesh.equations as f64, estimate, 0.1);
         let step = &found.steps[0];
         assert_eq!(step.status, SolveStatus::Converged);
-        let bars = step.estimated_error.unwrap();
-        assert!(step.contact.half_width <= 1.0 && (1.0 + bars.half_width) * step.contact.half_width >= 0.98);
+        assert!(step.contact.half_width <= 1.0 && step.contact.half_width >= 0.95);
         let sharp = |half_width: f64| report(&job(half_width, 0.0)).steps.remove(0).approach;
-        assert!(step.approach <= (1.0 + bars.approach) * sharp(0.98));
-        assert!(step.approach >= (1.0 - bars.approach) * sharp(1.0));
-        let modulus = if analysis == "plane_stress" { 210_000.0 } else { MODULUS };
+        assert!(step.approach <= 1.05 * sharp(0.98));
+        assert!(step.approach >= 0.95 * sharp(1.0));
         // The smaller the radius, the nearer to the flat is the last node in contact.
         for radius in [0.02, 0.008, 0.004] {
             let step = report(&job(1.0, radius)).steps.remove(0);
-            let edge = match analysis {
-                "axisymmetric" => RoundedEdge::circular(radius, 1.0 - radius, 2000.0, modulus),
-                _ => RoundedEdge::plane(radius, 1.0 - radius, 2000.0, modulus),
-            };
-            let bar = step.estimated_error.unwrap().peak_pressure;
-            assert!((1.0 + bar) * step.contact.peak_pressure >= 0.999 * edge.peak_pressure(), "{radius}");
+            assert_eq!(step.estimated_error.unwrap().peak_pressure, None, "{radius}");
             assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{radius}");
         }
         for radius in [1e-5, 1e-3, 2e-3] {
@@ -314,7 +288,8 @@ fn the_bar_of_a_rounded_tip_holds_its_pressure() {
                 let exact = MODULUS * slope * tip_pressure(analysis, q / a);
                 let error = (exact / step.contact.peak_pressure - 1.0).abs();
                 let bar = step.estimated_error.unwrap().peak_pressure;
-                assert!(error <= 1.001 * bar + 0.003, "{shape} {angle} {q}: {error} in {bar}");
+                assert_eq!(bar.is_none(), q < 4.0 * spacing(&step), "{shape} {angle} {q}");
+                assert!(bar.is_none_or(|bar| error <= bar), "{shape} {angle} {q}: {error} in {bar:?}");
                 let note = step.validity.iter().find(|note| note.code == "coarse_mesh");
                 assert_eq!(note.is_some(), q < 4.0 * spacing(&step), "{shape} {angle} {q}");
                 let elements = (4.0 * a / q).ceil();
@@ -325,27 +300,6 @@ fn the_bar_of_a_rounded_tip_holds_its_pressure() {
                 };
                 assert!(note.is_none_or(|note| note.message.contains(&advice)), "{note:?}");
             }
-        }
-    }
-}
-
-/// What a mesh five times as fine finds of a tip that yields.
-#[test]
-#[ignore = "full"]
-fn the_bar_of_a_tip_that_yields_holds_what_finer_meshes_find() {
-    for (analysis, shape) in [("axisymmetric", "cone"), ("plane_strain", "wedge")] {
-        for q in [0.05, 0.1, 0.2] {
-            let tip = json!({"type": shape, "angle": 1.0, "tip_radius": q / 1.0_f64.to_radians().sin(), "width": 20.0, "depth": 20.0});
-            let law = json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 2000.0});
-            let mut job = press(analysis, tip, json!({"force": 3000.0}), 40.0, law);
-            let [coarse, fine] = [10, 50].map(|elements| {
-                job["mesh"] = json!({"elements_per_half_width": elements});
-                step(&job)
-            });
-            let error = (fine.contact.peak_pressure / coarse.contact.peak_pressure - 1.0).abs();
-            let bar = coarse.estimated_error.unwrap().peak_pressure;
-            assert!(error <= bar, "{shape} {q}: {error} in {bar}");
-            assert!(coarse.validity.iter().any(|note| note.code == "coarse_mesh"), "{shape} {q}");
         }
     }
 }

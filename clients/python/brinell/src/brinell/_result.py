@@ -160,8 +160,13 @@ class Step:
 
     @property
     def relative_error(self) -> dict[str, float]:
-        """Bounds of the relative discretization errors by figure, where there are any."""
-        errors = self.data.get("estimated_error") or {}
+        """Bounds of the relative discretization errors by figure, where there are any; those of
+        a body as `upper.depth`.
+        """
+        errors = dict(self.data.get("estimated_error") or {})
+        bodies = errors.pop("bodies", None) or {}
+        for side, body in bodies.items():
+            errors.update({f"{side}.{name}": value for name, value in (body or {}).items()})
         return {name: float(value) for name, value in errors.items() if value is not None}
 
     @property

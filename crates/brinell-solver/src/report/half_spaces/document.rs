@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::report::PerBody;
+use crate::report::{BodyErrors, PerBody};
 
 /// What only a contact in three dimensions has. x lies along the shorter semi-axis of the contact, y along the longer one, z into
 /// the body; every place, map and stress of this step is in these axes.
@@ -83,18 +83,4 @@ pub struct EllipseErrors {
     pub area: f64,
     /// Of each body; `null` of a rigid one.
     pub bodies: PerBody<Option<BodyErrors>>,
-}
-
-/// Estimated relative errors of figures of one body; 0 of a figure that is 0.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct BodyErrors {
-    /// Of the largest plastic strain \[1 >= 0\].
-    pub max_equivalent_plastic_strain: f64,
-    /// Of the depth by which plastic strain lowers the surface \[1 >= 0\].
-    pub depth: f64,
-    /// Of the height by which it raises it \[1 >= 0\].
-    pub pile_up: f64,
-    /// Of the least stress along the surface below the largest pressure, without load the residual stress \[1 >= 0\].
-    pub least_stress: f64,
 }

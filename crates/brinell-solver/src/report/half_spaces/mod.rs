@@ -10,7 +10,7 @@ mod run;
 mod step;
 
 pub use document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
 };
 pub use elastic::EllipticReference;
 pub(super) use run::{preflight, run_each};

@@ -1,7 +1,7 @@
 //! The report of one load.
 
 use super::document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
@@ -12,7 +12,7 @@ use crate::report::contact_stiffness;
 use crate::report::plastic_strain::bounded;
 use crate::report::units::UnitConverter;
 use crate::report::{
-    ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch, PerBody,
+    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch, PerBody,
     PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
@@ -256,21 +256,22 @@ impl StepWriter<'_> {
         let (figures, errors) = (&step.figures, step.errors.as_ref()?);
         let of_stiffness = match (self.elastic_stiffness(step), stiffness) {
             // The stiffness of elastic bodies goes with the size of the contact.
-            (Some(_), _) => 0.5 * relative(errors.area, figures.area),
-            (None, Some(_)) => contact_stiffness::ERROR,
-            (None, None) => 0.0,
+            (Some(_), _) => Some(0.5 * relative(errors.area, figures.area)),
+            (None, Some(_)) => Some(contact_stiffness::ERROR),
+            (None, None) => None,
         };
         Some(ErrorEstimate {
-            peak_pressure: relative(errors.peak_pressure, figures.peak_pressure),
-            half_width: relative(errors.semi_axes[0], figures.semi_axes[0]),
-            approach: relative(errors.approach, figures.approach),
+            peak_pressure: Some(relative(errors.peak_pressure, figures.peak_pressure)),
+            half_width: Some(relative(errors.semi_axes[0], figures.semi_axes[0])),
+            approach: Some(relative(errors.approach, figures.approach)),
             // The stress that yields first goes with the third root of the force.
-            force: if self.job.load == Load::Onset {
+            force: Some(if self.job.load == Load::Onset {
                 3.0 * relative(errors.peak_pressure, figures.peak_pressure)
             } else {
                 relative(errors.force, figures.force)
-            },
+            }),
             contact_stiffness: of_stiffness,
+            bodies: None,
         })
     }
 }
@@ -308,12 +309,15 @@ fn relative(error: f64, figure: f64) -> f64 {
 fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
     let (figures, errors) = (&step.figures, step.errors.as_ref()?);
     let of = |side: usize| {
-        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| relative(of(errors)[side], of(figures)[side]);
+        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| Some(relative(of(errors)[side], of(figures)[side]));
         step.bodies[side].as_ref().map(|_| BodyErrors {
             max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
+            mean_equivalent_plastic_strain: None,
+            area: None,
             depth: part(|figures| figures.dent),
             pile_up: part(|figures| figures.pile_up),
             least_stress: part(|figures| figures.least_stress),
+            utilization: None,
         })
     };
     Some(EllipseErrors {

@@ -34,11 +34,6 @@ impl EdgeContact {
 
     /// Whether elements are too large for it.
     pub fn is_narrow(&self, spacing: f64) -> bool {
-        self.e_folds(spacing) > 0.0
-    }
-
-    /// Size of the elements over that of those which are small enough, as a logarithm.
-    pub fn e_folds(&self, spacing: f64) -> f64 {
-        (spacing / (EDGE_ELEMENT * self.elastic.width())).ln()
+        spacing > EDGE_ELEMENT * self.elastic.width()
     }
 }
