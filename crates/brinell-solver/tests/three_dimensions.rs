@@ -311,28 +311,30 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
     };
     let ellipse = whole.estimated_error.as_ref().unwrap();
     let mut found = vec![
-        ("peak pressure", step.contact.peak_pressure, errors.peak_pressure),
-        ("a", whole.a, errors.half_width),
+        ("peak pressure", step.contact.peak_pressure, errors.peak_pressure.unwrap()),
+        ("a", whole.a, errors.half_width.unwrap()),
         ("b", whole.b, ellipse.b),
         ("area", whole.area, ellipse.area),
-        ("approach", step.approach, errors.approach),
-        ("force", step.contact.force, errors.force),
+        ("approach", step.approach, errors.approach.unwrap()),
+        ("force", step.contact.force, errors.force.unwrap()),
     ];
     let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
     if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {
         let strain = zone.max_equivalent_plastic_strain;
-        found.extend(strain.map(|strain| ("plastic strain", strain, errors.max_equivalent_plastic_strain)));
+        found.extend(
+            strain.map(|strain| ("plastic strain", strain, errors.max_equivalent_plastic_strain.unwrap())),
+        );
         if let Some(surface) = step.flow.as_ref().and_then(|flow| flow.surfaces.lower.as_ref()) {
             // Under load the surface has an elastic deflection too.
             let is_unloaded = step.contact.force <= 0.0;
-            found.extend(is_unloaded.then_some(("dent", surface.depth, errors.depth)));
-            found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up)));
+            found.extend(is_unloaded.then_some(("dent", surface.depth, errors.depth.unwrap())));
+            found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up.unwrap())));
         }
         let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
         if let Some(profile) = profile.and_then(|bodies| bodies.lower.as_ref()) {
             let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
             let least = stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
-            found.push(("least stress", least, errors.least_stress));
+            found.push(("least stress", least, errors.least_stress.unwrap()));
         }
     }
     found

@@ -117,9 +117,10 @@ pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let is_peak_known = is_known && !is_peak_unknown(step);
     let is_approach_known = is_known && !is_clamped_column(job, step);
     let onset = step.onset_error.unwrap_or(0.0);
+    let approach = approach.filter(|_| is_approach_known).map(|bar| bar + onset);
     let (approach, force) = match step.load {
-        ContactLoad::Force(_) => (is_approach_known.then_some(approach + onset), Some(onset)),
-        ContactLoad::Approach(_) => (Some(0.0), is_approach_known.then_some(force)),
+        ContactLoad::Force(_) => (approach, Some(onset)),
+        ContactLoad::Approach(_) => (Some(0.0), force.filter(|_| is_approach_known)),
     };
     let on_curve = |bar: f64| bar + WITH_FORCE * onset;
     let stiffness = step.contact_stiffness.filter(|_| is_known);
@@ -127,20 +128,20 @@ pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
         let body = step.bodies[side].as_deref()?;
         let [largest, mean, area, dent, pile_up, least_stress, von_mises] = bars.of_body(side);
         let is_inner_known = is_peak_known && !strength::is_coarse(body);
-        let inner = |bar: f64| is_inner_known.then_some(bar);
+        let inner = |bar: Option<f64>| bar.filter(|_| is_inner_known);
         Some(BodyErrors {
             max_equivalent_plastic_strain: inner(largest).filter(|_| plastic_strain::largest(body).is_some()),
             mean_equivalent_plastic_strain: inner(mean),
             area: inner(area),
-            depth: is_approach_known.then_some(dent),
-            pile_up: is_known.then_some(pile_up),
+            depth: dent.filter(|_| is_approach_known),
+            pile_up: pile_up.filter(|_| is_known),
             least_stress: inner(least_stress),
             utilization: inner(von_mises),
         })
     };
     Some(ErrorEstimate {
-        peak_pressure: is_peak_known.then(|| on_curve(peak_pressure)),
-        half_width: is_known.then(|| on_curve(half_width)),
+        peak_pressure: peak_pressure.filter(|_| is_peak_known).map(on_curve),
+        half_width: half_width.filter(|_| is_known).map(on_curve),
         approach,
         force,
         contact_stiffness: stiffness.map(|_| on_curve(stiffness_bar(step, bars.size))),
@@ -190,27 +191,27 @@ impl Bars {
     }
 
     /// Of the figures of the contact, in the order of [`FLOORS`].
-    fn of_contact(&self) -> [f64; CONTACT_FIGURES] {
+    fn of_contact(&self) -> [Option<f64>; CONTACT_FIGURES] {
         std::array::from_fn(|figure| self.of_figure(figure, figure))
     }
 
     /// Of those of a body.
-    fn of_body(&self, side: usize) -> [f64; BODY_FIGURES] {
+    fn of_body(&self, side: usize) -> [Option<f64>; BODY_FIGURES] {
         std::array::from_fn(|k| {
             let figure = CONTACT_FIGURES + k;
             self.of_figure(figure, figure + side * BODY_FIGURES)
         })
     }
 
-    /// The bar of a figure by its places in [`FLOORS`] and among all figures; 0 of a figure that is 0.
-    fn of_figure(&self, figure: usize, k: usize) -> f64 {
+    /// The bar of a figure by its places in [`FLOORS`] and among all figures; of a figure that is 0 none, but 0 where both meshes say so.
+    fn of_figure(&self, figure: usize, k: usize) -> Option<f64> {
         let found = self.found[k].abs();
         if found == 0.0 {
-            return 0.0;
+            return (self.coarse[k] == 0.0).then_some(0.0);
         }
         let difference = (self.found[k] - self.coarse[k]).abs();
         let floor = FLOORS[figure].1[usize::from(self.of_revolution)] * self.size * self.scales[k];
-        (difference + floor) / found + self.increments[k]
+        Some((difference + floor) / found + self.increments[k])
     }
 }
 
@@ -221,5 +222,20 @@ fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
         _ if !yields || step.approach < step.reached[0] => STIFFNESS_FLOOR * size,
         StressState::PlaneStress => contact_stiffness::PLANE_STRESS_ERROR,
         StressState::PlaneStrain | StressState::Axisymmetric => contact_stiffness::ERROR,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FLOORS;
+
+    #[test]
+    fn the_document_has_the_same_floors() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validity.md");
+        let document = std::fs::read_to_string(path).unwrap();
+        for (figure, [plane, revolution]) in FLOORS {
+            let row = format!("| {figure} | {plane} | {revolution} |");
+            assert!(document.contains(&row), "{row}");
+        }
     }
 }

@@ -15,8 +15,8 @@
 use std::collections::BTreeMap;
 
 use crate::analytical::Stress;
-use crate::solver::{BodySolution, has_yielded};
 use crate::solver::recovery::{Recovery, Values};
+use crate::solver::{BodySolution, has_yielded};
 
 /// Most points of a polygon; a longer one is thinned.
 const MAX_POINTS: usize = 400;

@@ -52,7 +52,8 @@ pub(super) fn profile(
         sigma_yz: None,
     };
     let at_rest = body.at_rest();
-    let mut recovery_at_rest = at_rest.as_ref().map(|at_rest| recovered_at_rest(step.stress_state, step.symmetric, at_rest));
+    let mut recovery_at_rest =
+        at_rest.as_ref().map(|at_rest| recovered_at_rest(step.stress_state, step.symmetric, at_rest));
     let limit = body.model.hardening().map(HardeningLaw::nominal_yield_stress);
     let mut yield_stress: Vec<f64> = Vec::new();
     for node in line {

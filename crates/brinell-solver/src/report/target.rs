@@ -83,9 +83,7 @@ fn error_of(figure: TargetFigure, bars: ErrorEstimate, of_revolution: bool) -> O
     match figure {
         TargetFigure::PeakPressure => bars.peak_pressure,
         TargetFigure::HalfWidth => bars.half_width,
-        TargetFigure::MeanPressure => {
-            bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar)
-        }
+        TargetFigure::MeanPressure => bars.half_width.map(|bar| if of_revolution { 2.0 } else { 1.0 } * bar),
         TargetFigure::PermanentApproach => bars.approach,
         TargetFigure::DentDepth => of_bodies(|body| body.depth),
         TargetFigure::MaxPlasticStrain => of_bodies(|body| body.max_equivalent_plastic_strain),

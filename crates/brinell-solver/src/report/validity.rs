@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mesh_effects::{is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded};
+use super::mesh_effects::{
+    is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded,
+};
 use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
 use super::units::rounded;

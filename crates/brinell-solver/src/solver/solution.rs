@@ -16,8 +16,8 @@ use crate::solver::mesh_sizing::rough::LEAST_PART;
 use crate::solver::method::increments::LastIncrement;
 use crate::solver::method::observer::{Interrupt, IterationRecord, SolveStatus};
 use crate::solver::method::phases::PhaseTimes;
-use crate::solver::surface_recovery::recovered_under;
 use crate::solver::method::steps::{BodyFigures, CoarseFigures, IncrementRecord, LoadEnd, Step};
+use crate::solver::surface_recovery::recovered_under;
 
 /// Half-widths of the meshed contact zone within which a surface is near the contact.
 const SURFACE: f64 = 2.5;
@@ -423,10 +423,9 @@ impl BodySolution {
             let stress = Stress { sigma_x, sigma_y, sigma_z, tau_xy }.along(self.mesh.frame.normal(position));
             [stress.sigma_x, stress.von_mises() / self.model.strength(position)]
         });
-        let [least_stress, largest_von_mises] =
-            below.fold([0.0; 2], |[least, most], [along, von_mises]| {
-                [f64::min(least, along), f64::max(most, von_mises)]
-            });
+        let [least_stress, largest_von_mises] = below.fold([0.0; 2], |[least, most], [along, von_mises]| {
+            [f64::min(least, along), f64::max(most, von_mises)]
+        });
         BodyFigures {
             max_plastic_strain: self.max_plastic_strain(),
             mean_plastic_strain: self.mean_plastic_strain(),

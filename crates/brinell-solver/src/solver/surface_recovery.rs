@@ -58,11 +58,7 @@ pub(crate) fn recovered_under<'a>(
 }
 
 /// The same before the load, when no surface carries pressure.
-pub(crate) fn recovered_at_rest(
-    state: StressState,
-    symmetric: bool,
-    at_rest: &BodySolution,
-) -> Recovery<'_> {
+pub(crate) fn recovered_at_rest(state: StressState, symmetric: bool, at_rest: &BodySolution) -> Recovery<'_> {
     let mut recovery = Recovery::new(at_rest, symmetric);
     for nodes in pairs_of(at_rest) {
         let [c, s] = Segment::of(state, at_rest, nodes).tangent;

@@ -2,8 +2,7 @@
 //! Sadowsky and Boussinesq; and the limit load of the flat punch on a perfectly plastic block against Prandtl.
 
 use brinell_solver::analytical::{
-    PowerIndenter, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure,
-    shear_yield_von_mises,
+    PowerIndenter, circular_punch_pressure, flat_punch_pressure, prandtl_mean_pressure, shear_yield_von_mises,
 };
 use brinell_solver::report::{StepReport, preflight};
 use brinell_solver::solver::SolveStatus;
@@ -124,7 +123,10 @@ fn the_bar_of_the_half_width_holds_for_high_powers() {
                 json!({"type": "power", "exponent": exponent, "scale": 3.0, "width": 6.0, "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 400.0, Value::Null));
             let error = (step.contact.half_width - 1.0).abs();
-            assert!(error <= step.estimated_error.unwrap().half_width.unwrap(), "{analysis} {exponent}: {error}");
+            assert!(
+                error <= step.estimated_error.unwrap().half_width.unwrap(),
+                "{analysis} {exponent}: {error}"
+            );
         }
     }
 }
@@ -141,7 +143,10 @@ fn the_peak_of_a_pointed_power_has_no_bar() {
                 json!({"type": "power", "exponent": exponent, "scale": 30.0, "width": 20.0, "depth": 20.0});
             let step = step(&press(analysis, shape, json!({"force": force}), 200.0, Value::Null));
             let bars = step.estimated_error.unwrap();
-            assert!((step.contact.half_width - 1.0).abs() <= bars.half_width.unwrap(), "{analysis} {exponent}");
+            assert!(
+                (step.contact.half_width - 1.0).abs() <= bars.half_width.unwrap(),
+                "{analysis} {exponent}"
+            );
             assert_eq!(bars.peak_pressure, None);
             assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis} {exponent}");
         }

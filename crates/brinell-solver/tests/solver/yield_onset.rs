@@ -170,7 +170,8 @@ fn the_bar_of_an_onset_holds_the_closed_form() {
         ("axisymmetric", 0.3, &thin, skinned),
     ] {
         let step = onset_on_block(analysis, nu, over_depth);
-        let (error, bar) = ((step.contact.force / force - 1.0).abs(), step.estimated_error.unwrap().force.unwrap());
+        let (error, bar) =
+            ((step.contact.force / force - 1.0).abs(), step.estimated_error.unwrap().force.unwrap());
         assert!(error <= bar && bar < 0.3, "{analysis}: {error} in {bar}");
         assert!(step.validity.iter().any(|note| note.code == "coarse_mesh"), "{analysis}");
     }

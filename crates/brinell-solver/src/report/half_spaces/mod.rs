@@ -9,8 +9,6 @@ mod notes;
 mod run;
 mod step;
 
-pub use document::{
-    EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
-};
+pub use document::{EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport};
 pub use elastic::EllipticReference;
 pub(super) use run::{preflight, run_each};

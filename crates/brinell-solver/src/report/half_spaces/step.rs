@@ -12,8 +12,8 @@ use crate::report::contact_stiffness;
 use crate::report::plastic_strain::bounded;
 use crate::report::units::UnitConverter;
 use crate::report::{
-    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch, PerBody,
-    PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
+    BodyErrors, ContactNodes, ContactReport, ErrorEstimate, FlowReport, HertzReport, LoadReport, Patch,
+    PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, SurfaceMap,
@@ -309,7 +309,8 @@ fn relative(error: f64, figure: f64) -> f64 {
 fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
     let (figures, errors) = (&step.figures, step.errors.as_ref()?);
     let of = |side: usize| {
-        let part = |of: fn(&HalfSpaceFigures) -> [f64; 2]| Some(relative(of(errors)[side], of(figures)[side]));
+        let part =
+            |of: fn(&HalfSpaceFigures) -> [f64; 2]| Some(relative(of(errors)[side], of(figures)[side]));
         step.bodies[side].as_ref().map(|_| BodyErrors {
             max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
             mean_equivalent_plastic_strain: None,
