@@ -269,12 +269,19 @@ impl Page {
         let length = self.names.length;
         let both = [("upper", &flow.surfaces.upper), ("lower", &flow.surfaces.lower)];
         let surfaces = || both.into_iter().filter_map(|(body, surface)| Some((body, surface.as_ref()?)));
+        let errors = |body: &str| {
+            let whole = step.three_dimensional.as_ref().and_then(|whole| whole.estimated_error.as_ref());
+            let bodies = whole.map(|errors| errors.bodies).or(step.estimated_error?.bodies)?;
+            if body == "upper" { bodies.upper } else { bodies.lower }
+        };
         for (body, SurfaceReport { depth, .. }) in surfaces() {
-            self.value(&format!("dent, {body} body"), length, *depth, None, "");
+            let error = errors(body).and_then(|errors| errors.depth);
+            self.value(&format!("dent, {body} body"), length, *depth, error, "");
         }
         for (body, SurfaceReport { pile_up, pile_up_position, .. }) in surfaces() {
             let place = format!("at {} {}", self.names.pile_up_abscissa(), significant(*pile_up_position, 3));
-            self.value(&format!("pile-up, {body} body"), length, *pile_up, None, &place);
+            let error = errors(body).and_then(|errors| errors.pile_up);
+            self.value(&format!("pile-up, {body} body"), length, *pile_up, error, &place);
         }
         let error = step.estimated_error.as_ref().and_then(|error| error.approach);
         self.value("permanent approach", length, step.approach, error, "");
@@ -296,7 +303,8 @@ impl Page {
         let value = self.style.bold(&format!("{:>13}", significant(value, 4)));
         let error = error.filter(|error| *error > 0.0);
         let error = error.map_or_else(String::new, |error| format!("± {} %", significant(100.0 * error, 2)));
-        self.line(format!("{name:21}{unit:>6}{value}  {error}{place}").trim_end());
+        let gap = if error.is_empty() { "" } else { "  " };
+        self.line(format!("{name:21}{unit:>6}{value}  {error}{gap}{place}").trim_end());
     }
 
     fn figure(&mut self, (name, unit): (&str, &str), value: f64, hertz: Option<f64>, error: Option<f64>) {
