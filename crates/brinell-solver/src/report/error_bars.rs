@@ -36,8 +36,8 @@ const FLOORS: [(&str, [f64; 2]); 11] = [
     ("plastic area", [0.9, 0.2]),
     ("dent", [0.01, 0.02]),
     ("pile-up", [0.03, 0.03]),
-    ("residual stress", [0.5, 0.5]),
-    ("utilization", [0.5, 0.5]),
+    ("residual stress", [0.2, 0.25]),
+    ("utilization", [0.05, 0.05]),
 ];
 
 /// Of the figures, those of the contact and those of a body.
