@@ -28,15 +28,15 @@ use crate::solver::{CoarseFigures, StepSolution};
 /// Floors of figures over h/a, in the order of `CoarseFigures`, those of a body once: in plane analyses, and of bodies of revolution.
 const FLOORS: [(&str, [f64; 2]); 11] = [
     ("peak pressure", [0.03, 0.1]),
-    ("half-width", [0.25, 0.3]),
+    ("half-width", [0.3, 0.3]),
     ("approach", [0.03, 0.03]),
     ("force", [0.03, 0.03]),
-    ("largest plastic strain", [1.0, 0.4]),
+    ("largest plastic strain", [2.0, 0.5]),
     ("mean plastic strain", [0.5, 0.1]),
-    ("plastic area", [0.9, 0.2]),
+    ("plastic area", [1.0, 0.5]),
     ("dent", [0.01, 0.02]),
     ("pile-up", [0.03, 0.03]),
-    ("residual stress", [0.2, 0.25]),
+    ("residual stress", [0.25, 0.25]),
     ("utilization", [0.05, 0.05]),
 ];
 

@@ -96,8 +96,8 @@ fn parts_that_are_too_small_for_the_mesh_are_said() {
     assert!(codes(&under_force).contains(&"coarse_mesh"));
     // Each edge is a cylinder of 0.3 mm that carries half of the force.
     let exact = brinell_solver::analytical::HertzLine::new(2.5, 0.3, MODULUS).peak_pressure();
-    let bar = under_force.estimated_error.unwrap().peak_pressure.unwrap();
-    assert!((1.0 + bar) * under_force.contact.peak_pressure >= exact);
+    assert_eq!(under_force.estimated_error.unwrap().peak_pressure, None);
+    assert!(under_force.contact.peak_pressure < exact);
     job["load"] = json!({"onset": true});
     job["lower"]["material"]["plasticity"] =
         json!({"law": "bilinear", "yield_stress": 500.0, "tangent_modulus": 0.0});
