@@ -5,10 +5,13 @@
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
  * @typedef {object} BodyErrors
- * @property {number} depth
- * @property {number} least_stress
- * @property {number} max_equivalent_plastic_strain
- * @property {number} pile_up
+ * @property {number} [area]
+ * @property {number | null} depth
+ * @property {number | null} least_stress
+ * @property {number | null} max_equivalent_plastic_strain
+ * @property {number} [mean_equivalent_plastic_strain]
+ * @property {number | null} pile_up
+ * @property {number} [utilization]
  *
  * @typedef {object} BodyErrorsOfBodies
  * @property {BodyErrors | null} lower
@@ -70,11 +73,12 @@
  * @property {number} work
  *
  * @typedef {object} ErrorEstimate
- * @property {number} approach
+ * @property {number | null} approach
+ * @property {BodyErrorsOfBodies} [bodies]
  * @property {number} [contact_stiffness]
  * @property {number} [force]
- * @property {number} half_width
- * @property {number} peak_pressure
+ * @property {number | null} half_width
+ * @property {number | null} peak_pressure
  *
  * @typedef {object} Estimate
  * @property {number} bytes

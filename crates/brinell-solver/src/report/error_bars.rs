@@ -65,9 +65,11 @@ pub struct ErrorEstimate {
     pub approach: Option<f64>,
     /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub force: Option<f64>,
     /// Of the contact stiffness, where there is one \[1 >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub contact_stiffness: Option<f64>,
     /// Of figures of each body; absent in three dimensions, which have their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -83,9 +85,11 @@ pub struct BodyErrors {
     pub max_equivalent_plastic_strain: Option<f64>,
     /// Of the mean plastic strain \[1 >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub mean_equivalent_plastic_strain: Option<f64>,
     /// Of the plastic area \[1 >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub area: Option<f64>,
     /// Of the depth by which the surface is lowered, in three dimensions by plastic strain alone \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
@@ -99,6 +103,7 @@ pub struct BodyErrors {
     pub least_stress: Option<f64>,
     /// Of the largest von Mises stress there over the yield stress \[1 >= 0\].
     #[serde(default)]
+    #[cfg_attr(feature = "openapi", schema(required))]
     pub utilization: Option<f64>,
 }
 
