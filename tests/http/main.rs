@@ -24,6 +24,7 @@ mod server;
 mod shutdown;
 mod solvers;
 mod storage;
+mod stored;
 mod submission;
 mod three_dimensions;
 mod tls;

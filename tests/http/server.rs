@@ -119,6 +119,13 @@ impl Server {
         Self::start_in(data, args, log.into())
     }
 
+    /// On a copy of a database that another version has written.
+    pub fn start_on(database: &Path) -> Self {
+        let data = Scratch::new();
+        std::fs::copy(database, data.0.join("brinell.db")).expect("a database can be copied");
+        Self::start_in(data, &[], Stdio::inherit())
+    }
+
     /// Under a limit on open files.
     pub fn start_with_files(files: u32, args: &[&str]) -> Self {
         let mut shell = Command::new("sh");

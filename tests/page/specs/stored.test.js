@@ -1,0 +1,30 @@
+/** A result that version 0.2.0 has stored (`tests/stored`), on the page of today. */
+
+import assert from 'node:assert/strict';
+import { copyFile, rm } from 'node:fs/promises';
+import { join } from 'node:path';
+import { suite } from '../browser.js';
+
+const STORED = new URL('../../stored/version_0_2.db', import.meta.url);
+
+const service = suite();
+
+service.test(
+  'a result of 0.2.0 is shown with its figures, its field and its line over depth',
+  async (page, { server }) => {
+    await server.kill();
+    for (const rest of ['brinell.db-wal', 'brinell.db-shm']) await rm(join(server.data, rest), { force: true });
+    await copyFile(STORED, join(server.data, 'brinell.db'));
+    await server.again();
+    const { jobs } = await (await fetch(`${server.url}/v1/jobs`)).json();
+    assert.deepEqual(jobs[0].tags, { part: 'ball' });
+    await page.goto(`${server.url}/#job=${jobs[0].id}`);
+    await page.reload();
+    await page.getByLabel('Step', { exact: true }).focus();
+    await page.keyboard.press('Home');
+    await page.getByText('1370.8 MPa').first().waitFor();
+    await page.waitForFunction(() => document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'));
+    await page.locator('.plot').first().waitFor();
+  },
+  { own: [] },
+);
