@@ -38,6 +38,8 @@ pub struct DeformationPlasticity {
 /// Trials of the secant modulus in plane stress; after the usual number every second one halves what is known of it.
 const USUAL_TRIALS: u32 = 10;
 const MOST_TRIALS: u32 = 130;
+/// Part of G within which they end.
+const SECANT_ACCURACY: f64 = 1e-12;
 
 /// How far from elastic a point is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,22 +98,24 @@ impl DeformationPlasticity {
 
     /// The ε_zz that leaves σ_zz = 0, and the state with it.
     ///
-    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`; the G_s that this strain
-    /// implies falls short of or exceeds the assumed one, and the two are made equal by the secant method between 0 and G.
+    /// For a secant modulus G_s it is `ε_zz = -(K - ⅔G_s)(ε_xx + ε_yy) / (K + 4/3 G_s)`, and the equivalent strain is that of
+    /// [`Self::in_plane_parts`]; the G_s that this strain implies falls short of or exceeds the assumed one, and the two are made
+    /// equal by the secant method between 0 and G.
     #[inline(always)]
-    fn in_plane_stress(&self, strain: [f64; 4]) -> ([f64; 4], Secant) {
+    fn in_plane_stress(&self, [x, y, _, shear_angle]: [f64; 4]) -> ([f64; 4], Secant) {
         let ElasticModuli { bulk, shear: whole } = self.elastic;
-        let [x, y, _, shear_angle] = strain;
-        let (sum, squares) = (x + y, x * x + y * y + 0.5 * shear_angle * shear_angle);
+        let (distortion, dilatation) = self.in_plane_parts(x, y, shear_angle);
         let completed = |shear: f64| {
-            let zz = -(bulk - 2.0 / 3.0 * shear) * sum / (bulk + 4.0 / 3.0 * shear);
-            // e:e = ε:ε - (tr ε)²/3
-            let square = squares + zz * zz - (sum + zz) * (sum + zz) / 3.0;
-            ([x, y, zz, shear_angle], self.secant((2.0 / 3.0 * square).sqrt()))
+            let part = dilatation / (bulk + 4.0 / 3.0 * shear);
+            (shear, self.secant((distortion + part * part).sqrt()))
+        };
+        let at = |(shear, secant): (f64, Secant)| {
+            let zz = -(bulk - 2.0 / 3.0 * shear) * (x + y) / (bulk + 4.0 / 3.0 * shear);
+            ([x, y, zz, shear_angle], secant)
         };
         let mut answer = completed(whole);
         if answer.1.plastic_strain == 0.0 {
-            return answer;
+            return at(answer);
         }
         // Implied minus assumed modulus: not negative at 0, not positive at G.
         let (mut low, mut high) = (0.0, whole);
@@ -120,7 +124,7 @@ impl DeformationPlasticity {
         for k in 0..MOST_TRIALS {
             answer = completed(assumed);
             let rest = answer.1.shear - assumed;
-            if rest.abs() <= 1e-14 * whole {
+            if rest.abs() <= SECANT_ACCURACY * whole {
                 break;
             }
             if rest > 0.0 {
@@ -136,7 +140,17 @@ impl DeformationPlasticity {
                 0.5 * (low + high)
             };
         }
-        answer
+        at(answer)
+    }
+
+    /// `A` and `B` of the equivalent strain in plane stress,
+    ///
+    /// ```text
+    /// ε_q² = A + (B / (K + 4/3 G_s))²,   A = ((ε_xx - ε_yy)² + γ_xy²) / 3,   B = K (ε_xx + ε_yy)
+    /// ```
+    #[inline(always)]
+    fn in_plane_parts(&self, x: f64, y: f64, shear_angle: f64) -> (f64, f64) {
+        ((shear_angle * shear_angle + (x - y) * (x - y)) / 3.0, self.elastic.bulk * (x + y))
     }
 }
 
@@ -184,10 +198,19 @@ impl ConstitutiveModel for DeformationPlasticity {
 
     #[inline(always)]
     fn initial_stress(&self, strain: &mut [PerPoint; 4], states: &[(); 4]) -> Option<usize> {
+        let limit = self.yield_stress / (3.0 * self.elastic.shear);
         if self.out_of_plane == OutOfPlane::PlaneStress {
+            let ElasticModuli { bulk, shear } = self.elastic;
+            let stiffness = bulk + 4.0 / 3.0 * shear;
+            let squares: PerPoint = std::array::from_fn(|g| {
+                let (distortion, dilatation) = self.in_plane_parts(strain[0][g], strain[1][g], strain[3][g]);
+                distortion + (dilatation / stiffness) * (dilatation / stiffness)
+            });
+            if squares.iter().all(|&square| square <= limit * limit) {
+                return None;
+            }
             return self.initial_stress_point_by_point(strain, states);
         }
-        let limit = self.yield_stress / (3.0 * self.elastic.shear);
         let squares = make_deviatoric(strain);
         // Comparing squares spares the root where nothing happens.
         if squares.iter().all(|&square| square <= limit * limit) {

@@ -408,21 +408,36 @@ impl Outline {
     /// Foot on a surface of any form: the nearest of many points, then golden section between its neighbours.
     fn foot_on_curve(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
         const SAMPLES: u32 = 32;
+        // The foot to 1e-7 of the depth, and the depth to rounding.
+        const SECTIONS: u32 = 30;
         let below = self.height(x) - y;
         let reach = below.abs();
         let (left, right) = ((x - reach).max(self.span.0), (x + reach).min(self.span.1));
-        let distance = |s: f64| (s - x).hypot(self.height(s) - y);
+        let square = |s: f64| {
+            let (along, down) = (s - x, self.height(s) - y);
+            along * along + down * down
+        };
         let step = (right - left) / f64::from(SAMPLES);
-        let at = |k: u32| left + step * f64::from(k);
-        let nearest = (0..=SAMPLES).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(x);
+        let samples = (0..=SAMPLES).map(|k| left + step * f64::from(k)).map(|s| (s, square(s)));
+        let (nearest, _) = samples.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((x, below * below));
         let section = 0.5 * (5f64.sqrt() - 1.0);
         let (mut low, mut high) = ((nearest - step).max(left), (nearest + step).min(right));
-        for _ in 0..40 {
-            let (a, b) = (high - section * (high - low), low + section * (high - low));
-            if distance(a) < distance(b) { high = b } else { low = a }
+        let inner = |low: f64, high: f64| (high - section * (high - low), low + section * (high - low));
+        let (mut a, mut b) = inner(low, high);
+        let (mut at_a, mut at_b) = (square(a), square(b));
+        for _ in 0..SECTIONS {
+            if at_a < at_b {
+                (high, b, at_b) = (b, a, at_a);
+                a = inner(low, high).0;
+                at_a = square(a);
+            } else {
+                (low, a, at_a) = (a, b, at_b);
+                b = inner(low, high).1;
+                at_b = square(b);
+            }
         }
         let foot = 0.5 * (low + high);
-        let depth = distance(foot).min(reach).copysign(below);
+        let depth = square(foot).sqrt().min(reach).copysign(below);
         let normal = [foot - x, self.height(foot) - y].map(|component| component / depth);
         if normal.iter().all(|component| component.is_finite()) {
             (depth, normal)

@@ -64,7 +64,11 @@ impl GivenStress {
 
     /// `[σ_xx, σ_yy, σ_zz, τ_xy]` at a place \[MPa\].
     pub fn at(&self, position: [f64; 2]) -> [f64; 4] {
-        let (depth, [n_x, n_y]) = self.outline.foot(position);
+        self.below(self.outline.foot(position))
+    }
+
+    /// The same at a depth \[mm\] below the place of a surface where it has this normal.
+    pub fn below(&self, (depth, [n_x, n_y]): (f64, [f64; 2])) -> [f64; 4] {
         let [along, across] = self.profile.at(depth);
         [along * n_y * n_y, along * n_x * n_x, across, -along * n_x * n_y]
     }

@@ -171,16 +171,21 @@ fn highest_of_graded(
             std::array::from_fn(|k| (9.0 * first.beyond_given[k] - second.beyond_given[k]) / 8.0);
     }
     let is_near_core = |node: u32| mesh.frame.is_near_core(mesh.nodes[node as usize]);
-    let at_node = |node: u32| {
-        let (stress, position) = (stress[node as usize], mesh.nodes[node as usize]);
-        let limit = limits.yield_stress_at(position)?;
-        Some(if is_near_core(node) { 0.0 } else { von_mises(with_given(stress, limits, position)) / limit })
-    };
-    let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect::<Option<Vec<_>>>()?;
-    let highest = nodal.iter().copied().fold(0.0, f64::max);
-    let depth: Vec<f64> = mesh.nodes.iter().map(|&node| limits.outline.foot(node).0).collect();
+    // Within an element depth and normal of the surface vary evenly: a foot for every place would cost more than the mesh solve.
+    let feet: Vec<(f64, [f64; 2])> = mesh.nodes.iter().map(|&node| limits.outline.foot(node)).collect();
     let yield_stress = limits.yield_stress()?;
     let strength = limits.material.as_ref()?.strength();
+    let ratio = |stress: [f64; 4], foot: (f64, [f64; 2]), limit: Option<f64>| {
+        let given = given.map_or([0.0; 4], |given| given.below(foot));
+        let factor = || strength.as_ref().map_or(1.0, |profile| profile.factor(foot.0));
+        von_mises(std::array::from_fn(|k| stress[k] + given[k]))
+            / limit.unwrap_or_else(|| yield_stress * factor())
+    };
+    let at_node = |node: u32| {
+        if is_near_core(node) { 0.0 } else { ratio(stress[node as usize], feet[node as usize], None) }
+    };
+    let nodal: Vec<f64> = (0u32..).take(mesh.nodes.len()).map(at_node).collect();
+    let highest = nodal.iter().copied().fold(0.0, f64::max);
     let depths_of_strength = strength
         .iter()
         .flat_map(|profile| profile.points().iter().map(|[z, factor]| (*z, Some(yield_stress * factor))));
@@ -194,31 +199,29 @@ fn highest_of_graded(
         if nodes.iter().any(|&node| is_near_core(node)) || !counts(mesh.frame.place(middle)) {
             continue;
         }
-        let depths = nodes.map(|node| depth[node as usize]);
+        let depths = nodes.map(|node| feet[node as usize].0);
         let (least, greatest) =
             depths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &z| (z.min(a), z.max(b)));
         let crossed = knots.iter().filter(|(z, _)| least < *z && *z < greatest);
-        let mut look = |natural: [f64; 2], limit: Option<f64>| -> Option<()> {
+        let mut look = |natural: [f64; 2], limit: Option<f64>| {
             let shape = shape_functions(natural);
             let mix = |values: &dyn Fn(usize) -> f64| (0..4).map(|c| shape[c] * values(c)).sum::<f64>();
-            let position = std::array::from_fn(|axis| mix(&|c| corners[c][axis]));
+            let normal = std::array::from_fn(|axis| mix(&|c| feet[nodes[c] as usize].1[axis]));
             let stress = std::array::from_fn(|s| mix(&|c| stress[nodes[c] as usize][s]));
-            let found = von_mises(with_given(stress, limits, position))
-                / limit.or_else(|| limits.yield_stress_at(position))?;
+            let found = ratio(stress, (mix(&|c| depths[c]), normal), limit);
             if found > best.0 {
-                best = (found, position);
+                best = (found, std::array::from_fn(|axis| mix(&|c| corners[c][axis])));
             }
-            Some(())
         };
         for &(z, limit) in crossed {
             for natural in crossings(depths, z) {
-                look(natural, limit)?;
+                look(natural, limit);
             }
         }
         // Between nodes and depths of the profile it is higher by no more than the strength varies within an element.
         if nodes.iter().any(|&node| nodal[node as usize] >= 0.5 * highest) {
             for k in 0..(PARTS + 1) * (PARTS + 1) {
-                look([k % (PARTS + 1), k / (PARTS + 1)].map(even), None)?;
+                look([k % (PARTS + 1), k / (PARTS + 1)].map(even), None);
             }
         }
     }
