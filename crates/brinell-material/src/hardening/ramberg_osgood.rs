@@ -43,13 +43,19 @@ impl HardeningLaw for RambergOsgood {
 
     /// Infinite at zero plastic strain unless `m = 1`.
     fn slope(&self, plastic_strain: f64) -> f64 {
-        if plastic_strain > 0.0 {
-            self.stress(plastic_strain) / (self.exponent * plastic_strain)
+        self.stress_and_slope(plastic_strain).1
+    }
+
+    fn stress_and_slope(&self, plastic_strain: f64) -> (f64, f64) {
+        let stress = self.stress(plastic_strain);
+        let slope = if plastic_strain > 0.0 {
+            stress / (self.exponent * plastic_strain)
         } else if self.exponent > 1.0 {
             f64::INFINITY
         } else {
             self.reference_stress / self.reference_strain
-        }
+        };
+        (stress, slope)
     }
 
     /// Given directly; the curve itself has an infinite slope at the origin.
