@@ -37,6 +37,8 @@ pub const VALIDITY_CODES: &[&str] = &[
     "cancelled",
     "timed_out",
     "slow_coupling",
+    "many_meshes",
+    "fine_mesh",
     "wide_contact",
     "large_strain",
     "collapse",
@@ -82,6 +84,11 @@ const FACTORIZATION: usize = 10;
 /// Increments of a load, and evaluations for each of them, that are many.
 const MANY_INCREMENTS: usize = 25;
 const SLOW_ITERATION: usize = 12;
+/// Meshes of a search for a force that are many.
+const MANY_MESHES: usize = 40;
+/// Elements over those asked for, and equations, from which on a mesh is called fine.
+const MUCH_FINER: f64 = 3.0;
+const MANY_EQUATIONS: usize = 1_000_000;
 /// Plastic strain beyond which small-strain theory is stretched.
 const LARGE_STRAIN: f64 = 0.05;
 /// Plastic strain beyond which that is said more strongly.
@@ -232,7 +239,13 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if let Some(message) = slow_coupling(step, job.solver.coupling) {
         say("slow_coupling", message);
     }
+    if step.meshes_of_search > MANY_MESHES {
+        say("many_meshes", many_meshes(step));
+    }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
+    if let Some(message) = fine_mesh(job, step, half_width) {
+        say("fine_mesh", message);
+    }
     if let Some(message) = wide_contact(job, step, half_width, radius) {
         say("wide_contact", message);
     }
@@ -391,6 +404,36 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
          for each increment of a history: {}.",
         causes.join("; ")
     ))
+}
+
+/// What is said of a force that was sought on many meshes.
+fn many_meshes(step: &StepSolution) -> String {
+    let each = if step.energy.is_some() {
+        "each trial of a force is a history in increments on meshes of its own"
+    } else {
+        "near the value the contact changes from mesh to mesh"
+    };
+    format!(
+        "The force was sought on {} meshes, of which searches rarely take more than {MANY_MESHES}: {each}. A force near {} (`load.force` \
+         or `load.history`) is solved at once.",
+        step.meshes_of_search,
+        rounded(step.force())
+    )
+}
+
+/// What is said of a mesh that is much finer than was asked for, for the sake of details of the surfaces.
+fn fine_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Option<String> {
+    let asked = f64::from(job.mesh.elements_per_half_width);
+    let elements = half_width / step.spacing;
+    let equations: usize = step.bodies.iter().flatten().map(|body| body.equations).sum();
+    (elements > MUCH_FINER * asked && equations > MANY_EQUATIONS).then(|| {
+        format!(
+            "Details of the surfaces take {elements:.0} elements over the half-width in place of {asked:.0}, and {:.1} million equations: the \
+             job takes some {:.0} times as long as one of smooth surfaces. A profile with points further apart, or a smoothed one, is faster.",
+            equations as f64 / 1e6,
+            (elements / asked).powi(2)
+        )
+    })
 }
 
 /// What is said of a step that did not converge.

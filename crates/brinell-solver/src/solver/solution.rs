@@ -108,6 +108,8 @@ pub struct StepSolution {
     pub missed: Option<f64>,
     /// Of the onset of yield: relative error of the force, by how much meshes of half the density change it.
     pub onset_error: Option<f64>,
+    /// Meshes on which its force was sought; 0 of a load that was given.
+    pub meshes_of_search: usize,
     /// Times the candidate zone was widened.
     pub enlargements: usize,
     /// The same figures on a mesh of half the density, for error estimates.

@@ -274,6 +274,7 @@ fn step(
         rounded_tip: None,
         missed: None,
         onset_error: None,
+        meshes_of_search: 0,
         enlargements: pass.enlargements,
         coarse: None,
         increments: Vec::new(),

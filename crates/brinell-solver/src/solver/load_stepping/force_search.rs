@@ -114,6 +114,7 @@ struct ForceSearch<'a> {
 
 impl ForceSearch<'_> {
     fn run(&self, run: &mut Run<'_>) -> Result<(Vec<StepSolution>, f64), SolveError> {
+        let before = *run.passes;
         let ForceFound { mut trial, sensitivity, slope } = find(self, self.terms()?, run)?;
         if self.sought == Sought::Onset
             && trial.steps.iter().all(|step| step.status == SolveStatus::Converged || step.missed.is_some())
@@ -122,6 +123,9 @@ impl ForceSearch<'_> {
             if let Some(step) = trial.steps.last_mut() {
                 step.onset_error = Some(error);
             }
+        }
+        if let Some(step) = trial.steps.first_mut() {
+            step.meshes_of_search = *run.passes - before;
         }
         Ok((trial.steps, sensitivity))
     }
