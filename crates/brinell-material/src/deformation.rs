@@ -247,7 +247,7 @@ pub(super) fn make_deviatoric(strain: &mut [PerPoint; 4]) -> PerPoint {
 pub(crate) mod tests {
     use super::*;
     use crate::hardening::StraightLine;
-    use crate::hardening::tests::{STEEL, YOUNG};
+    use crate::hardening::tests::{STEEL, YOUNG, laws};
 
     /// Steel with a straight hardening curve.
     pub(crate) fn law(out_of_plane: OutOfPlane) -> DeformationPlasticity {
@@ -267,6 +267,26 @@ pub(crate) mod tests {
             assert!((response.stress[0] - stress).abs() < 1e-8 * stress, "{stress}: {response:?}");
             assert!(response.stress[1].abs() < 1e-8 * stress && response.stress[2] == 0.0);
             assert!((response.equivalent_plastic_strain - plastic).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn no_stress_goes_through_the_thickness_in_plane_stress() {
+        let strains = [[4e-3, -1e-3, 0.0, 3e-3], [2e-3, 2e-3, 0.0, 0.0], [-0.3, 0.1, 0.0, 0.2]];
+        for curve in laws() {
+            let law =
+                DeformationPlasticity::with_law(STEEL, Some(Arc::clone(&curve)), OutOfPlane::PlaneStress);
+            for strain in strains {
+                let (completed, secant) = law.in_plane_stress(strain);
+                let stress = law.response(completed, secant).stress;
+                let size = STEEL.bulk * completed.iter().map(|e| e.abs()).sum::<f64>();
+                assert!(stress[2].abs() < 1e-11 * size, "{curve:?} {strain:?}: {stress:?}");
+                assert!(equivalent_strain(deviator(completed)) > curve.yield_stress() / (3.0 * STEEL.shear));
+                let mut initial = strain.map(|component| [component; 4]);
+                assert_eq!(law.initial_stress(&mut initial, &[(); 4]).is_some(), secant.plastic_strain > 0.0);
+            }
+            let mut initial = [1e-6, 2e-6, 0.0, 1e-6].map(|component| [component; 4]);
+            assert_eq!(law.initial_stress(&mut initial, &[(); 4]).is_none(), curve.yield_stress() > 0.0);
         }
     }
 

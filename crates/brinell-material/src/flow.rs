@@ -34,8 +34,9 @@ use super::{
 /// Parts into which the plastic part of a strain path is divided.
 const SUBSTEPS: u32 = 6;
 
-/// Plastic over elastic strain of a path that needs no parts, on curves without an elastic domain.
+/// Plastic over elastic strain of a path that needs no parts, and of one that is elastic, on curves without an elastic domain.
 const SMALL_FLOW: f64 = 1e-4;
+const NO_FLOW: f64 = 1e-10;
 
 /// γ Δp below which six terms of the exponential series are exact.
 const SMALL_RECOVERY: f64 = 1.0 / 128.0;
@@ -207,11 +208,16 @@ impl<const N: usize> FlowPlasticity<N> {
             *s += elastic_part * d;
         }
         let (mut flow, mut yield_stress) = (0.0, radius);
-        if parts > 1 && self.mapping.yield_stress() == 0.0 {
-            // A curve without an elastic domain flows everywhere, mostly by so little that it does not turn the stress.
-            let rest: [f64; D] = std::array::from_fn(|k| from[k] + step[k]);
-            let most = self.isotropic_flow(equivalent_stress(rest), now.accumulated);
-            if most <= SMALL_FLOW * equivalent_stress(rest) / (3.0 * self.elastic.shear) {
+        let flows_everywhere = self.mapping.yield_stress() == 0.0;
+        if N > 0 || flows_everywhere {
+            let size = equivalent_stress::<D>(std::array::from_fn(|k| from[k] + step[k]));
+            let elastic = size / (3.0 * self.elastic.shear);
+            let most = self.isotropic_flow(size, now.accumulated);
+            if flows_everywhere && most <= NO_FLOW * elastic {
+                return None;
+            }
+            // What flows on such a curve is mostly so little that it does not turn the stress.
+            if flows_everywhere && most <= SMALL_FLOW * elastic {
                 parts = 1;
             }
             flow = most / f64::from(parts);

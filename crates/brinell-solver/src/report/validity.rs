@@ -37,8 +37,6 @@ pub const VALIDITY_CODES: &[&str] = &[
     "cancelled",
     "timed_out",
     "slow_coupling",
-    "many_meshes",
-    "fine_mesh",
     "wide_contact",
     "large_strain",
     "collapse",
@@ -236,15 +234,11 @@ pub(super) fn notes(job: &Job, step: &StepSolution, radius: f64, depths: &[f64])
     if let Some((code, message)) = status_remark(step, job.solver) {
         say(code, message);
     }
-    if let Some(message) = slow_coupling(step, job.solver.coupling) {
-        say("slow_coupling", message);
-    }
-    if step.meshes_of_search > MANY_MESHES {
-        say("many_meshes", many_meshes(step));
-    }
     let half_width = step.patch.map_or(0.0, |patch| patch.half_width());
-    if let Some(message) = fine_mesh(job, step, half_width) {
-        say("fine_mesh", message);
+    let work =
+        [slow_coupling(step, job.solver.coupling), many_meshes(step), fine_mesh(job, step, half_width)];
+    for message in work.into_iter().flatten() {
+        say("slow_coupling", message);
     }
     if let Some(message) = wide_contact(job, step, half_width, radius) {
         say("wide_contact", message);
@@ -407,18 +401,20 @@ fn slow_coupling(step: &StepSolution, coupling: Coupling) -> Option<String> {
 }
 
 /// What is said of a force that was sought on many meshes.
-fn many_meshes(step: &StepSolution) -> String {
+fn many_meshes(step: &StepSolution) -> Option<String> {
     let each = if step.energy.is_some() {
         "each trial of a force is a history in increments on meshes of its own"
     } else {
         "near the value the contact changes from mesh to mesh"
     };
-    format!(
-        "The force was sought on {} meshes, of which searches rarely take more than {MANY_MESHES}: {each}. A force near {} (`load.force` \
-         or `load.history`) is solved at once.",
-        step.meshes_of_search,
-        rounded(step.force())
-    )
+    (step.meshes_of_search > MANY_MESHES).then(|| {
+        format!(
+            "The force was sought on {} meshes, of which searches rarely take more than {MANY_MESHES}: {each}. A force near {} \
+             (`load.force` or `load.history`) is solved at once.",
+            step.meshes_of_search,
+            rounded(step.force())
+        )
+    })
 }
 
 /// What is said of a mesh that is much finer than was asked for, for the sake of details of the surfaces.
