@@ -11,8 +11,8 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, SubsurfaceReport,
-    SurfaceReport, TargetReport, Timings,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport, StepReport,
+    SubsurfaceReport, SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -226,7 +226,12 @@ impl Page {
             let error = errors.map(|errors| errors.b);
             self.figure(("semi-axis b, along y", names.length), whole.b, longer, error);
         }
-        let mean = hertz.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
+        if let Some(roller) = step.three_dimensional.as_ref().and_then(|whole| whole.roller.as_ref()) {
+            self.roller(roller);
+        }
+        let is_roller = step.three_dimensional.as_ref().is_some_and(|whole| whole.roller.is_some());
+        let mean = hertz.filter(|_| !is_roller);
+        let mean = mean.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
         let error_of_approach = error.map(|error| error.approach);
         let elastic = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
@@ -262,6 +267,19 @@ impl Page {
                 names.stress
             ));
         }
+    }
+
+    /// Pressure in the middle and at the ends of a roller, and its moment.
+    fn roller(&mut self, roller: &RollerReport) {
+        let [low, high] = roller.end_pressure.map(|pressure| significant(pressure, 5));
+        let stress = self.names.stress;
+        self.value("pressure in middle", stress, roller.middle_pressure, None, "");
+        self.line(&format!(
+            "pressure at the ends of the roller: {low} {stress} at -y, {high} {stress} at +y"
+        ));
+        let moment = significant(roller.moment, 5);
+        let (force, length) = (self.names.force, self.names.length);
+        self.line(&format!("moment about the x axis in its middle: {moment} {force} {length}"));
     }
 
     /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says nothing of them.

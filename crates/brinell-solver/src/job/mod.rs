@@ -53,7 +53,7 @@ pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
 pub use shape::{
     Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge, Parabola, Power,
-    Profile, Punch, Shape, Sphere, Wedge,
+    Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
 pub use target::{Target, TargetFigure};
 pub use units::Units;

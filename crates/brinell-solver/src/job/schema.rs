@@ -9,7 +9,7 @@ use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words
 use super::{
     Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
     HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth,
-    Quantity, Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
+    Quantity, RollerProfile, Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -67,6 +67,10 @@ impl Schemas<'_> {
             (
                 "Interpolation",
                 enumeration::<Interpolation>("What a face given by points is like between them."),
+            ),
+            (
+                "RollerProfile",
+                enumeration::<RollerProfile>("How the surface of a roller falls towards its ends."),
             ),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),

@@ -1,7 +1,7 @@
 //! What half-spaces in three dimensions ask of a job.
 
 use super::reader::Node;
-use super::{Analysis, ContactMethod, Coupling, FieldError, Job, MeshSettings};
+use super::{Analysis, ContactMethod, Coupling, FieldError, Job, MeshSettings, Shape};
 
 /// Least curvature of the gap in one direction over that in the other: what is flatter is a line contact.
 const LEAST_CURVATURE_RATIO: f64 = 1e-4;
@@ -50,7 +50,7 @@ impl Job {
             .map(|(side, body)| {
                 let word = body.shape.table().word;
                 let detail = if is_three_dimensional {
-                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\" or \"flat\"")
+                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\", \"roller\" or \"flat\"")
                 } else {
                     format!("\"{word}\" needs the analysis \"three_dimensional\"")
                 };
@@ -59,17 +59,19 @@ impl Job {
             .collect()
     }
 
-    /// The gap opens in every direction, so that the contact ends.
+    /// The gap opens in every direction, or a roller ends, so that the contact does.
     fn faults_of_gap(&self) -> Vec<FieldError> {
         let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
-        if greatest > 0.0 && least >= LEAST_CURVATURE_RATIO * greatest {
+        let ends = [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
+        let needed = if ends { -LEAST_CURVATURE_RATIO } else { LEAST_CURVATURE_RATIO };
+        if greatest > 0.0 && least >= needed * greatest {
             return Vec::new();
         }
         let detail = if greatest <= 0.0 || least < -LEAST_CURVATURE_RATIO * greatest {
             "the surfaces do not open away from where they touch: in each direction the concave body needs the larger radius"
         } else {
             "the contact would have no end, or nearly none, in the direction in which both surfaces are straight or fit each other: \
-             solve it as \"plane_strain\", or give a body a radius there"
+             solve it as \"plane_strain\", give a body a radius there, or make it a \"roller\""
         };
         ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
     }

@@ -10,7 +10,8 @@ mod run;
 mod step;
 
 pub use document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, SectionReport,
+    ThreeDimensionalReport,
 };
 pub use elastic::EllipticReference;
 pub(super) use run::{preflight, run_each};

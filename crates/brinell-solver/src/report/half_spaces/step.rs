@@ -1,7 +1,8 @@
 //! The report of one load.
 
 use super::document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, SectionReport,
+    ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
@@ -16,7 +17,7 @@ use crate::report::{
     PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, SurfaceMap,
+    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
 
 /// Writes the reports of the steps of one job.
@@ -145,6 +146,7 @@ impl StepWriter<'_> {
                 b: write.length(hertz.semi_axis_y),
                 approach: write.length(hertz.approach),
             }),
+            roller: self.roller(map),
             section: SectionReport {
                 y: y.clone(),
                 pressure: stresses(&section_along_y(map, &map.pressure)),
@@ -158,6 +160,28 @@ impl StepWriter<'_> {
             }),
             estimated_error: ellipse_errors(step),
         }
+    }
+
+    /// Rows of cells between the ends of a roller.
+    fn roller(&self, map: &SurfaceMap) -> Option<RollerReport> {
+        let (half_length, write) = (self.problem.half_length()?, self.write);
+        let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
+        let rows = rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
+        let (y, rows): (Vec<f64>, Vec<Row>) = rows.unzip();
+        let pressure: Vec<f64> = rows.iter().map(|row| write.stress(row.largest_pressure)).collect();
+        let [low, high] = middle(rows.len());
+        let reaches_ends = half_length - y.last()? < map.grid.hy();
+        let moment = y.iter().zip(&rows).map(|(y, row)| y * row.line_load * map.grid.hy()).sum::<f64>();
+        let at_end = |end: Option<&f64>| end.copied().filter(|_| reaches_ends).unwrap_or_default();
+        Some(RollerReport {
+            y: y.iter().map(|y| write.length(*y)).collect(),
+            line_load: rows.iter().map(|row| write.figure(Quantity::LineForce, row.line_load)).collect(),
+            half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
+            moment: write.length(write.force(moment)),
+            middle_pressure: pressure[low].max(pressure[high]),
+            end_pressure: [at_end(pressure.first()), at_end(pressure.last())],
+            pressure,
+        })
     }
 
     fn plasticity(&self, body: &HalfSpaceBody, side: usize) -> PlasticityReport {
