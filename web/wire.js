@@ -286,6 +286,15 @@
  * @property {Units} units
  * @property {string} version
  *
+ * @typedef {object} RollerContact
+ * @property {(number)[]} end_pressure
+ * @property {(number)[]} half_width
+ * @property {(number)[]} line_load
+ * @property {number} middle_pressure
+ * @property {number} moment
+ * @property {(number)[]} pressure
+ * @property {(number)[]} y
+ *
  * @typedef {'upper' | 'lower'} Side
  *
  * @typedef {string} SolveStatus
@@ -370,6 +379,7 @@
  * @property {ContactMaps} [maps]
  * @property {number} orientation
  * @property {number} peak_position_y
+ * @property {RollerContact} [roller]
  * @property {ContactSection} section
  *
  * @typedef {object} Timings

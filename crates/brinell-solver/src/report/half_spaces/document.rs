@@ -56,7 +56,7 @@ pub struct EllipticHertzReport {
 pub struct RollerReport {
     /// Middles of the rows along the roller \[length\].
     pub y: Vec<f64>,
-    /// Force on unit length of each row \[line force >= 0\].
+    /// Force on unit length of each row \[stiffness >= 0\].
     pub line_load: Vec<f64>,
     /// Half the width of the contact in each row \[length >= 0\].
     pub half_width: Vec<f64>,
@@ -68,7 +68,7 @@ pub struct RollerReport {
     /// has sharp ends it grows without bound with finer cells \[stress >= 0\].
     pub end_pressure: [f64; 2],
     /// Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y
-    /// bears more \[force length\].
+    /// bears more \[energy\].
     pub moment: f64,
 }
 
