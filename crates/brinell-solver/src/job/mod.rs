@@ -29,6 +29,7 @@ pub mod settings;
 pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
+mod surface;
 pub mod tags;
 pub mod target;
 mod theory;
@@ -55,5 +56,6 @@ pub use shape::{
     Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge, Parabola, Power,
     Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
+pub use surface::{Detrend, Surface};
 pub use target::{Target, TargetFigure};
 pub use units::Units;

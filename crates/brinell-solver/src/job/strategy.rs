@@ -118,6 +118,7 @@ fn body(material: impl Strategy<Value = Material>) -> impl Strategy<Value = Body
         shape,
         material,
         support,
+        surface: None,
     })
 }
 

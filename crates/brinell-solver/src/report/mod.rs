@@ -34,7 +34,7 @@ pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
     BodyErrors, EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport,
-    SectionReport, ThreeDimensionalReport,
+    RoughContactReport, SectionReport, ThreeDimensionalReport,
 };
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;

@@ -28,6 +28,9 @@ pub struct ThreeDimensionalReport {
     /// What is said along a roller; absent without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub roller: Option<RollerReport>,
+    /// What is said of a contact of heights; absent without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<RoughContactReport>,
     /// The cells of the section x = 0; those of the section y = 0 are `contact.nodes`.
     pub section: SectionReport,
     /// Pressure and gap of all cells; absent unless `output.fields` asks for them.
@@ -48,6 +51,24 @@ pub struct EllipticHertzReport {
     pub b: f64,
     /// Approach of points far from the contact \[length >= 0\].
     pub approach: f64,
+}
+
+/// The contact of surfaces with heights on top of their shapes. `area` is that of the cells in contact, a and b are half of what lies between the
+/// outermost of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RoughContact))]
+pub struct RoughContactReport {
+    /// Area of the cells in contact over that of all heights \[1 >= 0\].
+    pub contact_ratio: f64,
+    /// Force over the area of all heights \[stress >= 0\].
+    pub nominal_pressure: f64,
+    /// Parts of the area in contact.
+    pub parts: Vec<f64>,
+    /// Pressure below which these parts of the area in contact are; empty where nothing touches \[stress >= 0\].
+    pub pressure_quantiles: Vec<f64>,
+    /// Part of the area in contact below which a body has yielded at some depth; `null` where none has a hardening curve
+    /// \[1 >= 0\].
+    pub plastic_part: Option<f64>,
 }
 
 /// The contact along a roller, in rows of cells across it. y is that of the fields, 0 in the middle of the roller.

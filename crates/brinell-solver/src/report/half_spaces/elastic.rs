@@ -6,7 +6,7 @@ use brinell_halfspace::{EllipticContact, SurfaceGrid};
 
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
 use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
-use crate::solver::half_spaces::{HalfSpaceProblem, Relief, RollerGap};
+use crate::solver::half_spaces::{HalfSpaceProblem, HeightMap, Relief, RollerGap};
 
 /// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and of longer ones.
 const ISO_FACTOR: f64 = 0.00035;
@@ -36,10 +36,24 @@ pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
         materials: [material(&job.upper.material), material(&job.lower.material)],
         curvature: std::array::from_fn(|k| upper[k] + lower[k]),
         rollers: rollers(job),
+        heights: heights(job),
         load: job.load.clone(),
         cells_per_semi_axis: job.mesh.elements_per_half_width,
         solver: job.solver,
     })
+}
+
+/// Heights of both bodies together.
+fn heights(job: &Job) -> Option<HeightMap> {
+    let mut surfaces = [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
+    let first = surfaces.next()?;
+    let mut heights = first.levelled();
+    for surface in surfaces {
+        for (sum, height) in heights.iter_mut().zip(surface.levelled()) {
+            *sum += height;
+        }
+    }
+    Some(HeightMap { heights, cells: first.cells(), spacing: first.spacing() })
 }
 
 /// Rollers among the bodies of a job.
@@ -102,6 +116,9 @@ impl EllipticReference {
     /// The reference for a job; `None` if it is not in three dimensions.
     pub fn of(job: &Job) -> Option<Self> {
         let problem = problem_of(job)?;
+        if !problem.has_hertz() {
+            return Some(Self { onset: None, rolling: None, problem });
+        }
         let unit = problem.hertz(1.0);
         let ellipse = (!problem.is_line(&unit))
             .then_some(HertzEllipse { axis_ratio: unit.semi_axis_x / unit.semi_axis_y });
@@ -164,7 +181,10 @@ impl EllipticReference {
     /// K. L. Johnson, *Contact Mechanics* (1985), section 3.5.
     pub fn stiffness(&self, [a, b]: [f64; 2]) -> f64 {
         let (short, long) = (a.min(b), a.max(b));
-        if short <= 0.0 || !self.problem.rollers.iter().all(RollerGap::is_plain) {
+        if short <= 0.0
+            || self.problem.heights.is_some()
+            || !self.problem.rollers.iter().all(RollerGap::is_plain)
+        {
             return 0.0;
         }
         let modulus = self.problem.effective_modulus();

@@ -10,8 +10,8 @@ mod run;
 mod step;
 
 pub use document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, SectionReport,
-    ThreeDimensionalReport,
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
+    SectionReport, ThreeDimensionalReport,
 };
 pub use elastic::EllipticReference;
 pub(super) use run::{preflight, run_each};

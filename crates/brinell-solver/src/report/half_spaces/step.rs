@@ -1,8 +1,8 @@
 //! The report of one load.
 
 use super::document::{
-    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, SectionReport,
-    ThreeDimensionalReport,
+    BodyErrors, EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport,
+    SectionReport, ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
@@ -19,6 +19,9 @@ use crate::report::{
 use crate::solver::half_spaces::{
     ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
+
+/// Parts of the area in contact for which the pressure is reported.
+const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
 /// Writes the reports of the steps of one job.
 pub(super) struct StepWriter<'a> {
@@ -147,6 +150,7 @@ impl StepWriter<'_> {
                 approach: write.length(hertz.approach),
             }),
             roller: self.roller(map),
+            surface: self.rough_contact(step),
             section: SectionReport {
                 y: y.clone(),
                 pressure: stresses(&section_along_y(map, &map.pressure)),
@@ -160,6 +164,25 @@ impl StepWriter<'_> {
             }),
             estimated_error: ellipse_errors(step),
         }
+    }
+
+    /// Contact of heights.
+    fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
+        self.problem.heights.as_ref()?;
+        let (write, map, figures) = (self.write, &step.surface, &step.figures);
+        let all = map.grid.cell_area() * map.grid.n_cells() as f64;
+        let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
+        pressures.sort_by(f64::total_cmp);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a length")]
+        let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
+        let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
+        Some(RoughContactReport {
+            contact_ratio: figures.area / all,
+            nominal_pressure: write.stress(figures.force / all),
+            parts: QUANTILES.to_vec(),
+            pressure_quantiles: quantiles.map(|pressure| write.stress(pressure)).collect(),
+            plastic_part: plastic_part(step),
+        })
     }
 
     /// Rows of cells between the ends of a roller.
@@ -297,6 +320,17 @@ impl StepWriter<'_> {
             contact_stiffness: of_stiffness,
         })
     }
+}
+
+/// Part of the cells in contact below which a body has yielded; `None` where none can.
+fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
+    let n_cells = step.surface.pressure.len();
+    let touched: Vec<usize> = (0..n_cells).filter(|cell| step.surface.pressure[*cell] > 0.0).collect();
+    let strains = || step.bodies.iter().flatten().map(|body| &body.equivalent_plastic_strain);
+    let below = |cell: usize| strains().flat_map(move |strain| strain.iter().skip(cell).step_by(n_cells));
+    let plastic = touched.iter().filter(|cell| below(**cell).any(|strain| *strain > 0.0)).count();
+    let part = if plastic > 0 { plastic as f64 / touched.len() as f64 } else { 0.0 };
+    strains().any(|strain| !strain.is_empty()).then_some(part)
 }
 
 /// The largest plastic strain of a body; `None` where its curve does not rise any more.

@@ -42,6 +42,9 @@ const BEYOND_ENDS: f64 = 1.0;
 /// Sides of cells along a roller over those across it, as long as they are not more than so many times as many.
 const ROLLER_ASPECT: f64 = 4.0;
 const MOST_CELLS_ALONG: f64 = 8.0;
+/// Depth of the layers below heights over half the shorter side, and their growth.
+const PATCH_DEPTH: f64 = 0.5;
+const PATCH_GROWTH: f64 = 1.2;
 /// Factor by which cells grow at least where contact or plastic strain has reached the end of a grid, and how often they do.
 const ENLARGEMENT: f64 = 1.3;
 const MAX_ENLARGEMENTS: usize = 8;
@@ -67,13 +70,15 @@ pub(super) struct GridDesign {
     is_line: bool,
     /// Cells along y over those along x.
     finer: f64,
+    /// Cells of heights, and cells over a semi-axis for which the grid has as many.
+    patch: Option<([usize; 2], f64)>,
     pub enlargements: usize,
 }
 
 impl GridDesign {
-    /// For the contact that is expected.
-    pub fn new(expected: Expected, cells: f64) -> Self {
-        let Expected { semi_axes: [a, b], half_length, is_line, overload, .. } = expected;
+    /// For the contact that is expected, and a job that asks for `asked` cells.
+    pub fn new(expected: Expected, cells: f64, asked: f64) -> Self {
+        let Expected { semi_axes: [a, b], half_length, is_line, patch, overload, .. } = expected;
         let wide = WIDE_ZONE_OF_LINES + (WIDE_ZONE - WIDE_ZONE_OF_LINES) * (a / b);
         let beyond = (overload / wide).sqrt().max(1.0) - 1.0;
         // Beyond the ends of a long contact plastic strain reaches as far as beside it.
@@ -82,7 +87,15 @@ impl GridDesign {
         let finer = if is_line { (b / (ROLLER_ASPECT * a)).clamp(1.0, MOST_CELLS_ALONG) } else { 1.0 };
         let depth = DEPTH * (1.0 + beyond);
         let semi_axes = [a, b];
-        Self { semi_axes, cells, reach, depth, stretch: 1.0, half_length, is_line, finer, enlargements: 0 }
+        let (stretch, enlargements) = (1.0, 0);
+        let patch = patch.map(|patch| (patch, asked));
+        let (reach, depth) = if patch.is_some() { ([1.0; 2], PATCH_DEPTH) } else { (reach, depth) };
+        Self { semi_axes, cells, reach, depth, stretch, half_length, is_line, finer, patch, enlargements }
+    }
+
+    /// Whether the grid is that of heights.
+    pub const fn is_patch(&self) -> bool {
+        self.patch.is_some()
     }
 
     /// The same extent in other cells.
@@ -107,7 +120,7 @@ impl GridDesign {
     /// The same number of cells around this contact and what yields below it; this design where nothing touches.
     pub fn fitted(self, system: &HalfSpaces, force: &[f64]) -> Self {
         let mut axes = reach(system, force);
-        if axes[0].min(axes[1]) <= 0.0 {
+        if self.patch.is_some() || axes[0].min(axes[1]) <= 0.0 {
             return self;
         }
         if let Some(half_length) = self.half_length.filter(|_| self.is_line) {
@@ -136,6 +149,9 @@ impl GridDesign {
 
     /// Cells of the surface and layers below them.
     pub fn grid(&self) -> Result<(SurfaceGrid, Layers), SolveError> {
+        if let Some((cells, asked)) = self.patch {
+            return self.grid_of_patch(cells, self.cells / asked);
+        }
         let [a, b] = self.semi_axes;
         let cells = [self.cells, self.cells * self.finer];
         let (hx, mut hy) = (a / cells[0], b / cells[1]);
@@ -157,6 +173,20 @@ impl GridDesign {
         let layers =
             Layers::graded(self.stretch * first, growth, self.stretch * self.depth * self.shorter())?;
         Ok((grid, layers))
+    }
+}
+
+impl GridDesign {
+    /// The grid of heights, with this part of its cells along each side. Layers grow faster than elsewhere, because there are many cells to a
+    /// side.
+    fn grid_of_patch(&self, cells: [usize; 2], part: f64) -> Result<(SurfaceGrid, Layers), SolveError> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 512")]
+        let counts = cells.map(|count| ((count as f64 * part).round() as usize).clamp(2, count));
+        let sides = [0, 1].map(|k| 2.0 * self.semi_axes[k] / counts[k] as f64);
+        let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
+        let first = FIRST_LAYER * sides[0].min(sides[1]);
+        let depth = self.stretch * self.depth * self.shorter();
+        Ok((grid, Layers::graded(first, PATCH_GROWTH, depth)?))
     }
 }
 
@@ -278,7 +308,7 @@ impl HalfSpaceEngine<'_> {
             initial_gap,
             elastic,
             weights: bodies.iter().map(of_body).collect(),
-            is_smoothed: self.theory == Theory::Flow && !bodies.is_empty(),
+            is_smoothed: self.theory == Theory::Flow && !bodies.is_empty() && !design.is_patch(),
             yielding: Yielding::new(bodies).into(),
         })
     }
@@ -354,13 +384,15 @@ pub(super) fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
         let rim = |is_at: &dyn Fn(&usize) -> bool| (0..n_cells).filter(is_at).any(is_there);
         [rim(&is_at_x), rim(&is_at_y)]
     };
-    let [mut at_x, mut at_y] = reaches(&|cell| force[cell] > 0.0);
+    // Beyond heights there is nothing to touch.
+    let is_patch = system.design.is_patch();
+    let [mut at_x, mut at_y] = reaches(&|cell| force[cell] > 0.0 && !is_patch);
     let mut at_depth = false;
     for body in &system.yielding.borrow().bodies {
         let last = body.space().layers().len() - 1;
         for layer in 0..=last {
             let has_yielded = |cell: usize| body.law().has_yielded(layer, layer * n_cells + cell);
-            let [x, y] = reaches(&has_yielded);
+            let [x, y] = reaches(&|cell| has_yielded(cell) && !is_patch);
             (at_x, at_y) = (at_x || x, at_y || y);
             at_depth |= layer == last && (0..n_cells).any(has_yielded);
         }

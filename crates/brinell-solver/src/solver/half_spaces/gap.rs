@@ -75,6 +75,36 @@ impl RollerGap {
     }
 }
 
+/// Heights of both surfaces together at the middles of equal cells around the origin. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightMap {
+    /// `[i * cells[1] + j]`.
+    pub heights: Vec<f64>,
+    /// Cells along x and y.
+    pub cells: [usize; 2],
+    /// Sides of a cell.
+    pub spacing: [f64; 2],
+}
+
+impl HeightMap {
+    /// Half its sides.
+    pub fn half_sides(&self) -> [f64; 2] {
+        [0, 1].map(|k| 0.5 * self.cells[k] as f64 * self.spacing[k])
+    }
+
+    /// Means of the heights in the cells of a grid of the same size with at most as many cells.
+    fn over(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        let (mut sums, mut counts) = (vec![0.0; grid.n_cells()], vec![0.0; grid.n_cells()]);
+        let [nx, ny] = self.cells;
+        for (k, height) in self.heights.iter().enumerate() {
+            let cell = (k / ny) * grid.nx() / nx * grid.ny() + (k % ny) * grid.ny() / ny;
+            sums[cell] += height;
+            counts[cell] += 1.0;
+        }
+        sums.iter().zip(&counts).map(|(sum, count)| sum / count).collect()
+    }
+}
+
 /// Linear between points, level beyond them.
 fn height(points: &[[f64; 2]], at: f64) -> f64 {
     let after = points.partition_point(|[y, _]| *y < at);
@@ -88,6 +118,9 @@ fn height(points: &[[f64; 2]], at: f64) -> f64 {
 impl HalfSpaceProblem {
     /// The gap at the middles of cells, x and y in the axes of the fields \[mm\].
     pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        if let Some(map) = &self.heights {
+            return self.rough_gap(map, grid);
+        }
         let [kx, ky] = self.principal_curvatures();
         let (sine, cosine) = self.orientation().sin_cos();
         grid.sample(|x, y| {
@@ -97,13 +130,26 @@ impl HalfSpaceProblem {
         })
     }
 
+    /// The same with heights on top of the shapes, 0 where it is least.
+    fn rough_gap(&self, map: &HeightMap, grid: &SurfaceGrid) -> Vec<f64> {
+        let [xx, yy, xy] = self.curvature;
+        let mut gap = grid.sample(|x, y| 0.5 * (xx * x * x + yy * y * y) + xy * x * y);
+        for (gap, height) in gap.iter_mut().zip(map.over(grid)) {
+            *gap -= height;
+        }
+        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        gap.iter_mut().for_each(|gap| *gap -= least);
+        gap
+    }
+
     /// Whether the gap is even in x and in y of the fields.
     pub fn gap_is_even(&self) -> bool {
         let orientation = self.orientation();
-        self.rollers.iter().all(|roller| {
-            let (sine, cosine) = (roller.rotation - orientation).sin_cos();
-            sine.abs().min(cosine.abs()) < ALIGNED && roller.is_even()
-        })
+        self.heights.is_none()
+            && self.rollers.iter().all(|roller| {
+                let (sine, cosine) = (roller.rotation - orientation).sin_cos();
+                sine.abs().min(cosine.abs()) < ALIGNED && roller.is_even()
+            })
     }
 
     /// Half the length along y of the fields that a roller leaves the contact \[mm\]; `None` without a roller along it.
@@ -129,6 +175,16 @@ mod tests {
 
     fn roller(relief: Relief) -> RollerGap {
         RollerGap { radius: 5.0, length: 8.0, rotation: 0.0, tilt: 0.0, relief }
+    }
+
+    #[test]
+    fn heights_are_averaged_over_larger_cells() {
+        let heights: Vec<f64> = (0..40).map(f64::from).collect();
+        let map = HeightMap { heights, cells: [8, 5], spacing: [0.1, 0.2] };
+        let grid = SurfaceGrid::new(8, 5, 0.1, 0.2).unwrap();
+        assert_eq!(map.over(&grid), map.heights);
+        let coarse = map.over(&SurfaceGrid::new(4, 2, 0.2, 0.5).unwrap());
+        assert!((coarse[0] - 3.5).abs() < 1e-12 && (coarse[7] - 36.0).abs() < 1e-12, "{coarse:?}");
     }
 
     #[test]

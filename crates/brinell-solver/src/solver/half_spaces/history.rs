@@ -120,7 +120,8 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
 
 /// A force below which no body yields \[N\].
 pub(super) fn onset_force(problem: &HalfSpaceProblem) -> Option<f64> {
-    Some(problem.force_where(|hertz| hertz.peak_pressure, ONSET * problem.weakest()?, 3.0))
+    let weakest = problem.weakest().filter(|_| problem.heights.is_none())?;
+    Some(problem.force_where(|hertz| hertz.peak_pressure, ONSET * weakest, 3.0))
 }
 
 /// The bodies of a history on two grids.

@@ -202,6 +202,9 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
 /// Half the width and half the length of the contact; of a roller the largest width of its rows.
 pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     let grid = system.grid();
+    if system.design.is_patch() {
+        return half_extents(grid, pressure);
+    }
     let Some(half_length) = system.design.half_length else { return ellipse(grid, pressure) };
     let rows = Row::all(grid, pressure);
     let largest: Vec<f64> = rows.iter().map(|row| row.largest_pressure).collect();
@@ -220,8 +223,21 @@ pub(super) fn reach(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
     [axes[0], farthest]
 }
 
-/// Area of the ellipse of these semi-axes, of a roller that of its rows.
+/// Half of what lies between the outermost cells in contact, with them.
+fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
+    let touched = || (0..pressure.len()).filter(|cell| pressure[*cell] > 0.0);
+    let half = |number: &dyn Fn(usize) -> usize, side: f64| {
+        let (first, last) = (touched().map(number).min(), touched().map(number).max());
+        first.zip(last).map_or(0.0, |(first, last)| 0.5 * side * (last - first + 1) as f64)
+    };
+    [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
+}
+
+/// Area of the ellipse of these semi-axes, of a roller that of its rows, of heights that of the cells in contact.
 fn area(system: &HalfSpaces, pressure: &[f64], axes: [f64; 2]) -> f64 {
+    if system.design.is_patch() {
+        return pressure.iter().filter(|p| **p > 0.0).count() as f64 * system.grid().cell_area();
+    }
     if system.design.half_length.is_none() {
         return PI * axes[0] * axes[1];
     }

@@ -20,7 +20,7 @@ mod step;
 mod system;
 
 pub use estimate::{HalfSpaceEstimate, estimate};
-pub use gap::{Relief, RollerGap};
+pub use gap::{HeightMap, Relief, RollerGap};
 pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};

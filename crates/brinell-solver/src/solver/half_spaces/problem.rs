@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use brinell_halfspace::EllipticContact;
 
-use super::gap::RollerGap;
+use super::gap::{HeightMap, RollerGap};
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, Load, SolverSettings};
 use crate::material::HardeningLaw;
@@ -39,6 +39,8 @@ pub struct HalfSpaceProblem {
     pub curvature: [f64; 3],
     /// Bodies that are rollers: what the gap has of them beside their curvature.
     pub rollers: Vec<RollerGap>,
+    /// Heights on top of the shapes; the contact is solved on their grid then, in the axes of the job.
+    pub heights: Option<HeightMap>,
     /// Loads \[N, mm\].
     pub load: Load,
     /// Cells over each semi-axis of the contact.
@@ -59,7 +61,7 @@ impl HalfSpaceProblem {
     /// Angle from the job's x to the x of the fields, towards the job's y \[rad\], in `(-π/2, π/2]`; 0 of a circle.
     pub fn orientation(&self) -> f64 {
         let [xx, yy, xy] = self.curvature;
-        if f64::hypot(0.5 * (xx - yy), xy) <= CIRCLE * (xx + yy) {
+        if self.heights.is_some() || f64::hypot(0.5 * (xx - yy), xy) <= CIRCLE * (xx + yy) {
             return 0.0;
         }
         0.5 * (2.0 * xy).atan2(xx - yy)
@@ -94,6 +96,9 @@ impl HalfSpaceProblem {
     /// They are those of elastic bodies, or `√(P/3πσ)` where that is more: a fully plastic contact has a mean pressure of 3σ. At a
     /// given approach the surface of such a contact neither sinks nor rises, and its area is twice that of elastic bodies.
     pub(super) fn expected(&self, load: ContactLoad) -> Option<Expected> {
+        if let Some(map) = &self.heights {
+            return Some(Expected::of_heights(map));
+        }
         let elastic = self.elastic_contact(load)?;
         let (a, b, peak) = self.tilted(&elastic);
         let is_line = self.half_length().is_some_and(|half_length| b >= half_length);
@@ -118,6 +123,7 @@ impl HalfSpaceProblem {
             semi_axes: [growth(area) * a, if is_line { b } else { growth(area) * b }],
             half_length: self.half_length(),
             is_line,
+            patch: None,
             overload: share.cbrt() * of_yield,
             over_flow: share.cbrt() * flow.map_or(0.0, |flow| peak / flow),
         })
@@ -138,6 +144,12 @@ impl HalfSpaceProblem {
         Some(ellipse())
             .filter(|found| is_curved && found.semi_axis_y < half_length)
             .unwrap_or_else(|| line_contact(kx.recip(), 2.0 * half_length, self.effective_modulus(), force))
+    }
+
+    /// Whether shapes alone have a contact of Hertz, with heights on top or not.
+    pub fn has_hertz(&self) -> bool {
+        let [kx, ky] = self.principal_curvatures();
+        kx > 0.0 && (ky > LINE * kx || self.half_length().is_some())
     }
 
     /// Whether a contact reaches both ends of a roller.
@@ -213,6 +225,8 @@ pub(super) struct Expected {
     /// Half the length of a roller along y \[mm\], and whether it is expected to touch from end to end.
     pub half_length: Option<f64>,
     pub is_line: bool,
+    /// Cells of heights on top of the shapes.
+    pub patch: Option<[usize; 2]>,
     /// Largest pressure of elastic bodies under the same force over the lowest yield stress; 0 of elastic bodies.
     pub overload: f64,
     /// The same over the stress at which the material flows.
@@ -220,6 +234,12 @@ pub(super) struct Expected {
 }
 
 impl Expected {
+    /// The whole of a patch, of which nothing else is known.
+    fn of_heights(map: &HeightMap) -> Self {
+        let (semi_axes, patch) = (map.half_sides(), Some(map.cells));
+        Self { semi_axes, patch, half_length: None, is_line: false, overload: 0.0, over_flow: 0.0 }
+    }
+
     /// Fails under loads that small strains do not bear.
     ///
     /// # Errors
