@@ -108,7 +108,7 @@ fn a_crown_is_a_second_curvature() {
     near(step.approach, whole.hertz.unwrap().approach, 1e-3);
     near(whole.b, whole.hertz.unwrap().b, 2e-2);
     near(whole.area, PI * whole.hertz.unwrap().a * whole.hertz.unwrap().b, 2e-2);
-    assert_eq!(along(step).end_pressure, [0.0, 0.0]);
+    assert!(along(step).end_pressure.iter().all(|pressure| *pressure <= 0.0));
     assert!(step.validity.iter().all(|note| note.code != "roller_end"));
 }
 

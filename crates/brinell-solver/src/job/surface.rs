@@ -57,6 +57,12 @@ impl Surface {
         self.spacing
     }
 
+    /// Whether the heights of both are at the same places.
+    pub(super) fn has_cells_of(&self, other: &Self) -> bool {
+        let bits = |surface: &Self| surface.spacing.map(f64::to_bits);
+        self.cells == other.cells && bits(self) == bits(other)
+    }
+
     /// Heights without the trend that is to be taken away, in the order `[i * cells[1] + j]` \[mm\].
     pub fn levelled(&self) -> Vec<f64> {
         let [nx, ny] = self.cells;

@@ -80,7 +80,7 @@ impl Job {
         let mut faults: Vec<_> =
             detail.iter().flat_map(|detail| given().map(|(at, _)| FieldError::new(*at, *detail))).collect();
         if let (Some(upper), Some(lower)) = (&self.upper.surface, &self.lower.surface)
-            && (upper.cells() != lower.cells() || upper.spacing() != lower.spacing())
+            && !upper.has_cells_of(lower)
         {
             let detail = "must have as many cells, of the same sides, as the surface of the other body";
             faults.extend(given().map(|(at, _)| FieldError::new(*at, detail)));

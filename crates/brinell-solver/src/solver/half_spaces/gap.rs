@@ -138,8 +138,7 @@ impl HalfSpaceProblem {
             *gap -= height;
         }
         let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
-        gap.iter_mut().for_each(|gap| *gap -= least);
-        gap
+        gap.iter().map(|gap| gap - least).collect()
     }
 
     /// Whether the gap is even in x and in y of the fields.
