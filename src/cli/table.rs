@@ -11,8 +11,8 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport, StepReport,
-    SubsurfaceReport, SurfaceReport, TargetReport, Timings,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport, RoughContactReport,
+    StepReport, SubsurfaceReport, SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -229,6 +229,9 @@ impl Page {
         if let Some(roller) = step.three_dimensional.as_ref().and_then(|whole| whole.roller.as_ref()) {
             self.roller(roller);
         }
+        if let Some(rough) = step.three_dimensional.as_ref().and_then(|whole| whole.surface.as_ref()) {
+            self.rough_contact(rough);
+        }
         let is_roller = step.three_dimensional.as_ref().is_some_and(|whole| whole.roller.is_some());
         let mean = hertz.filter(|_| !is_roller);
         let mean = mean.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
@@ -266,6 +269,16 @@ impl Page {
                 "rolling freely, it shakes down up to a Hertz peak of {limit} {}",
                 names.stress
             ));
+        }
+    }
+
+    /// How much of the heights touches, and how much of that has yielded.
+    fn rough_contact(&mut self, rough: &RoughContactReport) {
+        let stress = self.names.stress;
+        self.value("nominal pressure", stress, rough.nominal_pressure, None, "");
+        self.value("real contact area", "%", 100.0 * rough.contact_ratio, None, "");
+        if let Some(part) = rough.plastic_part {
+            self.value("yielded below it", "%", 100.0 * part, None, "");
         }
     }
 
