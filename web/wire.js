@@ -52,6 +52,8 @@
  * @property {(number)[]} pressure
  * @property {(number)[]} y
  *
+ * @typedef {'none' | 'plane'} Detrend
+ *
  * @typedef {object} EllipseErrors
  * @property {number} area
  * @property {number} b
@@ -295,6 +297,13 @@
  * @property {(number)[]} pressure
  * @property {(number)[]} y
  *
+ * @typedef {object} RoughContact
+ * @property {number} contact_ratio
+ * @property {number} nominal_pressure
+ * @property {(number)[]} parts
+ * @property {number} [plastic_part]
+ * @property {(number)[]} pressure_quantiles
+ *
  * @typedef {'upper' | 'lower'} Side
  *
  * @typedef {string} SolveStatus
@@ -346,14 +355,10 @@
  * @property {Subsurface | null} upper
  *
  * @typedef {object} Surface
- * @property {number} depth
- * @property {(number)[]} height
- * @property {number} max_reverse_strain
- * @property {number} pile_up
- * @property {number} pile_up_position
- * @property {number} reverse_area
- * @property {(number)[]} x
- * @property {boolean} yielded_in_reverse
+ * @property {Detrend | null} [detrend]
+ * @property {((number)[])[]} heights
+ * @property {number} spacing_x
+ * @property {number} spacing_y
  *
  * @typedef {object} SurfaceOfBodies
  * @property {Surface | null} lower
@@ -381,6 +386,7 @@
  * @property {number} peak_position_y
  * @property {RollerContact} [roller]
  * @property {ContactSection} section
+ * @property {RoughContact} [surface]
  *
  * @typedef {object} Timings
  * @property {number} assembly

@@ -105,7 +105,7 @@ impl Schemas<'_> {
         all.extend(self.materials());
         all.extend(self.loads());
         all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
-        all.push(("Surface", self.surface()));
+        all.push(("SurfaceHeights", self.surface()));
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
         all.push(("SolverSettings", self.settings(&SolverSettings::TABLE, &SolverSettings::default())));
         all.push(("OutputSettings", self.settings(&OutputSettings::TABLE, &OutputSettings::default())));
@@ -163,7 +163,7 @@ impl Schemas<'_> {
                 Entry {
                     key: Surface::KEY,
                     schema: or_null(
-                        self.named("Surface"),
+                        self.named("SurfaceHeights"),
                         "Heights on top of the shape, measured or computed; only in three dimensions.",
                     ),
                     required: false,
