@@ -55,6 +55,8 @@
  * @property {(number)[]} pressure
  * @property {(number)[]} y
  *
+ * @typedef {'none' | 'plane'} Detrend
+ *
  * @typedef {object} EllipseErrors
  * @property {number} area
  * @property {number} b
@@ -290,6 +292,22 @@
  * @property {Units} units
  * @property {string} version
  *
+ * @typedef {object} RollerContact
+ * @property {(number)[]} end_pressure
+ * @property {(number)[]} half_width
+ * @property {(number)[]} line_load
+ * @property {number} middle_pressure
+ * @property {number} moment
+ * @property {(number)[]} pressure
+ * @property {(number)[]} y
+ *
+ * @typedef {object} RoughContact
+ * @property {number} contact_ratio
+ * @property {number} nominal_pressure
+ * @property {(number)[]} parts
+ * @property {number} [plastic_part]
+ * @property {(number)[]} pressure_quantiles
+ *
  * @typedef {'upper' | 'lower'} Side
  *
  * @typedef {string} SolveStatus
@@ -341,14 +359,10 @@
  * @property {Subsurface | null} upper
  *
  * @typedef {object} Surface
- * @property {number} depth
- * @property {(number)[]} height
- * @property {number} max_reverse_strain
- * @property {number} pile_up
- * @property {number} pile_up_position
- * @property {number} reverse_area
- * @property {(number)[]} x
- * @property {boolean} yielded_in_reverse
+ * @property {Detrend | null} [detrend]
+ * @property {((number)[])[]} heights
+ * @property {number} spacing_x
+ * @property {number} spacing_y
  *
  * @typedef {object} SurfaceOfBodies
  * @property {Surface | null} lower
@@ -374,7 +388,9 @@
  * @property {ContactMaps} [maps]
  * @property {number} orientation
  * @property {number} peak_position_y
+ * @property {RollerContact} [roller]
  * @property {ContactSection} section
+ * @property {RoughContact} [surface]
  *
  * @typedef {object} Timings
  * @property {number} assembly

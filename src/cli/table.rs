@@ -11,8 +11,8 @@ use super::style::Style;
 use brinell_solver::job::fields::Figure;
 use brinell_solver::job::{Analysis, Job, Load, Quantity, Target, TargetFigure};
 use brinell_solver::report::{
-    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, StepReport, SubsurfaceReport,
-    SurfaceReport, TargetReport, Timings,
+    FlowReport, HertzReport, LoadReport, PlasticityReport, Report, RollerReport, RoughContactReport,
+    StepReport, SubsurfaceReport, SurfaceReport, TargetReport, Timings,
 };
 use brinell_solver::solver::SolveStatus;
 pub(super) use number::significant;
@@ -226,7 +226,15 @@ impl Page {
             let error = errors.map(|errors| errors.b);
             self.figure(("semi-axis b, along y", names.length), whole.b, longer, error);
         }
-        let mean = hertz.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
+        if let Some(roller) = step.three_dimensional.as_ref().and_then(|whole| whole.roller.as_ref()) {
+            self.roller(roller);
+        }
+        if let Some(rough) = step.three_dimensional.as_ref().and_then(|whole| whole.surface.as_ref()) {
+            self.rough_contact(rough);
+        }
+        let is_roller = step.three_dimensional.as_ref().is_some_and(|whole| whole.roller.is_some());
+        let mean = hertz.filter(|_| !is_roller);
+        let mean = mean.map(|hertz| names.mean_of_peak() * hertz.peak_pressure);
         self.figure(("mean pressure", names.stress), contact.mean_pressure, mean, None);
         let error_of_approach = error.and_then(|error| error.approach);
         let elastic = step.three_dimensional.as_ref().and_then(|whole| whole.hertz);
@@ -262,6 +270,29 @@ impl Page {
                 names.stress
             ));
         }
+    }
+
+    /// How much of the heights touches, and how much of that has yielded.
+    fn rough_contact(&mut self, rough: &RoughContactReport) {
+        let stress = self.names.stress;
+        self.value("nominal pressure", stress, rough.nominal_pressure, None, "");
+        self.value("real contact area", "%", 100.0 * rough.contact_ratio, None, "");
+        if let Some(part) = rough.plastic_part {
+            self.value("yielded below it", "%", 100.0 * part, None, "");
+        }
+    }
+
+    /// Pressure in the middle and at the ends of a roller, and its moment.
+    fn roller(&mut self, roller: &RollerReport) {
+        let [low, high] = roller.end_pressure.map(|pressure| significant(pressure, 5));
+        let stress = self.names.stress;
+        self.value("pressure in middle", stress, roller.middle_pressure, None, "");
+        self.line(&format!(
+            "pressure at the ends of the roller: {low} {stress} at -y, {high} {stress} at +y"
+        ));
+        let moment = significant(roller.moment, 5);
+        let (force, length) = (self.names.force, self.names.length);
+        self.line(&format!("moment about the x axis in its middle: {moment} {force} {length}"));
     }
 
     /// What a load leaves that has been taken away: the bodies are apart, and Hertz's theory says nothing of them.

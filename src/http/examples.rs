@@ -1,7 +1,7 @@
 //! Jobs to begin with.
 
 /// Every file in `api/examples`.
-pub(super) const EXAMPLES: [(&str, &str); 10] = [
+pub(super) const EXAMPLES: [(&str, &str); 11] = [
     ("two_cylinders", include_str!("../../api/examples/two_cylinders.json")),
     ("cylinder_on_block", include_str!("../../api/examples/cylinder_on_block.json")),
     ("ramberg_osgood", include_str!("../../api/examples/ramberg_osgood.json")),
@@ -12,4 +12,5 @@ pub(super) const EXAMPLES: [(&str, &str); 10] = [
     ("static_rating_ball", include_str!("../../api/examples/static_rating_ball.json")),
     ("ball_in_raceway", include_str!("../../api/examples/ball_in_raceway.json")),
     ("ellipse_dent", include_str!("../../api/examples/ellipse_dent.json")),
+    ("tilted_roller", include_str!("../../api/examples/tilted_roller.json")),
 ];

@@ -15,6 +15,7 @@ const TITLES = /** @type {Record<string, string>} */ ({
   static_rating_ball: 'Static rating of a ball (ISO 76)',
   ball_in_raceway: 'Ball in a raceway, in three dimensions',
   ellipse_dent: 'Dent of an ellipsoid, in three dimensions',
+  tilted_roller: 'Tilted roller with a logarithmic profile, in three dimensions',
 });
 
 const HARD = { young_modulus: 207000, poisson_ratio: 0.3 };

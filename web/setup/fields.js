@@ -44,12 +44,12 @@ const PLANE_ONLY = named({ wedge: 'cone' });
 const TURNED_ONLY = named({ cone: 'wedge' });
 
 /** Shapes of half-spaces, which are of three dimensions only. */
-const OF_HALF_SPACES = new Set(['sphere', 'curved', 'flat']);
+const OF_HALF_SPACES = new Set(['sphere', 'curved', 'roller', 'flat']);
 
 /** What stands for shapes of sections there, and the other way round. @type {Record<string, string | undefined>} */
 const AS_HALF_SPACE = named({ cylinder: 'sphere', parabola: 'sphere', hole: 'curved' });
 /** @type {Record<string, string | undefined>} */
-const AS_SECTION = named({ sphere: 'cylinder', curved: 'cylinder', flat: 'block' });
+const AS_SECTION = named({ sphere: 'cylinder', curved: 'cylinder', roller: 'cylinder', flat: 'block' });
 
 /** @param {string} type @param {unknown} analysis @returns {string} the same shape, or what stands for it in this analysis */
 export function shapeIn(type, analysis) {
@@ -64,6 +64,7 @@ export function shapeFor(shape, analysis, units) {
   if (OF_HALF_SPACES.has(type) === OF_HALF_SPACES.has(shape.type)) return { ...shape, type };
   if (type === 'sphere' || shape.type === 'sphere') return { type, radius: shape.radius };
   if (type === 'curved') return { type, radius_x: -shape.radius, radius_y: -shape.radius };
+  if (shape.type === 'roller') return { type, radius: shape.radius };
   if (shape.type === 'curved') return { type, radius: Math.abs(shape.radius_x ?? shape.radius_y) };
   return shapeLike(type, shape, units);
 }

@@ -121,6 +121,20 @@ export const SHAPES = {
       {"description":"Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
     ],
   },
+  roller: {
+    label: "Roller",
+    description: "A cylinder of finite length, whose axis is its y: a roller, a rib; only in three dimensions.",
+    fields: [
+      {"description":"Radius.","example":5.0,"key":"radius","label":"Radius","quantity":"length","symbol":"R"},
+      {"description":"Length that can touch, without the rounded ends.","example":10.0,"key":"length","label":"Length","quantity":"length","symbol":"L"},
+      {"choices":{"crowned":"crowned","iso_16281":"iso 16281","logarithmic":"logarithmic","points":"points"},"description":"How the surface falls towards the ends: `crowned` in an arc of `crown_radius`, `logarithmic` by Lundberg for `design_force`, `iso_16281` with the factor of that standard, `points` as given. If it is left out, the roller is straight.","key":"profile","kind":"choice","label":"Profile","optional":true,"symbol":""},
+      {"description":"Radius of the arc along the axis, for `crowned`.","key":"crown_radius","label":"Crown radius","optional":true,"quantity":"length","symbol":"R_c"},
+      {"description":"Force under which a `logarithmic` profile makes the pressure along the roller even.","key":"design_force","label":"Design force","optional":true,"quantity":"force","symbol":"Q"},
+      {"columns":["length","length"],"description":"Points `[y, height]` for `points`, y rising and passing 0, straight between them. Points that start or end at y = 0 are completed by their mirror image. Beyond the outermost ones the height stays.","key":"points","kind":"points","label":"Points","optional":true,"symbol":"y, height"},
+      {"description":"Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out.","key":"rotation","label":"Rotation","optional":true,"quantity":"number","symbol":"φ"},
+      {"description":"Misalignment in the plane of axis and normal, in mrad: positive brings the end at positive y closer to the other body; 0 if it is left out. The approach is that of the middle.","key":"tilt","label":"Tilt","optional":true,"quantity":"number","symbol":"ϑ"},
+    ],
+  },
   flat: {
     label: "Plane surface",
     description: "A plane half-space; only in three dimensions.",
@@ -219,11 +233,11 @@ export const INITIAL_STRESS = {"columns":["length","stress","stress"],"descripti
 /** The figures of a result by what they are; those without unit are left out. @type {Record<string, string[]>} */
 /* prettier-ignore */
 export const FIGURES = {
-  length: ["a","approach","b","depth","displacement","gap","half_width","height","left","nodes","outline","peak_position","peak_position_y","pile_up","pile_up_position","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
-  stress: ["initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","mean_pressure","peak_pressure","pressure","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
-  load: ["force","stiffness_from","stiffness_to","yield_onset_force"],
-  slope: ["contact_stiffness","stiffness","unloading_stiffness"],
-  area: ["area","reverse_area"],
+  length: ["a","approach","b","depth","displacement","gap","half_width","left","nodes","outline","peak_position","peak_position_y","position","position_y","right","shakedown_depth","spacing","x","y","yield_onset_depth","z","z_faces"],
+  stress: ["end_pressure","initial_sigma_x","initial_sigma_y","initial_sigma_z","largest_cell_pressure","mean_pressure","middle_pressure","nominal_pressure","peak_pressure","pressure","pressure_quantiles","shakedown_pressure","sigma_x","sigma_xx","sigma_xy","sigma_xz","sigma_y","sigma_yy","sigma_yz","sigma_z","sigma_zz","tau_max","tau_xy","von_mises","yield_stress"],
+  load: ["force","yield_onset_force"],
+  slope: ["contact_stiffness","line_load","stiffness","unloading_stiffness"],
+  area: ["area"],
   volume: ["volume"],
-  energy: ["dissipated","elastic","plastic","stored","work"],
+  energy: ["dissipated","elastic","moment","plastic","stored","work"],
 };

@@ -29,6 +29,7 @@ __all__ = [{names}]
 TYPES = {
     "points": "Sequence[tuple[Number, Number]] | Sequence[Sequence[Number]] | Any",
     "interpolation": "str | None",
+    "profile": "str | None",
     "over_depth": "Any",
     "backstress": "Sequence[Any] | None",
 }

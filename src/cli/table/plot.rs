@@ -51,7 +51,8 @@ pub(super) fn pressure(step: &StepReport, names: Names, style: Style) -> String 
         vec![Section { x: &nodes.x, pressure: &nodes.pressure, hertz, abscissa: names.abscissa() }];
     if let Some(whole) = &step.three_dimensional {
         let longer = whole.hertz.map(|ellipse| ellipse.b);
-        let hertz = hertz.zip(longer).map(|(hertz, half_width)| Ellipse { half_width, ..hertz });
+        let hertz = hertz.zip(longer).filter(|_| whole.roller.is_none());
+        let hertz = hertz.map(|(hertz, half_width)| Ellipse { half_width, ..hertz });
         let section = &whole.section;
         sections.push(Section { x: &section.y, pressure: &section.pressure, hertz, abscissa: "y" });
     }

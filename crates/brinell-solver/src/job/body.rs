@@ -1,10 +1,12 @@
 //! One of the two bodies.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use super::reader::Cursor;
 use super::wire::InUnits;
-use super::{Analysis, Material, Named, Shape, Units};
+use super::{Analysis, Material, Named, Shape, Surface, Units};
 
 /// One body of the contact: its shape, what it is made of and how its far boundary is held.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +17,8 @@ pub struct Body {
     pub material: Material,
     /// How the far boundary is held. Without meaning for a rigid body.
     pub support: Support,
+    /// Heights on top of the shape; only of half-spaces.
+    pub surface: Option<Arc<Surface>>,
 }
 
 impl Body {
@@ -28,11 +32,12 @@ impl Body {
 
     pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
         let object = cursor.object()?;
-        object.only(&["shape", "support", "material"]);
+        object.only(&["shape", "support", "material", Surface::KEY]);
         let shape = object.required("shape", |c| Shape::read(c, units, &[]));
         let support = object.or("support", Support::default(), |c| c.named());
         let material = object.required("material", |c| Material::read(c, units));
-        Some(Self { shape: shape?, material: material?, support: support? })
+        let surface = object.or(Surface::KEY, None, |c| Surface::read(c, units).map(Arc::new).map(Some));
+        Some(Self { shape: shape?, material: material?, support: support?, surface: surface? })
     }
 }
 
@@ -44,6 +49,7 @@ impl InUnits<'_, Body> {
             shape: InUnits(&self.0.shape, self.1),
             support: has_support.then_some(self.0.support),
             material: InUnits(&self.0.material, self.1),
+            surface: self.0.surface.as_deref().map(|surface| InUnits(surface, self.1)),
         }
     }
 }
@@ -54,6 +60,8 @@ struct WireBody<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     support: Option<Support>,
     material: InUnits<'a, Material>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface: Option<InUnits<'a, Surface>>,
 }
 
 /// How the far boundary of a body is held (diametral plane of a cylinder, base of a block).

@@ -29,6 +29,7 @@ pub mod settings;
 pub mod shape;
 #[cfg(any(test, feature = "proptest"))]
 pub mod strategy;
+mod surface;
 pub mod tags;
 pub mod target;
 mod theory;
@@ -53,7 +54,8 @@ pub use reader::Named;
 pub use settings::{ContactMethod, Coupling, MeshSettings, OutputSettings, SolverSettings, Theory};
 pub use shape::{
     Block, Cone, Curved, Cylinder, Ellipse, Flat, Groove, Hole, Interpolation, OuterEdge, Parabola, Power,
-    Profile, Punch, Shape, Sphere, Wedge,
+    Profile, Punch, Roller, RollerProfile, Shape, Sphere, Wedge,
 };
+pub use surface::{Detrend, Surface};
 pub use target::{Target, TargetFigure};
 pub use units::Units;

@@ -7,9 +7,10 @@ use serde_json::{Map, Value, json};
 
 use super::fields::{Example, Field, FieldKind, FieldTable, Figure, Record, words};
 use super::{
-    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Elastic, HardenedCase, Hardening,
+    Analysis, BackstressTerm, CaseCurve, ContactMethod, Coupling, Detrend, Elastic, HardenedCase, Hardening,
     HardnessProfile, InitialStress, Interpolation, Job, Load, MeshSettings, Named, OutputSettings, OverDepth,
-    Quantity, Shape, SolverSettings, Support, Sweep, TargetFigure, Theory, Units, tags,
+    Quantity, RollerProfile, Shape, SolverSettings, Support, Surface, Sweep, TargetFigure, Theory, Units,
+    tags,
 };
 
 /// The schemas of a job and of all its parts by name. References begin with `base`, e.g. `#/components/schemas/`.
@@ -68,6 +69,10 @@ impl Schemas<'_> {
                 "Interpolation",
                 enumeration::<Interpolation>("What a face given by points is like between them."),
             ),
+            (
+                "RollerProfile",
+                enumeration::<RollerProfile>("How the surface of a roller falls towards its ends."),
+            ),
             ("Tags", tags_schema()),
             ("Shape", self.tagged("The undeformed outline of a body.", Shape::TAG, Shape::TABLES)),
             (
@@ -99,6 +104,8 @@ impl Schemas<'_> {
         all.extend(self.over_depth());
         all.extend(self.materials());
         all.extend(self.loads());
+        all.push(("Detrend", enumeration::<Detrend>("What is taken away from heights.")));
+        all.push(("SurfaceHeights", self.surface()));
         all.push(("MeshSettings", self.settings(&MeshSettings::TABLE, &MeshSettings::default())));
         all.push(("SolverSettings", self.settings(&SolverSettings::TABLE, &SolverSettings::default())));
         all.push(("OutputSettings", self.settings(&OutputSettings::TABLE, &OutputSettings::default())));
@@ -153,6 +160,41 @@ impl Schemas<'_> {
                 Entry { key: "shape", schema: self.named("Shape"), required: true },
                 Entry { key: "support", schema: or_null(self.named("Support"), &support), required: false },
                 Entry { key: "material", schema: self.named("Material"), required: true },
+                Entry {
+                    key: Surface::KEY,
+                    schema: or_null(
+                        self.named("SurfaceHeights"),
+                        "Heights on top of the shape, measured or computed; only in three dimensions.",
+                    ),
+                    required: false,
+                },
+            ],
+        )
+    }
+
+    fn surface(&self) -> Value {
+        let counts = |items: Value| json!({"type": "array", "items": items, "minItems": Surface::MIN_CELLS, "maxItems": Surface::MAX_CELLS});
+        let mut heights = counts(counts(json!({"type": "number"})));
+        heights["description"] = json!(
+            "Heights along the outward normal at the middles of cells: `heights[i][j]` at the i-th x and the j-th y \
+             of the job, the middle of the grid at the origin. Rows of one length."
+        );
+        let length = |along: &str| {
+            let described = format!("Distance of heights along {along}.");
+            let mut schema = figure_schema(&Figure::Quantity(Quantity::Length), &described);
+            schema["examples"] = json!([0.001]);
+            schema
+        };
+        let spacing = |key, along: &str| Entry { key, schema: length(along), required: true };
+        let detrend =
+            format!("What is taken away from the heights. Default: `{}`.", Detrend::default().name());
+        object(
+            "Heights on top of the shape of a half-space. The contact is solved on their grid, and there is none beyond it.",
+            vec![
+                Entry { key: "heights", schema: heights, required: true },
+                spacing("spacing_x", "x"),
+                spacing("spacing_y", "y"),
+                Entry { key: "detrend", schema: or_null(self.named("Detrend"), &detrend), required: false },
             ],
         )
     }

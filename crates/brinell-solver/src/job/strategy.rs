@@ -54,7 +54,7 @@ fn any_of_tables<T: std::fmt::Debug>(
 fn member(field: &'static Field) -> BoxedStrategy<Option<serde_json::Value>> {
     match (field.required, &field.kind, field.example) {
         (true, ..) => value(field).prop_map(Some).boxed(),
-        (false, FieldKind::Figure(_), Example::None) => Just(None).boxed(),
+        (false, FieldKind::Figure(_) | FieldKind::Points { .. }, Example::None) => Just(None).boxed(),
         (false, ..) => proptest::option::of(value(field)).boxed(),
     }
 }
@@ -118,6 +118,7 @@ fn body(material: impl Strategy<Value = Material>) -> impl Strategy<Value = Body
         shape,
         material,
         support,
+        surface: None,
     })
 }
 

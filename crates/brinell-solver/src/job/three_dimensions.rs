@@ -1,7 +1,7 @@
 //! What half-spaces in three dimensions ask of a job.
 
 use super::reader::Node;
-use super::{Analysis, ContactMethod, Coupling, FieldError, Job, MeshSettings};
+use super::{Analysis, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Shape};
 
 /// Least curvature of the gap in one direction over that in the other: what is flatter is a line contact.
 const LEAST_CURVATURE_RATIO: f64 = 1e-4;
@@ -10,11 +10,12 @@ impl Job {
     /// Whatever of the job half-spaces cannot do, and half-spaces in a plane analysis.
     pub(super) fn faults_of_three_dimensions(&self, document: &Node) -> Vec<FieldError> {
         let is_three_dimensional = self.analysis == Analysis::ThreeDimensional;
-        let mut faults = self.faults_of_surfaces(is_three_dimensional);
+        let mut faults = self.faults_of_shapes_of(is_three_dimensional);
+        faults.extend(self.faults_of_heights(is_three_dimensional));
         if !is_three_dimensional {
             return faults;
         }
-        if faults.is_empty() {
+        if faults.is_empty() && !self.has_heights() {
             faults.extend(self.faults_of_gap());
         }
         let most = MeshSettings::MAX_CELLS_PER_SEMI_AXIS;
@@ -42,7 +43,7 @@ impl Job {
     }
 
     /// Half-spaces are of three dimensions, and nothing else is.
-    fn faults_of_surfaces(&self, is_three_dimensional: bool) -> Vec<FieldError> {
+    fn faults_of_shapes_of(&self, is_three_dimensional: bool) -> Vec<FieldError> {
         let sides = [("upper", &self.upper), ("lower", &self.lower)];
         let misplaced =
             sides.into_iter().filter(|(_, body)| body.shape.curvatures().is_some() != is_three_dimensional);
@@ -50,7 +51,7 @@ impl Job {
             .map(|(side, body)| {
                 let word = body.shape.table().word;
                 let detail = if is_three_dimensional {
-                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\" or \"flat\"")
+                    format!("\"{word}\" is a section of a body; in three dimensions take \"sphere\", \"curved\", \"roller\" or \"flat\"")
                 } else {
                     format!("\"{word}\" needs the analysis \"three_dimensional\"")
                 };
@@ -59,17 +60,51 @@ impl Job {
             .collect()
     }
 
-    /// The gap opens in every direction, so that the contact ends.
+    /// Whether a body has heights on top of its shape.
+    pub fn has_heights(&self) -> bool {
+        self.upper.surface.is_some() || self.lower.surface.is_some()
+    }
+
+    /// Heights belong to half-spaces that are no rollers; those of both bodies are at the same places; and a force is not sought with them.
+    fn faults_of_heights(&self, is_three_dimensional: bool) -> Vec<FieldError> {
+        let bodies = [("/upper/surface", &self.upper), ("/lower/surface", &self.lower)];
+        let given = || bodies.iter().filter(|(_, body)| body.surface.is_some());
+        let is_roller = bodies.iter().any(|(_, body)| matches!(body.shape, Shape::Roller(_)));
+        let detail = match (is_three_dimensional, is_roller) {
+            (false, _) => Some("belongs to the analysis \"three_dimensional\""),
+            (true, true) => {
+                Some("does not go with a roller, whose length is not that of the heights; take \"curved\"")
+            }
+            (true, false) => None,
+        };
+        let mut faults: Vec<_> =
+            detail.iter().flat_map(|detail| given().map(|(at, _)| FieldError::new(*at, *detail))).collect();
+        if let (Some(upper), Some(lower)) = (&self.upper.surface, &self.lower.surface)
+            && !upper.has_cells_of(lower)
+        {
+            let detail = "must have as many cells, of the same sides, as the surface of the other body";
+            faults.extend(given().map(|(at, _)| FieldError::new(*at, detail)));
+        }
+        if self.has_heights() && matches!(self.load, Load::Onset | Load::Target(_)) {
+            let detail = "is not sought between surfaces with heights; take a force or an approach";
+            faults.push(FieldError::new(format!("/load/{}", self.load.kind()), detail));
+        }
+        faults
+    }
+
+    /// The gap opens in every direction, or a roller ends, so that the contact does.
     fn faults_of_gap(&self) -> Vec<FieldError> {
         let Some([least, greatest]) = self.gap_curvatures() else { return Vec::new() };
-        if greatest > 0.0 && least >= LEAST_CURVATURE_RATIO * greatest {
+        let ends = [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
+        let needed = if ends { -LEAST_CURVATURE_RATIO } else { LEAST_CURVATURE_RATIO };
+        if greatest > 0.0 && least >= needed * greatest {
             return Vec::new();
         }
         let detail = if greatest <= 0.0 || least < -LEAST_CURVATURE_RATIO * greatest {
             "the surfaces do not open away from where they touch: in each direction the concave body needs the larger radius"
         } else {
             "the contact would have no end, or nearly none, in the direction in which both surfaces are straight or fit each other: \
-             solve it as \"plane_strain\", or give a body a radius there"
+             solve it as \"plane_strain\", give a body a radius there, or make it a \"roller\""
         };
         ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
     }

@@ -264,7 +264,9 @@ fn approach_datum(job: &Job, write: UnitConverter) -> String {
         (_, Shape::Parabola(parabola)) => block_base(side, parabola.depth().get(), write),
         (_, Shape::Ellipse(ellipse)) => block_base(side, ellipse.semi_axis_y.get(), write),
         (_, Shape::Power(power)) => block_base(side, power.depth().get(), write),
-        (_, Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_)) => format!("the far {side} body"),
+        (_, Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_)) => {
+            format!("the far {side} body")
+        }
     };
     format!("{} towards {}", support("upper", &job.upper), support("lower", &job.lower))
 }

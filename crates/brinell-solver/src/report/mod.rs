@@ -33,7 +33,8 @@ pub use field_arrays::{
 pub use fields::FieldsReport;
 pub use flow::{EnergyReport, FlowReport, IncrementsReport, SurfaceReport};
 pub use half_spaces::{
-    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, SectionReport, ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, EllipticReference, MapsReport, RollerReport, RoughContactReport,
+    SectionReport, ThreeDimensionalReport,
 };
 pub use layer_fields::{LAYER_NAMES, LayersReport};
 pub use load_approach::LoadApproach;

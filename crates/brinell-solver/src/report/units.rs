@@ -62,6 +62,11 @@ impl UnitConverter {
         }
     }
 
+    /// A stress with its unit, to five digits, for sentences.
+    pub fn stress_text(self, core: f64) -> String {
+        format!("{} {}", rounded(self.stress(core)), Quantity::Stress.symbol(self.units))
+    }
+
     /// A force with its unit, to five digits, for sentences.
     pub fn force_text(self, core: f64) -> String {
         format!("{} {}", rounded(self.force(core)), self.force.symbol(self.units))

@@ -56,6 +56,8 @@ pub const VALIDITY_CODES: &[&str] = &[
     "sharp_corner",
     "suspicious_units",
     "half_spaces",
+    "roller_end",
+    "surface_end",
 ];
 
 pub(super) const AT_EDGE: &str =

@@ -40,7 +40,7 @@ pub fn outline_of(shape: &Shape) -> Outline {
             Outline::power(power.exponent(), power.scale().get(), power.width().get(), power.depth().get())
         }
         // The section along x of a half-space, which no analysis meshes.
-        Shape::Sphere(_) | Shape::Curved(_) | Shape::Flat(_) => {
+        Shape::Sphere(_) | Shape::Curved(_) | Shape::Roller(_) | Shape::Flat(_) => {
             let [curvature, ..] = shape.curvatures().unwrap_or_default();
             Outline::arc(curvature, curvature.abs().recip(), f64::INFINITY)
         }

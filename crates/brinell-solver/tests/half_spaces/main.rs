@@ -43,6 +43,8 @@ fn on_flat(radius_y: f64, material: Deformable, cells: u32) -> HalfSpaceProblem 
     HalfSpaceProblem {
         materials: [None, Some(material)],
         curvature: [RADIUS.recip(), radius_y.recip(), 0.0],
+        rollers: Vec::new(),
+        heights: None,
         load: Load::Onset,
         cells_per_semi_axis: cells,
         solver: SolverSettings::default(),

@@ -193,18 +193,33 @@ pub fn words<T: Named>() -> Vec<&'static str> {
 
 /// The figures and points of an object that could be read, for rules between several of them.
 #[derive(Debug, Default)]
-pub(super) struct Known(pub Vec<(&'static str, Value)>);
+pub(super) struct Known {
+    pub values: Vec<(&'static str, Value)>,
+    /// Keys of the fields that are given, whether they could be read or not.
+    pub given: Vec<&'static str>,
+}
 
 impl Known {
     /// A figure, in N–mm–MPa; `None` if it is missing or at fault.
     pub fn figure(&self, key: &str) -> Option<f64> {
-        let found = self.0.iter().find(|(name, _)| *name == key);
+        let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(|(_, value)| if let Value::Figure(figure) = value { Some(*figure) } else { None })
+    }
+
+    /// A word; `None` if it is missing or at fault.
+    pub fn word(&self, key: &str) -> Option<&'static str> {
+        let found = self.values.iter().find(|(name, _)| *name == key);
+        found.and_then(|(_, value)| if let Value::Word(word) = value { Some(*word) } else { None })
+    }
+
+    /// Whether a field is given, at fault or not.
+    pub fn has(&self, key: &str) -> bool {
+        self.given.contains(&key)
     }
 
     /// Points, in N–mm–MPa; `None` if they are missing or at fault.
     pub fn points(&self, key: &str) -> Option<&[[f64; 2]]> {
-        let found = self.0.iter().find(|(name, _)| *name == key);
+        let found = self.values.iter().find(|(name, _)| *name == key);
         found.and_then(|(_, value)| if let Value::Points(points) = value { Some(&**points) } else { None })
     }
 }

@@ -53,7 +53,8 @@ pub(in crate::job) fn read_record_of<T: Record>(
     let own = T::TABLE.fields.iter().map(|field| field.key);
     let keys: Vec<_> = tag.into_iter().chain(own).chain(shared.iter().copied()).collect();
     object.only(&keys);
-    let mut known = Known(beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect());
+    let given = T::TABLE.fields.iter().map(|field| field.key).filter(|key| object.has(key)).collect();
+    let mut known = Known { values: beside_values(beside), given };
     let read = T::read_fields(object, units, default, &mut known);
     let faults = T::rules(&known);
     let holds = faults.is_empty();
@@ -63,7 +64,7 @@ pub(in crate::job) fn read_record_of<T: Record>(
 
 /// Everything wrong with an object that was put together in code: its rules and the ranges of its figures.
 pub(in crate::job) fn faults_of<T: Record>(record: &T, beside: &[(&'static str, f64)]) -> Vec<FieldError> {
-    let mut known = Known(beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect());
+    let mut known = Known { values: beside_values(beside), given: Vec::new() };
     let mut faults = Vec::new();
     for (field, value) in T::TABLE.fields.iter().zip(record.values()) {
         let Some(value) = value else { continue };
@@ -74,10 +75,15 @@ pub(in crate::job) fn faults_of<T: Record>(record: &T, beside: &[(&'static str, 
             let pointer = format!("/{}", field.key);
             faults.push(FieldError { pointer, code: FaultCode::OutOfRange, detail });
         }
-        known.0.push((field.key, value));
+        known.values.push((field.key, value));
+        known.given.push(field.key);
     }
     faults.extend(T::rules(&known));
     faults
+}
+
+fn beside_values(beside: &[(&'static str, f64)]) -> Vec<(&'static str, Value)> {
+    beside.iter().map(|(key, figure)| (*key, Value::Figure(*figure))).collect()
 }
 
 /// Reads an object of which every field has a default.
@@ -155,7 +161,7 @@ macro_rules! record {
                     let $field: Option<$type> =
                         $crate::job::fields::read_member(object, field, units, default_value);
                     let value = $field.as_ref().and_then($crate::job::fields::Member::value);
-                    known.0.extend(value.map(|value| (field.key, value)));
+                    known.values.extend(value.map(|value| (field.key, value)));
                 )+
                 Some(Self { $($field: $field?),+ })
             }

@@ -12,6 +12,7 @@ mod power;
 mod profile;
 mod punch;
 mod quadric;
+mod roller;
 mod wedge;
 
 pub use block::Block;
@@ -22,6 +23,7 @@ pub use power::{Ellipse, Parabola, Power};
 pub use profile::{Interpolation, Profile};
 pub use punch::Punch;
 pub use quadric::{Curved, Flat, Sphere};
+pub use roller::{Roller, RollerProfile};
 pub use wedge::{Cone, Wedge};
 
 use super::fields::tagged;
@@ -30,7 +32,7 @@ tagged! {
     /// The undeformed outline of a body.
     pub enum Shape by "type" {
         Cylinder, Block, Groove, Hole, Profile, Wedge, Cone, Punch, Parabola, Ellipse, Power, Sphere, Curved,
-        Flat
+        Roller, Flat
     }
 }
 
@@ -41,8 +43,16 @@ impl Shape {
         match self {
             Self::Sphere(Sphere { radius, .. }) => Some([radius.get().recip(), radius.get().recip(), 0.0]),
             Self::Curved(curved) => Some(curved.curvatures()),
+            Self::Roller(roller) => Some(turned(roller.curvatures(), roller.rotation)),
             Self::Flat(_) => Some([0.0; 3]),
             _ => None,
         }
     }
+}
+
+/// Curvatures `[k_xx, k_yy, k_xy]` of a surface with these along its own x and y, which are turned by an angle in degrees.
+fn turned([along, across]: [f64; 2], rotation: Option<f64>) -> [f64; 3] {
+    let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
+    let (sine, cosine) = (2.0 * rotation.unwrap_or(0.0)).to_radians().sin_cos();
+    [mean + half * cosine, mean - half * cosine, half * sine]
 }

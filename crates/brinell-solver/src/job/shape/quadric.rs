@@ -2,6 +2,7 @@
 //!
 //! x and y are those of the contact plane, the same for both bodies.
 
+use super::turned;
 use crate::job::fields::{Field, Known, record, unless};
 use crate::job::{FieldError, PositiveF64, Quantity};
 
@@ -58,9 +59,7 @@ impl Curved {
     /// `-(k_xx x² + k_yy y² + 2 k_xy x y)/2`.
     pub fn curvatures(&self) -> [f64; 3] {
         let [along, across] = [self.radius_x, self.radius_y].map(|radius| radius.map_or(0.0, f64::recip));
-        let (mean, half) = (0.5 * (along + across), 0.5 * (along - across));
-        let (sine, cosine) = (2.0 * self.rotation.unwrap_or(0.0)).to_radians().sin_cos();
-        [mean + half * cosine, mean - half * cosine, half * sine]
+        turned([along, across], self.rotation)
     }
 }
 

@@ -73,7 +73,8 @@ fn sections_along_y(job: &Job, step: &StepReport, whole: &ThreeDimensionalReport
         colour: VERMILION,
         stroke: Stroke::Solid,
     }];
-    if let Some((ellipse, hertz)) = whole.hertz.zip(step.hertz.as_ref()) {
+    // Along a roller the pressure of Hertz's line contact is the same everywhere.
+    if let Some((ellipse, hertz)) = whole.hertz.zip(step.hertz.as_ref()).filter(|_| whole.roller.is_none()) {
         let longer = HertzReport { half_width: ellipse.b, ..hertz.clone() };
         curves.push(Curve { name: String::new(), ..hertz_curve(job, &longer) });
     }

@@ -25,6 +25,12 @@ pub struct ThreeDimensionalReport {
     /// The elastic contact of the same bodies under the same force; absent where nothing touches.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hertz: Option<EllipticHertzReport>,
+    /// What is said along a roller; absent without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roller: Option<RollerReport>,
+    /// What is said of a contact of heights; absent without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<RoughContactReport>,
     /// The cells of the section x = 0; those of the section y = 0 are `contact.nodes`.
     pub section: SectionReport,
     /// Pressure and gap of all cells; absent unless `output.fields` asks for them.
@@ -45,6 +51,46 @@ pub struct EllipticHertzReport {
     pub b: f64,
     /// Approach of points far from the contact \[length >= 0\].
     pub approach: f64,
+}
+
+/// The contact of surfaces with heights on top of their shapes. `area` is that of the cells in contact, a and b are half of what lies between the
+/// outermost of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RoughContact))]
+pub struct RoughContactReport {
+    /// Area of the cells in contact over that of all heights \[1 >= 0\].
+    pub contact_ratio: f64,
+    /// Force over the area of all heights \[stress >= 0\].
+    pub nominal_pressure: f64,
+    /// Parts of the area in contact.
+    pub parts: Vec<f64>,
+    /// Pressure below which these parts of the area in contact are; empty where nothing touches \[stress >= 0\].
+    pub pressure_quantiles: Vec<f64>,
+    /// Part of the area in contact below which a body has yielded at some depth; `null` where none has a hardening curve
+    /// \[1 >= 0\].
+    pub plastic_part: Option<f64>,
+}
+
+/// The contact along a roller, in rows of cells across it. y is that of the fields, 0 in the middle of the roller.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema), schema(as = RollerContact))]
+pub struct RollerReport {
+    /// Middles of the rows along the roller \[length\].
+    pub y: Vec<f64>,
+    /// Force on unit length of each row \[stiffness >= 0\].
+    pub line_load: Vec<f64>,
+    /// Half the width of the contact in each row \[length >= 0\].
+    pub half_width: Vec<f64>,
+    /// Largest pressure of a cell of each row \[stress >= 0\].
+    pub pressure: Vec<f64>,
+    /// Largest pressure of a cell in the rows beside the middle of the roller \[stress >= 0\].
+    pub middle_pressure: f64,
+    /// Largest pressure of a cell in the outermost rows, at negative and at positive y; 0 where the contact ends before. Where the roller
+    /// has sharp ends it grows without bound with finer cells \[stress >= 0\].
+    pub end_pressure: [f64; 2],
+    /// Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y
+    /// bears more \[energy\].
+    pub moment: f64,
 }
 
 /// Cells along y, the mean of the two rows beside x = 0.

@@ -1,10 +1,20 @@
 //! The elastic contact of the same half-spaces, and the load under which it begins to yield.
 
-use brinell_halfspace::EllipticContact;
+use std::f64::consts::PI;
+
+use brinell_halfspace::{EllipticContact, SurfaceGrid};
 
 use crate::analytical::{DepthLimit, HertzEllipse, YieldOnset};
-use crate::job::{Analysis, Deformable, Job, Material};
-use crate::solver::half_spaces::HalfSpaceProblem;
+use crate::job::{Analysis, Body, Deformable, Job, Material, Roller, RollerProfile, Shape};
+use crate::solver::half_spaces::{HalfSpaceProblem, HeightMap, Relief, RollerGap};
+
+/// Logarithmic profiles of ISO 16281 over the diameter: of rollers up to 2.5 diameters long, and of longer ones.
+const ISO_FACTOR: f64 = 0.00035;
+const ISO_FACTOR_LONG: f64 = 0.0005;
+const LONG_ROLLER: f64 = 2.5;
+
+/// Part of a roller from which on its contact is one from end to end.
+const LINE_PART: f64 = 0.9;
 
 /// What Hertz's theory says of two half-spaces whatever the force.
 #[derive(Debug, Clone)]
@@ -25,20 +35,95 @@ pub(super) fn problem_of(job: &Job) -> Option<HalfSpaceProblem> {
     (job.analysis == Analysis::ThreeDimensional).then(|| HalfSpaceProblem {
         materials: [material(&job.upper.material), material(&job.lower.material)],
         curvature: std::array::from_fn(|k| upper[k] + lower[k]),
+        rollers: rollers(job),
+        heights: heights(job),
         load: job.load.clone(),
         cells_per_semi_axis: job.mesh.elements_per_half_width,
         solver: job.solver,
     })
 }
 
+/// Heights of both bodies together.
+fn heights(job: &Job) -> Option<HeightMap> {
+    let mut surfaces = [&job.upper, &job.lower].into_iter().filter_map(|body| body.surface.as_ref());
+    let first = surfaces.next()?;
+    let mut heights = first.levelled();
+    for surface in surfaces {
+        for (sum, height) in heights.iter_mut().zip(surface.levelled()) {
+            *sum += height;
+        }
+    }
+    Some(HeightMap { heights, cells: first.cells(), spacing: first.spacing() })
+}
+
+/// Rollers among the bodies of a job.
+fn rollers(job: &Job) -> Vec<RollerGap> {
+    let bodies = [&job.upper, &job.lower];
+    let compliance = |body: &Body| match &body.material {
+        Material::Rigid => 0.0,
+        Material::Deformable(material) => material.elastic().plane_strain_modulus().recip(),
+    };
+    let modulus = bodies.map(compliance).iter().sum::<f64>().recip();
+    let roller = |body: &&Body| match &body.shape {
+        Shape::Roller(roller) => Some(RollerGap {
+            radius: roller.radius.get(),
+            length: roller.length.get(),
+            rotation: roller.rotation.unwrap_or(0.0).to_radians(),
+            tilt: 1e-3 * roller.tilt.unwrap_or(0.0),
+            relief: relief(roller, modulus),
+        }),
+        _ => None,
+    };
+    bodies.iter().filter_map(roller).collect()
+}
+
+/// Of a roller against whatever makes E* `modulus`. Lundberg's profile is that by which the surfaces of half-spaces sink less off the
+/// middle of an even line load `w = Q/L`, `w/(πE*) ln(1/(1 - (2y/L)²))`.
+///
+/// # Reference
+/// G. Lundberg, *Elastische Berührung zweier Halbräume*, Forsch. Ing.-Wes. 10 (1939) 201–211; ISO/TS 16281:2008, roller profiles.
+fn relief(roller: &Roller, modulus: f64) -> Relief {
+    let (diameter, length) = (2.0 * roller.radius.get(), roller.length.get());
+    match roller.profile {
+        None | Some(RollerProfile::Crowned) => Relief::Straight,
+        Some(RollerProfile::Logarithmic) => {
+            let line_load = roller.design_force.unwrap_or(0.0) / length;
+            Relief::Logarithmic(line_load / (PI * modulus))
+        }
+        Some(RollerProfile::Iso16281) => {
+            let factor = if length <= LONG_ROLLER * diameter { ISO_FACTOR } else { ISO_FACTOR_LONG };
+            Relief::Logarithmic(factor * diameter)
+        }
+        Some(RollerProfile::Points) => Relief::Points(whole(roller.points.clone().unwrap_or_default())),
+    }
+}
+
+/// Points on both sides of the middle.
+fn whole(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let starts_in_the_middle = points.first().is_some_and(|[y, _]| *y >= 0.0);
+    let ends_in_the_middle = points.last().is_some_and(|[y, _]| *y <= 0.0);
+    let mirrored = points.iter().rev().filter(|[y, _]| *y != 0.0).map(|[y, height]| [-y, *height]);
+    let mirrored: Vec<_> = mirrored.collect();
+    if starts_in_the_middle {
+        points.splice(0..0, mirrored);
+    } else if ends_in_the_middle {
+        points.extend(mirrored);
+    }
+    points
+}
+
 impl EllipticReference {
     /// The reference for a job; `None` if it is not in three dimensions.
     pub fn of(job: &Job) -> Option<Self> {
         let problem = problem_of(job)?;
+        if !problem.has_hertz() {
+            return Some(Self { onset: None, rolling: None, problem });
+        }
         let unit = problem.hertz(1.0);
-        let ellipse = HertzEllipse { axis_ratio: unit.semi_axis_x / unit.semi_axis_y };
+        let ellipse = (!problem.is_line(&unit))
+            .then_some(HertzEllipse { axis_ratio: unit.semi_axis_x / unit.semi_axis_y });
         let half_width = unit.semi_axis_x / unit.peak_pressure;
-        let least = |limit: fn(&Deformable, HertzEllipse, f64) -> Option<DepthLimit>| {
+        let least = |limit: fn(&Deformable, Option<HertzEllipse>, f64) -> Option<DepthLimit>| {
             let bodies = problem.materials.iter().flatten();
             let limits = bodies.filter_map(|material| limit(material, ellipse, half_width));
             limits.min_by(|a, b| a.peak_pressure.total_cmp(&b.peak_pressure))
@@ -46,7 +131,13 @@ impl EllipticReference {
         let (onset, rolling) = (least(onset), least(rolling));
         // The closed forms know of no stress before the load.
         let is_stressed = problem.materials.iter().flatten().any(|body| !body.initial_stress().is_empty());
-        Some(Self { onset: onset.filter(|_| !is_stressed), rolling, problem })
+        // Nor of a contact that has come to the ends of a roller before it yields.
+        let is_alike = |limit: &DepthLimit| {
+            let force = problem.force_where(|hertz| hertz.peak_pressure, limit.peak_pressure, 3.0);
+            problem.is_line(&problem.hertz(force)) == ellipse.is_none()
+        };
+        let onset = onset.filter(|limit| !is_stressed && is_alike(limit));
+        Some(Self { onset, rolling: rolling.filter(is_alike), problem })
     }
 
     /// The contact under a force \[N\].
@@ -54,10 +145,15 @@ impl EllipticReference {
         self.problem.hertz(force)
     }
 
+    /// The gap before loading at the middles of cells \[mm\].
+    pub(super) fn initial_gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        self.problem.gap(grid)
+    }
+
     /// Force under which a body begins to yield \[N\]; `None` where none has a yield stress, or one has a stress before the load.
     pub fn onset_force(&self) -> Option<f64> {
-        let unit = self.problem.hertz(1.0).peak_pressure;
-        self.onset.map(|limit| (limit.peak_pressure / unit).powi(3))
+        let force = |peak| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
+        self.onset.map(|limit| force(limit.peak_pressure))
     }
 
     /// Depth at which it does \[mm\].
@@ -77,21 +173,30 @@ impl EllipticReference {
     }
 
     /// dP/dα of elastic bodies that touch within an ellipse of a longer semi-axis `b` and an axis ratio `a/b` \[N/mm\]:
-    /// `π E* b/K(√(1 - (a/b)²))`, the stiffness of a flat punch of this outline.
+    /// `π E* b/K(√(1 - (a/b)²))`, the stiffness of a flat punch of this outline. Along a roller of length 2b it is
+    /// `π E* b/ln(4b/a)`, the slope of the closed form of [`HalfSpaceProblem::hertz`]; 0, unknown, where it is tilted or has a profile
+    /// beside an arc.
     ///
     /// # Reference
     /// K. L. Johnson, *Contact Mechanics* (1985), section 3.5.
     pub fn stiffness(&self, [a, b]: [f64; 2]) -> f64 {
         let (short, long) = (a.min(b), a.max(b));
-        if short <= 0.0 {
+        if short <= 0.0
+            || self.problem.heights.is_some()
+            || !self.problem.rollers.iter().all(RollerGap::is_plain)
+        {
             return 0.0;
+        }
+        let modulus = self.problem.effective_modulus();
+        if self.problem.half_length().is_some_and(|half_length| b > LINE_PART * half_length && b > a) {
+            return PI * modulus * b / (4.0 * b / a).ln();
         }
         let (mut mean, mut root) = (1.0_f64, short / long);
         // K by the arithmetic-geometric mean.
         while (mean - root).abs() > 1e-15 * mean {
             (mean, root) = (0.5 * (mean + root), (mean * root).sqrt());
         }
-        2.0 * self.problem.effective_modulus() * long * mean
+        2.0 * modulus * long * mean
     }
 }
 
@@ -100,26 +205,35 @@ fn yield_stress(material: &Deformable) -> Option<f64> {
     material.hardening_law().map(|law| law.yield_stress()).filter(|stress| *stress > 0.0)
 }
 
-/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak pressure.
-fn rolling(material: &Deformable, ellipse: HertzEllipse, half_width: f64) -> Option<DepthLimit> {
+/// Where a body yields in every passage; `half_width` is the shorter semi-axis of a unit peak pressure. Without an ellipse it is a line
+/// contact.
+fn rolling(material: &Deformable, ellipse: Option<HertzEllipse>, half_width: f64) -> Option<DepthLimit> {
     let yield_stress = yield_stress(material)?;
-    Some(material.strength().map_or_else(
-        || DepthLimit::uniform_ellipse_rolling(ellipse, half_width, yield_stress),
-        |strength| {
-            DepthLimit::ellipse_rolling(ellipse, half_width, |depth| yield_stress * strength.factor(depth))
-        },
-    ))
+    let strength = material.strength();
+    let over_depth = |depth: f64| yield_stress * strength.as_ref().map_or(1.0, |s| s.factor(depth));
+    Some(match (ellipse, strength.is_some()) {
+        (Some(ellipse), true) => DepthLimit::ellipse_rolling(ellipse, half_width, over_depth),
+        (Some(ellipse), false) => DepthLimit::uniform_ellipse_rolling(ellipse, half_width, yield_stress),
+        (None, true) => DepthLimit::rolling(half_width, over_depth),
+        (None, false) => DepthLimit::uniform_rolling(half_width, yield_stress),
+    })
 }
 
-/// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure.
-fn onset(material: &Deformable, ellipse: HertzEllipse, half_width: f64) -> Option<DepthLimit> {
+/// Where a body first yields; `half_width` is the shorter semi-axis of a unit peak pressure. Without an ellipse it is a line contact.
+fn onset(material: &Deformable, ellipse: Option<HertzEllipse>, half_width: f64) -> Option<DepthLimit> {
     let yield_stress = yield_stress(material)?;
     let poisson_ratio = material.elastic().poisson_ratio.get();
     if let Some(strength) = material.strength() {
         let over_depth = |depth: f64| yield_stress * strength.factor(depth);
-        return Some(DepthLimit::ellipse_onset(ellipse, poisson_ratio, half_width, over_depth));
+        return Some(match ellipse {
+            Some(ellipse) => DepthLimit::ellipse_onset(ellipse, poisson_ratio, half_width, over_depth),
+            None => DepthLimit::line_onset(poisson_ratio, half_width, over_depth),
+        });
     }
-    let onset = YieldOnset::ellipse(ellipse, poisson_ratio);
+    let onset = ellipse.map_or_else(
+        || YieldOnset::line_von_mises(poisson_ratio),
+        |ellipse| YieldOnset::ellipse(ellipse, poisson_ratio),
+    );
     let peak_pressure = onset.pressure_ratio * yield_stress;
     Some(DepthLimit { peak_pressure, depth: onset.depth_ratio * half_width * peak_pressure })
 }
@@ -127,7 +241,6 @@ fn onset(material: &Deformable, ellipse: HertzEllipse, half_width: f64) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
 
     #[test]
     fn the_stiffness_of_a_circle_is_that_of_a_round_punch() {

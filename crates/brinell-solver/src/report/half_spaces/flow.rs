@@ -7,7 +7,7 @@ use super::step::{of_bodies, section_along_x};
 use crate::job::{Job, Material, Theory};
 use crate::report::units::UnitConverter;
 use crate::report::{EnergyReport, FlowReport, IncrementsReport, PerBody, SurfaceReport};
-use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep, SurfaceMap};
+use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceStep};
 
 /// Equivalent plastic strain that the tolerance of an iteration may leave where nothing yields.
 const NOTICEABLE: f64 = 1e-6;
@@ -49,7 +49,7 @@ impl FlowState {
             surfaces: if step.status.is_stopped() {
                 PerBody { upper: None, lower: None }
             } else {
-                let deflection = elastic_deflection(job, step);
+                let deflection = elastic_deflection(reference, step);
                 of_bodies(step, |body, side| self.surface(job, step, (body, side), &deflection, write))
             },
         })
@@ -91,23 +91,17 @@ impl FlowState {
 }
 
 /// Elastic displacement of both surfaces together at each cell, `w - δ0 - u_p + α`; none where nothing touches.
-fn elastic_deflection(job: &Job, step: &HalfSpaceStep) -> Vec<f64> {
+fn elastic_deflection(reference: &EllipticReference, step: &HalfSpaceStep) -> Vec<f64> {
     let map = &step.surface;
     if step.figures.force <= 0.0 {
         return vec![0.0; map.gap.len()];
     }
-    let gap = initial_gap(job, map);
+    let gap = reference.initial_gap(&map.grid);
     let at = |cell: usize| {
         let plastic: f64 = step.bodies.iter().flatten().map(|body| body.plastic_displacement[cell]).sum();
         map.gap[cell] - gap[cell] - plastic + step.figures.approach
     };
     (0..map.gap.len()).map(at).collect()
-}
-
-/// The gap before loading at the middles of cells.
-fn initial_gap(job: &Job, map: &SurfaceMap) -> Vec<f64> {
-    let [along_y, along_x] = job.gap_curvatures().unwrap_or_default();
-    map.grid.sample(|x, y| 0.5 * (along_x * x * x + along_y * y * y))
 }
 
 /// `(1 - ν²)/E` of a body; 0 of a rigid one.

@@ -9,6 +9,9 @@ mod notes;
 mod run;
 mod step;
 
-pub use document::{EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport};
+pub use document::{
+    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport, SectionReport,
+    ThreeDimensionalReport,
+};
 pub use elastic::EllipticReference;
 pub(super) use run::{preflight, run_each};

@@ -11,7 +11,7 @@ use crate::report::validity::{
     strain_remark,
 };
 use crate::solver::SolveStatus;
-use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep};
+use crate::solver::half_spaces::{HalfSpaceBody, HalfSpaceProblem, HalfSpaceStep, Relief, SurfaceMap};
 
 /// Semi-axis over a radius along it beyond which the surfaces are no longer close to their tangent.
 const WIDE_CONTACT: f64 = 0.1;
@@ -51,7 +51,8 @@ pub(super) fn notes(
     if step.reaches_edge {
         note("contact_at_edge", AT_EDGE.to_owned());
     }
-    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary {
+    let has_heights = problem.heights.is_some();
+    if a > 0.0 && a < COARSE_GRID * step.surface.grid.hx() && !step.is_preliminary && !has_heights {
         note(
             "coarse_mesh",
             format!(
@@ -90,15 +91,27 @@ pub(super) fn notes(
         note(code, message);
     }
     let radius = problem.principal_curvatures()[0].recip();
-    if looks_like_millimetres(job, a, radius) {
+    if problem.has_hertz() && looks_like_millimetres(job, a, radius) {
         note("suspicious_units", SUSPICIOUS_UNITS.to_owned());
+    }
+    if has_heights && reaches_rim(&step.surface) {
+        note(
+            "surface_end",
+            "The contact comes to the end of the heights, beyond which nothing touches: at the rim the pressure is too high and the \
+             surface too soft, as if the patch were a block that stands out of the body."
+                .to_owned(),
+        );
+    }
+    if let Some(message) = roller_end(problem, step, write) {
+        note("roller_end", message);
     }
     if a > 0.0 {
         note(
             "half_spaces",
             format!(
-                "The bodies are half-spaces. They stand for bodies that reach at least {} beyond the contact to all sides and in depth.",
-                write.length_text(digits(REACH * b))
+                "The bodies are half-spaces. They stand for bodies that reach at least {} beyond the contact {}and in depth.",
+                write.length_text(digits(REACH * b)),
+                if problem.rollers.is_empty() { "to all sides " } else { "across the roller " },
             ),
         );
     }
@@ -177,6 +190,39 @@ fn coarse_case(job: &Job, (ratio, depth): (f64, f64), write: UnitConverter) -> (
         write.length_text(digits(depth)),
     );
     ("coarse_case", message)
+}
+
+/// Whether a cell of the rim is in contact.
+fn reaches_rim(map: &SurfaceMap) -> bool {
+    let (nx, ny) = (map.grid.nx(), map.grid.ny());
+    let is_rim = |cell: usize| {
+        let (i, j) = (cell / ny, cell % ny);
+        i == 0 || j == 0 || i + 1 == nx || j + 1 == ny
+    };
+    map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
+}
+
+/// What is said of a contact that reaches an end of a roller.
+fn roller_end(problem: &HalfSpaceProblem, step: &HalfSpaceStep, write: UnitConverter) -> Option<String> {
+    let (half_length, map) = (problem.half_length()?, &step.surface);
+    let (ny, hy) = (map.grid.ny(), map.grid.hy());
+    let is_at_end = |cell: usize| half_length - map.grid.y(cell % ny).abs() < hy;
+    let most = (0..map.pressure.len()).filter(|cell| is_at_end(*cell)).map(|cell| map.pressure[cell]);
+    let most = most.fold(0.0, f64::max);
+    let is_sharp = problem.rollers.iter().any(|roller| roller.relief == Relief::Straight);
+    let cells = if is_sharp {
+        " It grows without bound with finer cells, because the roller is straight up to its ends: a profile tells what it is."
+    } else {
+        ""
+    };
+    (most > 0.0).then(|| {
+        format!(
+            "The contact runs to an end of the roller, with a pressure of {} in the outermost cells.{cells} A half-space goes on beyond \
+             the end and bears a part of the load there; a roller ends, gives way more and is pressed less at the end than is said here. \
+             Guilbault's factor (2011) would correct for it.",
+            write.stress_text(most),
+        )
+    })
 }
 
 /// To two digits.

@@ -1,7 +1,8 @@
 //! The report of one load.
 
 use super::document::{
-    EllipseErrors, EllipticHertzReport, MapsReport, SectionReport, ThreeDimensionalReport,
+    EllipseErrors, EllipticHertzReport, MapsReport, RollerReport, RoughContactReport, SectionReport,
+    ThreeDimensionalReport,
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
@@ -16,8 +17,11 @@ use crate::report::{
     PerBody, PlasticityReport, Side, StepReport, SubsurfaceReport, ValidityNote, YieldOnsetReport,
 };
 use crate::solver::half_spaces::{
-    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, SurfaceMap,
+    ColumnPoint, HalfSpaceBody, HalfSpaceFigures, HalfSpaceProblem, HalfSpaceStep, Row, SurfaceMap,
 };
+
+/// Parts of the area in contact for which the pressure is reported.
+const QUANTILES: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95];
 
 /// Writes the reports of the steps of one job.
 pub(super) struct StepWriter<'a> {
@@ -145,6 +149,8 @@ impl StepWriter<'_> {
                 b: write.length(hertz.semi_axis_y),
                 approach: write.length(hertz.approach),
             }),
+            roller: self.roller(map),
+            surface: self.rough_contact(step),
             section: SectionReport {
                 y: y.clone(),
                 pressure: stresses(&section_along_y(map, &map.pressure)),
@@ -158,6 +164,47 @@ impl StepWriter<'_> {
             }),
             estimated_error: ellipse_errors(step),
         }
+    }
+
+    /// Contact of heights.
+    fn rough_contact(&self, step: &HalfSpaceStep) -> Option<RoughContactReport> {
+        self.problem.heights.as_ref()?;
+        let (write, map, figures) = (self.write, &step.surface, &step.figures);
+        let all = map.grid.cell_area() * map.grid.n_cells() as f64;
+        let mut pressures: Vec<f64> = map.pressure.iter().copied().filter(|p| *p > 0.0).collect();
+        pressures.sort_by(f64::total_cmp);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a length")]
+        let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
+        let quantiles = QUANTILES.iter().filter_map(|part| at(*part));
+        Some(RoughContactReport {
+            contact_ratio: figures.area / all,
+            nominal_pressure: write.stress(figures.force / all),
+            parts: QUANTILES.to_vec(),
+            pressure_quantiles: quantiles.map(|pressure| write.stress(pressure)).collect(),
+            plastic_part: plastic_part(step),
+        })
+    }
+
+    /// Rows of cells between the ends of a roller.
+    fn roller(&self, map: &SurfaceMap) -> Option<RollerReport> {
+        let (half_length, write) = (self.problem.half_length()?, self.write);
+        let rows = Row::all(&map.grid, &map.pressure).into_iter().enumerate();
+        let rows = rows.map(|(j, row)| (map.grid.y(j), row)).filter(|(y, _)| y.abs() < half_length);
+        let (y, rows): (Vec<f64>, Vec<Row>) = rows.unzip();
+        let pressure: Vec<f64> = rows.iter().map(|row| write.stress(row.largest_pressure)).collect();
+        let [low, high] = middle(rows.len());
+        let reaches_ends = half_length - y.last()? < map.grid.hy();
+        let moment = y.iter().zip(&rows).map(|(y, row)| y * row.line_load * map.grid.hy()).sum::<f64>();
+        let at_end = |end: Option<&f64>| end.copied().filter(|_| reaches_ends).unwrap_or_default();
+        Some(RollerReport {
+            y: y.iter().map(|y| write.length(*y)).collect(),
+            line_load: rows.iter().map(|row| write.figure(Quantity::LineForce, row.line_load)).collect(),
+            half_width: rows.iter().map(|row| write.length(row.half_width)).collect(),
+            moment: write.length(write.force(moment)),
+            middle_pressure: pressure[low].max(pressure[high]),
+            end_pressure: [at_end(pressure.first()), at_end(pressure.last())],
+            pressure,
+        })
     }
 
     fn plasticity(&self, body: &HalfSpaceBody, side: usize) -> PlasticityReport {
@@ -274,6 +321,17 @@ impl StepWriter<'_> {
             bodies: None,
         })
     }
+}
+
+/// Part of the cells in contact below which a body has yielded; `None` where none can.
+fn plastic_part(step: &HalfSpaceStep) -> Option<f64> {
+    let n_cells = step.surface.pressure.len();
+    let touched: Vec<usize> = (0..n_cells).filter(|cell| step.surface.pressure[*cell] > 0.0).collect();
+    let strains = || step.bodies.iter().flatten().map(|body| &body.equivalent_plastic_strain);
+    let below = |cell: usize| strains().flat_map(move |strain| strain.iter().skip(cell).step_by(n_cells));
+    let plastic = touched.iter().filter(|cell| below(**cell).any(|strain| *strain > 0.0)).count();
+    let part = if plastic > 0 { plastic as f64 / touched.len() as f64 } else { 0.0 };
+    strains().any(|strain| !strain.is_empty()).then_some(part)
 }
 
 /// The largest plastic strain of a body; `None` where its curve does not rise any more.

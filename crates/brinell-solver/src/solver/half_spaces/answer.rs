@@ -110,7 +110,8 @@ impl Answer {
             errors: None,
             peak_position,
             largest_cell_pressure,
-            hertz: (figures.force > 0.0).then(|| engine.problem.hertz(figures.force)),
+            hertz: (figures.force > 0.0 && engine.problem.has_hertz())
+                .then(|| engine.problem.hertz(figures.force)),
             surface: Arc::new(surface),
             energy,
             bodies,

@@ -8,7 +8,7 @@ use brinell_halfspace::{
 
 use super::estimate::bytes;
 use super::law::law_of_cells;
-use super::measure::{place, semi_axes};
+use super::measure::{place, reach, semi_axes};
 use super::problem::{Expected, HalfSpaceProblem};
 use super::step::HalfSpaceFigures;
 use super::system::{ElasticBody, HalfSpaces, Yielding, watched};
@@ -37,6 +37,14 @@ const DEPTH: f64 = 2.6;
 /// square root. Perfectly plastic balls and ellipsoids of radii 10 and 100 mm, overloads 3 to 30, reach within 0.9 of these grids.
 const WIDE_ZONE: f64 = 8.0;
 const WIDE_ZONE_OF_LINES: f64 = 4.0;
+/// How far a grid reaches beyond the ends of a roller, over the half-width of the contact.
+const BEYOND_ENDS: f64 = 1.0;
+/// Sides of cells along a roller over those across it, as long as they are not more than so many times as many.
+const ROLLER_ASPECT: f64 = 4.0;
+const MOST_CELLS_ALONG: f64 = 8.0;
+/// Depth of the layers below heights over half the shorter side, and their growth.
+const PATCH_DEPTH: f64 = 0.5;
+const PATCH_GROWTH: f64 = 1.2;
 /// Factor by which cells grow at least where contact or plastic strain has reached the end of a grid, and how often they do.
 const ENLARGEMENT: f64 = 1.3;
 const MAX_ENLARGEMENTS: usize = 8;
@@ -57,19 +65,37 @@ pub(super) struct GridDesign {
     depth: f64,
     /// Factor on all depths.
     stretch: f64,
+    /// Half the length of a roller along y, which cells do not go across \[mm\], and whether it touches from end to end.
+    pub half_length: Option<f64>,
+    is_line: bool,
+    /// Cells along y over those along x.
+    finer: f64,
+    /// Cells of heights, and cells over a semi-axis for which the grid has as many.
+    patch: Option<([usize; 2], f64)>,
     pub enlargements: usize,
 }
 
 impl GridDesign {
-    /// For the contact that is expected.
-    pub fn new(expected: Expected, cells: f64) -> Self {
-        let Expected { semi_axes: [a, b], overload, .. } = expected;
+    /// For the contact that is expected, and a job that asks for `asked` cells.
+    pub fn new(expected: Expected, cells: f64, asked: f64) -> Self {
+        let Expected { semi_axes: [a, b], half_length, is_line, patch, overload, .. } = expected;
         let wide = WIDE_ZONE_OF_LINES + (WIDE_ZONE - WIDE_ZONE_OF_LINES) * (a / b);
         let beyond = (overload / wide).sqrt().max(1.0) - 1.0;
         // Beyond the ends of a long contact plastic strain reaches as far as beside it.
         let reach = [1.0 + beyond, 1.0 + beyond * a / b].map(|factor| REACH * factor);
+        let reach = [reach[0], if is_line { 1.0 + BEYOND_ENDS * (1.0 + beyond) * a / b } else { reach[1] }];
+        let finer = if is_line { (b / (ROLLER_ASPECT * a)).clamp(1.0, MOST_CELLS_ALONG) } else { 1.0 };
         let depth = DEPTH * (1.0 + beyond);
-        Self { semi_axes: [a, b], cells, reach, depth, stretch: 1.0, enlargements: 0 }
+        let semi_axes = [a, b];
+        let (stretch, enlargements) = (1.0, 0);
+        let patch = patch.map(|patch| (patch, asked));
+        let (reach, depth) = if patch.is_some() { ([1.0; 2], PATCH_DEPTH) } else { (reach, depth) };
+        Self { semi_axes, cells, reach, depth, stretch, half_length, is_line, finer, patch, enlargements }
+    }
+
+    /// Whether the grid is that of heights.
+    pub const fn is_patch(&self) -> bool {
+        self.patch.is_some()
     }
 
     /// The same extent in other cells.
@@ -85,15 +111,20 @@ impl GridDesign {
             reach: larger(self.reach, other.reach),
             depth: self.depth.max(other.depth),
             stretch: self.stretch.max(other.stretch),
+            is_line: self.is_line || other.is_line,
+            finer: self.finer.max(other.finer),
             ..self
         }
     }
 
     /// The same number of cells around this contact and what yields below it; this design where nothing touches.
     pub fn fitted(self, system: &HalfSpaces, force: &[f64]) -> Self {
-        let axes = semi_axes(system.grid(), force);
-        if axes[0].min(axes[1]) <= 0.0 {
+        let mut axes = reach(system, force);
+        if self.patch.is_some() || axes[0].min(axes[1]) <= 0.0 {
             return self;
+        }
+        if let Some(half_length) = self.half_length.filter(|_| self.is_line) {
+            axes[1] = half_length;
         }
         let zone = plastic_zone(system).map(|reach| MARGIN * reach);
         let semi_axes = [0, 1].map(|k| axes[k].max(zone[k] / self.reach[k]));
@@ -118,19 +149,44 @@ impl GridDesign {
 
     /// Cells of the surface and layers below them.
     pub fn grid(&self) -> Result<(SurfaceGrid, Layers), SolveError> {
-        let sides = self.semi_axes.map(|axis| axis / self.cells);
+        if let Some((cells, asked)) = self.patch {
+            return self.grid_of_patch(cells, self.cells / asked);
+        }
+        let [a, b] = self.semi_axes;
+        let cells = [self.cells, self.cells * self.finer];
+        let (hx, mut hy) = (a / cells[0], b / cells[1]);
+        let mut over_semi_axes = cells;
+        if let Some(half_length) = self.half_length {
+            hy = half_length / (half_length / hy).ceil();
+            over_semi_axes[1] = b / hy;
+        }
+        let sides = [hx, hy];
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a small positive number"
         )]
-        let counts = self.reach.map(|reach| 2 * (reach * self.cells).ceil() as usize);
+        let counts = [0, 1].map(|k| 2 * (self.reach[k] * over_semi_axes[k]).ceil() as usize);
         let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
         let growth = 1.0 + GROWTH / (2.0 * REACH * self.cells);
         let first = FIRST_LAYER * sides[0].min(sides[1]);
         let layers =
             Layers::graded(self.stretch * first, growth, self.stretch * self.depth * self.shorter())?;
         Ok((grid, layers))
+    }
+}
+
+impl GridDesign {
+    /// The grid of heights, with this part of its cells along each side. Layers grow faster than elsewhere, because there are many cells to a
+    /// side.
+    fn grid_of_patch(&self, cells: [usize; 2], part: f64) -> Result<(SurfaceGrid, Layers), SolveError> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 512")]
+        let counts = cells.map(|count| ((count as f64 * part).round() as usize).clamp(2, count));
+        let sides = [0, 1].map(|k| 2.0 * self.semi_axes[k] / counts[k] as f64);
+        let grid = SurfaceGrid::new(counts[0], counts[1], sides[0], sides[1])?;
+        let first = FIRST_LAYER * sides[0].min(sides[1]);
+        let depth = self.stretch * self.depth * self.shorter();
+        Ok((grid, Layers::graded(first, PATCH_GROWTH, depth)?))
     }
 }
 
@@ -205,7 +261,7 @@ impl solve::Answer for Answer {
     fn figures(&self) -> CoarseFigures {
         let contact = &self.outcome.state.response.contact;
         let ContactFigures { force, approach, peak_pressure, .. } = self.system.figures(contact);
-        let [x, y] = semi_axes(self.system.grid(), &contact.force);
+        let [x, y] = semi_axes(&self.system, &contact.force);
         CoarseFigures { peak_pressure, half_width: x.min(y), approach, force, ..CoarseFigures::default() }
     }
 
@@ -222,8 +278,7 @@ impl HalfSpaceEngine<'_> {
         let (grid, layers) = design.grid()?;
         let problem = self.problem;
         run.hold(Held::Bodies, bytes(problem, &grid, &layers))?;
-        let [kx, ky] = problem.principal_curvatures();
-        let initial_gap = grid.sample(|x, y| 0.5 * (kx * x * x + ky * y * y));
+        let initial_gap = problem.gap(&grid);
         let are_equal = problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
         let mut bodies = Vec::new();
         let mut body = |material: &Option<Deformable>, count: u8| {
@@ -253,7 +308,7 @@ impl HalfSpaceEngine<'_> {
             initial_gap,
             elastic,
             weights: bodies.iter().map(of_body).collect(),
-            is_smoothed: self.theory == Theory::Flow && !bodies.is_empty(),
+            is_smoothed: self.theory == Theory::Flow && !bodies.is_empty() && !design.is_patch(),
             yielding: Yielding::new(bodies).into(),
         })
     }
@@ -329,13 +384,15 @@ pub(super) fn ends_reached(system: &HalfSpaces, force: &[f64]) -> [bool; 3] {
         let rim = |is_at: &dyn Fn(&usize) -> bool| (0..n_cells).filter(is_at).any(is_there);
         [rim(&is_at_x), rim(&is_at_y)]
     };
-    let [mut at_x, mut at_y] = reaches(&|cell| force[cell] > 0.0);
+    // Beyond heights there is nothing to touch.
+    let is_patch = system.design.is_patch();
+    let [mut at_x, mut at_y] = reaches(&|cell| force[cell] > 0.0 && !is_patch);
     let mut at_depth = false;
     for body in &system.yielding.borrow().bodies {
         let last = body.space().layers().len() - 1;
         for layer in 0..=last {
             let has_yielded = |cell: usize| body.law().has_yielded(layer, layer * n_cells + cell);
-            let [x, y] = reaches(&has_yielded);
+            let [x, y] = reaches(&|cell| has_yielded(cell) && !is_patch);
             (at_x, at_y) = (at_x || x, at_y || y);
             at_depth |= layer == last && (0..n_cells).any(has_yielded);
         }

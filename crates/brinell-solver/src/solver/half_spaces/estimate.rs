@@ -35,7 +35,7 @@ const SEARCHED_OVERLOAD: f64 = 12.0;
 pub fn estimate(problem: &HalfSpaceProblem) -> Result<HalfSpaceEstimate, SolveError> {
     let mut design: Option<GridDesign> = None;
     for expected in of_loads(problem) {
-        let next = GridDesign::new(expected.bearable()?, problem.cells());
+        let next = GridDesign::new(expected.bearable()?, problem.cells(), problem.cells());
         design = Some(design.map_or(next, |design| design.union(next)));
     }
     let design = design.ok_or(SolveError::NoLoad)?;

@@ -62,7 +62,8 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
     }
 
     fn growth(&self, load: ContactLoad) -> Growth {
-        let onset = onset_force(self.problem);
+        // The ends of a roller yield first.
+        let onset = onset_force(self.problem).filter(|_| self.problem.rollers.is_empty());
         match load {
             ContactLoad::Force(_) => Growth { onset, exponent: FORCE_EXPONENT },
             ContactLoad::Approach(_) => {
@@ -119,7 +120,8 @@ impl HistoryEngine for HalfSpaceEngine<'_> {
 
 /// A force below which no body yields \[N\].
 pub(super) fn onset_force(problem: &HalfSpaceProblem) -> Option<f64> {
-    Some((ONSET * problem.weakest()? / problem.hertz(1.0).peak_pressure).powi(3))
+    let weakest = problem.weakest().filter(|_| problem.heights.is_none())?;
+    Some(problem.force_where(|hertz| hertz.peak_pressure, ONSET * weakest, 3.0))
 }
 
 /// The bodies of a history on two grids.

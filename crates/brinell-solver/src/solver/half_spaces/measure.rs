@@ -60,7 +60,7 @@ pub(super) fn measure(
     let touches = contact.total_force > 0.0;
     let (peak_pressure, peak_cell) = system.peak(&contact.force);
     let peak_position = if touches { place(&grid, peak_cell) } else { last_peak };
-    let axes = semi_axes(&grid, &pressure);
+    let axes = semi_axes(system, &pressure);
     let bodies = fields(system, stresses.unwrap_or_default());
     let gap = contact.gap.iter().zip(&pressure);
     let gap = gap.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap }).collect();
@@ -69,7 +69,7 @@ pub(super) fn measure(
         approach: system.approach(contact),
         peak_pressure,
         semi_axes: axes,
-        area: PI * axes[0] * axes[1],
+        area: area(system, &pressure, axes),
         max_plastic_strain: of_bodies(&bodies, |body| body.largest_strain.map_or(0.0, |most| most.value)),
         dent: of_bodies(&bodies, |body| body.plastic_displacement.iter().copied().fold(0.0, f64::max)),
         pile_up: of_bodies(&bodies, |body| -body.plastic_displacement.iter().copied().fold(0.0, f64::min)),
@@ -199,9 +199,81 @@ fn field_of_yielding(body: &YieldingBody, elastic: HalfSpaceBody) -> HalfSpaceBo
     }
 }
 
+/// Half the width and half the length of the contact; of a roller the largest width of its rows.
+pub(super) fn semi_axes(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
+    let grid = system.grid();
+    if system.design.is_patch() {
+        return half_extents(grid, pressure);
+    }
+    let Some(half_length) = system.design.half_length else { return ellipse(grid, pressure) };
+    let rows = Row::all(grid, pressure);
+    let largest: Vec<f64> = rows.iter().map(|row| row.largest_pressure).collect();
+    let widest = rows.iter().map(|row| row.half_width).fold(0.0, f64::max);
+    [widest, half_width(&largest, grid.hy()).min(half_length)]
+}
+
+/// How far the contact reaches from the origin along x and along y.
+pub(super) fn reach(system: &HalfSpaces, pressure: &[f64]) -> [f64; 2] {
+    let (grid, axes) = (system.grid(), semi_axes(system, pressure));
+    if system.design.half_length.is_none() {
+        return axes;
+    }
+    let touched = (0..pressure.len()).filter(|cell| pressure[*cell] > 0.0);
+    let farthest = touched.map(|cell| place(grid, cell)[1].abs() + 0.5 * grid.hy()).fold(0.0, f64::max);
+    [axes[0], farthest]
+}
+
+/// Half of what lies between the outermost cells in contact, with them.
+fn half_extents(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
+    let touched = || (0..pressure.len()).filter(|cell| pressure[*cell] > 0.0);
+    let half = |number: &dyn Fn(usize) -> usize, side: f64| {
+        let (first, last) = (touched().map(number).min(), touched().map(number).max());
+        first.zip(last).map_or(0.0, |(first, last)| 0.5 * side * (last - first + 1) as f64)
+    };
+    [half(&|cell| cell / grid.ny(), grid.hx()), half(&|cell| cell % grid.ny(), grid.hy())]
+}
+
+/// Area of the ellipse of these semi-axes, of a roller that of its rows, of heights that of the cells in contact.
+fn area(system: &HalfSpaces, pressure: &[f64], axes: [f64; 2]) -> f64 {
+    if system.design.is_patch() {
+        return pressure.iter().filter(|p| **p > 0.0).count() as f64 * system.grid().cell_area();
+    }
+    if system.design.half_length.is_none() {
+        return PI * axes[0] * axes[1];
+    }
+    let rows = Row::all(system.grid(), pressure);
+    rows.iter().map(|row| 2.0 * row.half_width * system.grid().hy()).sum()
+}
+
+/// The cells of one y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Force on unit length along y \[N/mm\].
+    pub line_load: f64,
+    /// Half the width of the contact \[mm\].
+    pub half_width: f64,
+    /// Largest pressure of a cell \[MPa\].
+    pub largest_pressure: f64,
+}
+
+impl Row {
+    /// All rows of cells along x, in the order of y.
+    pub fn all(grid: &SurfaceGrid, pressure: &[f64]) -> Vec<Self> {
+        let of_row = |j: usize| {
+            let cells: Vec<f64> = (0..grid.nx()).map(|i| pressure[i * grid.ny() + j]).collect();
+            Self {
+                line_load: cells.iter().sum::<f64>() * grid.hx(),
+                half_width: half_width(&cells, grid.hx()),
+                largest_pressure: cells.iter().copied().fold(0.0, f64::max),
+            }
+        };
+        (0..grid.ny()).map(of_row).collect()
+    }
+}
+
 /// Where the square of the pressure, on the straight line through the outermost two cells of the rows in the middle, comes
 /// to zero.
-pub(super) fn semi_axes(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
+fn ellipse(grid: &SurfaceGrid, pressure: &[f64]) -> [f64; 2] {
     let (nx, ny) = (grid.nx(), grid.ny());
     let middle = |n: usize| [(n - 1) / 2, n / 2];
     let along_x = |i: usize| 0.5 * middle(ny).map(|j| pressure[i * ny + j]).iter().sum::<f64>();

@@ -9,6 +9,7 @@ mod answer;
 mod engine;
 mod errors;
 mod estimate;
+mod gap;
 mod history;
 mod law;
 mod measure;
@@ -19,6 +20,8 @@ mod step;
 mod system;
 
 pub use estimate::{HalfSpaceEstimate, estimate};
+pub use gap::{HeightMap, Relief, RollerGap};
+pub use measure::Row;
 pub use problem::HalfSpaceProblem;
 pub use run::{HalfSpaceRun, run_each};
 pub use search::HighestUtilization;

@@ -98,8 +98,12 @@ pub(super) fn size(
     load: ContactLoad,
     run: &mut Run<'_>,
 ) -> Result<GridDesign, SolveError> {
-    let design = GridDesign::new(problem.expected(load).ok_or(SolveError::NoLoad)?.bearable()?, SIZING_CELLS);
-    if !problem.can_yield() {
+    let design = GridDesign::new(
+        problem.expected(load).ok_or(SolveError::NoLoad)?.bearable()?,
+        SIZING_CELLS,
+        problem.cells(),
+    );
+    if problem.heights.is_some() || !problem.can_yield() {
         return Ok(design);
     }
     let engine = HalfSpaceEngine::auxiliary(problem, Theory::Deformation, SIZING_TOLERANCE);

@@ -1,5 +1,7 @@
 //! The force under which a figure of a contact in three dimensions has a value: the onset of yield, or a target.
 
+use brinell_halfspace::EllipticContact;
+
 use super::history::onset_force;
 use super::problem::HalfSpaceProblem;
 use super::run::given;
@@ -59,14 +61,14 @@ impl ForceSearch<'_> {
 
     fn first_force(&self) -> Result<f64, SolveError> {
         let weakest = self.problem.weakest();
-        let hertz = self.problem.hertz(1.0);
-        let under_peak = |peak: f64| (peak / hertz.peak_pressure).powi(3);
+        let under_peak = |peak: f64| self.problem.force_where(|hertz| hertz.peak_pressure, peak, 3.0);
         let highest = weakest.map_or(f64::INFINITY, |weakest| HIGHEST_START * weakest);
         match self.sought {
             Sought::Onset => onset_force(self.problem).ok_or(SolveError::NoYieldPoint),
             Sought::Target(target) => match target.figure {
                 TargetFigure::HalfWidth => {
-                    Ok((target.value.get() / hertz.semi_axis_x.min(hertz.semi_axis_y)).powi(3))
+                    let shorter = |hertz: &EllipticContact| hertz.semi_axis_x.min(hertz.semi_axis_y);
+                    Ok(self.problem.force_where(shorter, target.value.get(), 3.0))
                 }
                 TargetFigure::PeakPressure => Ok(under_peak(target.value.get().min(highest))),
                 TargetFigure::MeanPressure => Ok(under_peak((1.5 * target.value.get()).min(highest))),

@@ -1,0 +1,198 @@
+//! Heights on a grid, measured or computed, on top of the shape of a half-space. Only in three dimensions.
+
+use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
+
+use super::reader::Cursor;
+use super::wire::InUnits;
+use super::{FaultCode, Named, Quantity, Units};
+
+/// Heights over the shape of a body at the middles of equal cells, along the outward normal. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// `[i * cells[1] + j]` at the i-th x and the j-th y.
+    heights: Vec<f64>,
+    cells: [usize; 2],
+    spacing: [f64; 2],
+    detrend: Detrend,
+}
+
+/// What is taken away from heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Detrend {
+    /// Nothing.
+    #[default]
+    None,
+    /// The plane of least squares.
+    Plane,
+}
+
+impl Named for Detrend {
+    const ALL: &'static [Self] = &[Self::None, Self::Plane];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Plane => "plane",
+        }
+    }
+}
+
+impl Surface {
+    /// Its key in a body.
+    pub const KEY: &'static str = "surface";
+    pub(super) const KEYS: &'static [&'static str] = &["heights", "spacing_x", "spacing_y", "detrend"];
+    /// Fewest and most cells along a side.
+    pub const MIN_CELLS: usize = 8;
+    /// See [`Self::MIN_CELLS`].
+    pub const MAX_CELLS: usize = 512;
+
+    /// Cells along x and y.
+    pub const fn cells(&self) -> [usize; 2] {
+        self.cells
+    }
+
+    /// Sides of a cell along x and y \[mm\].
+    pub const fn spacing(&self) -> [f64; 2] {
+        self.spacing
+    }
+
+    /// Whether the heights of both are at the same places.
+    pub(super) fn has_cells_of(&self, other: &Self) -> bool {
+        let bits = |surface: &Self| surface.spacing.map(f64::to_bits);
+        self.cells == other.cells && bits(self) == bits(other)
+    }
+
+    /// Heights without the trend that is to be taken away, in the order `[i * cells[1] + j]` \[mm\].
+    pub fn levelled(&self) -> Vec<f64> {
+        let [nx, ny] = self.cells;
+        if self.detrend == Detrend::None {
+            return self.heights.clone();
+        }
+        // Numbers of cells from the middle; products of x and y sum to zero.
+        let centred = |k: usize, n: usize| k as f64 - 0.5 * (n - 1) as f64;
+        let mean = self.heights.iter().sum::<f64>() / self.heights.len() as f64;
+        let slope = |at: &dyn Fn(usize) -> f64| {
+            let all = self.heights.iter().enumerate();
+            let (product, square) =
+                all.fold((0.0, 0.0), |(p, s), (k, height)| (p + at(k) * height, s + at(k) * at(k)));
+            product / square
+        };
+        let (x, y) = (|k: usize| centred(k / ny, nx), |k: usize| centred(k % ny, ny));
+        let slopes = [slope(&x), slope(&y)];
+        let levelled = |(k, height): (usize, &f64)| height - mean - slopes[0] * x(k) - slopes[1] * y(k);
+        self.heights.iter().enumerate().map(levelled).collect()
+    }
+
+    pub(super) fn read(cursor: Cursor<'_>, units: Option<Units>) -> Option<Self> {
+        let object = cursor.object()?;
+        object.only(Self::KEYS);
+        let counts = Self::MIN_CELLS..=Self::MAX_CELLS;
+        let rows = object.required("heights", |c| {
+            let row =
+                |row: Cursor<'_>| row.array(counts.clone(), |c| c.quantity::<f64>(Quantity::Position, units));
+            let rows: Vec<Vec<f64>> = c.array(counts.clone(), row)?;
+            if rows.iter().any(|row| row.len() != rows[0].len()) {
+                c.fault(
+                    FaultCode::Inconsistent,
+                    format_args!("every row must have as many heights as the first"),
+                );
+                return None;
+            }
+            Some(rows)
+        });
+        let spacing = |key| object.required(key, |c| c.quantity::<f64>(Quantity::Length, units));
+        let (spacing_x, spacing_y) = (spacing("spacing_x"), spacing("spacing_y"));
+        let detrend = object.or("detrend", Detrend::default(), |c| c.named());
+        let rows = rows?;
+        Some(Self {
+            cells: [rows.len(), rows[0].len()],
+            heights: rows.concat(),
+            spacing: [spacing_x?, spacing_y?],
+            detrend: detrend?,
+        })
+    }
+}
+
+impl Serialize for InUnits<'_, Surface> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (surface, units) = (self.0, self.1);
+        let length = |value: &f64| Quantity::Position.to_wire(units, *value);
+        let rows: Vec<Vec<f64>> =
+            surface.heights.chunks(surface.cells[1]).map(|row| row.iter().map(length).collect()).collect();
+        let mut map = serializer.serialize_struct("Surface", 4)?;
+        map.serialize_field("heights", &rows)?;
+        map.serialize_field("spacing_x", &length(&surface.spacing[0]))?;
+        map.serialize_field("spacing_y", &length(&surface.spacing[1]))?;
+        map.serialize_field("detrend", surface.detrend.name())?;
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::job::{Job, JobError};
+    use serde_json::{Value, json};
+
+    fn job(surface: &Value) -> Value {
+        let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3});
+        json!({
+            "analysis": "three_dimensional",
+            "upper": {"shape": {"type": "flat"}, "material": {"rigid": true}, "surface": surface},
+            "lower": {"shape": {"type": "flat"}, "material": steel},
+            "load": {"force": 100},
+        })
+    }
+
+    /// A slope of 3 along x and -1 along y, and one peak.
+    fn sloping() -> Vec<Vec<f64>> {
+        let mut rows: Vec<Vec<f64>> =
+            (0..8).map(|i| (0..10).map(|j| 3.0 * f64::from(i) - f64::from(j)).collect()).collect();
+        rows[4][4] += 1.0;
+        rows
+    }
+
+    fn pointers(job: &Value) -> Vec<String> {
+        let Err(JobError::Fields(faults)) = Job::from_value(job) else { return Vec::new() };
+        faults.into_iter().map(|fault| fault.pointer).collect()
+    }
+
+    #[test]
+    fn heights_are_read_and_levelled() {
+        let wire = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.2, "detrend": "plane"});
+        let read = Job::from_value(&job(&wire)).unwrap();
+        assert!(read.validate().is_ok());
+        let surface = read.upper.surface.as_ref().unwrap();
+        assert_eq!((surface.cells(), surface.spacing()), ([8, 10], [0.1, 0.2]));
+        let levelled = surface.levelled();
+        assert!(levelled.iter().all(|height| height.abs() < 0.2 || *height > 0.9), "{levelled:?}");
+        assert!(levelled.iter().sum::<f64>().abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_fault_of_heights_is_named() {
+        let mut rows = sloping();
+        rows[3].pop();
+        let wire = json!({"heights": rows, "spacing_x": 0, "detrend": "line"});
+        let expected = [
+            "/upper/surface/detrend",
+            "/upper/surface/heights",
+            "/upper/surface/spacing_x",
+            "/upper/surface/spacing_y",
+        ];
+        let mut found = pointers(&job(&wire));
+        found.sort();
+        assert_eq!(found, expected);
+        let good = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.2});
+        let mut wrong = job(&good);
+        wrong["load"] = json!({"onset": true});
+        wrong["lower"]["surface"] = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.3});
+        assert_eq!(pointers(&wrong), ["/upper/surface", "/lower/surface", "/load/onset"]);
+        let mut roller = job(&good);
+        roller["lower"]["shape"] = json!({"type": "roller", "radius": 5, "length": 8});
+        assert_eq!(pointers(&roller), ["/upper/surface"]);
+        let mut plane = job(&good);
+        plane["analysis"] = json!("plane_strain");
+        assert!(pointers(&plane).contains(&"/upper/surface".to_owned()));
+    }
+}

@@ -1,0 +1,205 @@
+//! The gap between two half-spaces before they touch, and what a roller has of it beside its curvature.
+
+use brinell_halfspace::SurfaceGrid;
+
+use super::problem::HalfSpaceProblem;
+
+/// Cosine of the angle between a roller and the y of the fields below which the roller does not bound the contact along y.
+const ALONG: f64 = 0.5;
+
+/// Sine of the angle between axes that are one.
+const ALIGNED: f64 = 1e-9;
+
+/// What the surface of a roller is beside a cylinder without ends. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollerGap {
+    /// Radius, by which the surface falls beyond the ends.
+    pub radius: f64,
+    /// Length along its y.
+    pub length: f64,
+    /// Angle from the job's x to its x, towards the job's y \[rad\].
+    pub rotation: f64,
+    /// Slope by which it rises along its y.
+    pub tilt: f64,
+    /// How the surface falls along its y.
+    pub relief: Relief,
+}
+
+/// How the surface of a roller falls along its axis beside an arc. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Relief {
+    /// It does not.
+    Straight,
+    /// By `c ln(1/(1 - (2y/L)²))` with this c.
+    Logarithmic(f64),
+    /// By the heights of points `[y, height]`, straight between them and level beyond them; y rises.
+    Points(Vec<[f64; 2]>),
+}
+
+impl RollerGap {
+    /// How far the surface lies below the cylinder at a place of the job's axes.
+    fn fall(&self, [x, y]: [f64; 2]) -> f64 {
+        let (sine, cosine) = self.rotation.sin_cos();
+        let along = cosine * y - sine * x;
+        let part = (2.0 * along / self.length).abs();
+        if part >= 1.0 {
+            return self.radius;
+        }
+        let relief = match &self.relief {
+            Relief::Straight => 0.0,
+            Relief::Logarithmic(scale) => -scale * (-part * part).ln_1p(),
+            Relief::Points(points) => -height(points, along),
+        };
+        relief - self.tilt * along
+    }
+
+    /// Whether curvature and length say all of it.
+    pub fn is_plain(&self) -> bool {
+        matches!(self.relief, Relief::Straight) && !self.is_tilted()
+    }
+
+    fn is_tilted(&self) -> bool {
+        self.tilt.abs() > 0.0
+    }
+
+    /// Whether both halves are alike.
+    fn is_even(&self) -> bool {
+        !self.is_tilted()
+            && match &self.relief {
+                Relief::Straight | Relief::Logarithmic(_) => true,
+                Relief::Points(points) => {
+                    let turned = points.iter().rev().map(|[y, height]| [-y, *height]);
+                    points.iter().copied().eq(turned)
+                }
+            }
+    }
+}
+
+/// Heights of both surfaces together at the middles of equal cells around the origin. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightMap {
+    /// `[i * cells[1] + j]`.
+    pub heights: Vec<f64>,
+    /// Cells along x and y.
+    pub cells: [usize; 2],
+    /// Sides of a cell.
+    pub spacing: [f64; 2],
+}
+
+impl HeightMap {
+    /// Half its sides.
+    pub fn half_sides(&self) -> [f64; 2] {
+        [0, 1].map(|k| 0.5 * self.cells[k] as f64 * self.spacing[k])
+    }
+
+    /// Means of the heights in the cells of a grid of the same size with at most as many cells.
+    fn over(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        let (mut sums, mut counts) = (vec![0.0; grid.n_cells()], vec![0.0; grid.n_cells()]);
+        let [nx, ny] = self.cells;
+        for (k, height) in self.heights.iter().enumerate() {
+            let cell = (k / ny) * grid.nx() / nx * grid.ny() + (k % ny) * grid.ny() / ny;
+            sums[cell] += height;
+            counts[cell] += 1.0;
+        }
+        sums.iter().zip(&counts).map(|(sum, count)| sum / count).collect()
+    }
+}
+
+/// Linear between points, level beyond them.
+fn height(points: &[[f64; 2]], at: f64) -> f64 {
+    let after = points.partition_point(|[y, _]| *y < at);
+    match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
+        (Some([y0, h0]), Some([y1, h1])) => h0 + (h1 - h0) * (at - y0) / (y1 - y0),
+        (Some([_, level]), None) | (None, Some([_, level])) => *level,
+        (None, None) => 0.0,
+    }
+}
+
+impl HalfSpaceProblem {
+    /// The gap at the middles of cells, x and y in the axes of the fields \[mm\].
+    pub fn gap(&self, grid: &SurfaceGrid) -> Vec<f64> {
+        if let Some(map) = &self.heights {
+            return self.rough_gap(map, grid);
+        }
+        let [kx, ky] = self.principal_curvatures();
+        let (sine, cosine) = self.orientation().sin_cos();
+        grid.sample(|x, y| {
+            let place = [cosine * x - sine * y, sine * x + cosine * y];
+            let falls = self.rollers.iter().map(|roller| roller.fall(place)).sum::<f64>();
+            0.5 * (kx * x * x + ky * y * y) + falls
+        })
+    }
+
+    /// The same with heights on top of the shapes, 0 where it is least.
+    fn rough_gap(&self, map: &HeightMap, grid: &SurfaceGrid) -> Vec<f64> {
+        let [xx, yy, xy] = self.curvature;
+        let mut gap = grid.sample(|x, y| 0.5 * (xx * x * x + yy * y * y) + xy * x * y);
+        for (gap, height) in gap.iter_mut().zip(map.over(grid)) {
+            *gap -= height;
+        }
+        let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+        gap.iter().map(|gap| gap - least).collect()
+    }
+
+    /// Whether the gap is even in x and in y of the fields.
+    pub fn gap_is_even(&self) -> bool {
+        let orientation = self.orientation();
+        self.heights.is_none()
+            && self.rollers.iter().all(|roller| {
+                let (sine, cosine) = (roller.rotation - orientation).sin_cos();
+                sine.abs().min(cosine.abs()) < ALIGNED && roller.is_even()
+            })
+    }
+
+    /// Half the length along y of the fields that a roller leaves the contact \[mm\]; `None` without a roller along it.
+    pub fn half_length(&self) -> Option<f64> {
+        let orientation = self.orientation();
+        let of_roller = |roller: &RollerGap| {
+            let cosine = (roller.rotation - orientation).cos().abs();
+            (cosine > ALONG).then_some(0.5 * roller.length / cosine)
+        };
+        self.rollers.iter().filter_map(of_roller).reduce(f64::min)
+    }
+
+    /// Slope by which the gap falls along y of the fields.
+    pub(super) fn tilt(&self) -> f64 {
+        let orientation = self.orientation();
+        self.rollers.iter().map(|roller| roller.tilt * (roller.rotation - orientation).cos()).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn roller(relief: Relief) -> RollerGap {
+        RollerGap { radius: 5.0, length: 8.0, rotation: 0.0, tilt: 0.0, relief }
+    }
+
+    #[test]
+    fn heights_are_averaged_over_larger_cells() {
+        let heights: Vec<f64> = (0..40).map(f64::from).collect();
+        let map = HeightMap { heights, cells: [8, 5], spacing: [0.1, 0.2] };
+        let grid = SurfaceGrid::new(8, 5, 0.1, 0.2).unwrap();
+        assert_eq!(map.over(&grid), map.heights);
+        let coarse = map.over(&SurfaceGrid::new(4, 2, 0.2, 0.5).unwrap());
+        assert!((coarse[0] - 3.5).abs() < 1e-12 && (coarse[7] - 36.0).abs() < 1e-12, "{coarse:?}");
+    }
+
+    #[test]
+    fn a_roller_falls_towards_its_ends() {
+        assert_eq!(roller(Relief::Straight).fall([1.0, 3.9]).to_bits(), 0.0f64.to_bits());
+        assert_eq!(roller(Relief::Straight).fall([1.0, -4.1]).to_bits(), 5.0f64.to_bits());
+        let logarithmic = roller(Relief::Logarithmic(1e-3));
+        assert!((logarithmic.fall([0.0, 2.0]) - 1e-3 * (4.0f64 / 3.0).ln()).abs() < 1e-15);
+        let points = roller(Relief::Points(vec![[-3.0, -0.01], [0.0, 0.0], [2.0, 0.0], [3.0, -0.02]]));
+        for (y, fall) in [(-3.5, 0.01), (-1.5, 0.005), (1.0, 0.0), (2.5, 0.01), (3.5, 0.02)] {
+            assert!((points.fall([0.0, y]) - fall).abs() < 1e-15, "{y}");
+        }
+        assert!(logarithmic.is_even() && !points.is_even());
+        let turned = RollerGap { rotation: std::f64::consts::FRAC_PI_2, ..points };
+        assert!((turned.fall([1.5, 0.0]) - 0.005).abs() < 1e-15, "its y is the job's -x");
+        let tilted = RollerGap { tilt: 1e-3, ..roller(Relief::Straight) };
+        assert!((tilted.fall([0.0, 3.0]) + 3e-3).abs() < 1e-15 && !tilted.is_even() && !tilted.is_plain());
+    }
+}
