@@ -328,10 +328,11 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
             found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up)));
         }
         let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
-        if let Some(profile) = profile.and_then(|bodies| bodies.lower.as_ref()) {
+        let profile = profile.and_then(|bodies| bodies.lower.as_ref());
+        if let (Some(profile), Some(error)) = (profile, errors.least_stress) {
             let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
             let least = stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
-            found.push(("least stress", least, errors.least_stress));
+            found.push(("residual stress", least, error));
         }
     }
     found
@@ -345,7 +346,13 @@ fn estimated_errors_cover_what_finer_grids_change() {
     let mut all: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
     for seed in 0..count {
         let mut job = random_job(&mut Random(1000 + seed));
-        let cells = 6 + 2 * (seed % 3);
+        let force = job["load"]["force"].clone();
+        if force.is_f64() {
+            // Dents are what random jobs seldom leave.
+            job["load"] = json!({"history": [{"force": force}, {"force": 0}]});
+            job["solver"]["theory"] = json!("flow");
+        }
+        let cells = 5 + seed % 4;
         let [coarse, fine] = [cells, 2 * cells].map(|cells| {
             job["mesh"]["elements_per_half_width"] = json!(cells);
             solve(&job)

@@ -95,6 +95,8 @@ pub struct BodyErrors {
     pub depth: f64,
     /// Of the height by which it raises it \[1 >= 0\].
     pub pile_up: f64,
-    /// Of the least stress along the surface below the largest pressure, without load the residual stress \[1 >= 0\].
-    pub least_stress: f64,
+    /// Of the least residual stress along the surface below the largest pressure; `null` under load, where the least stress is at
+    /// the surface and not one of the layers' \[1 >= 0\].
+    #[cfg_attr(feature = "openapi", schema(required))]
+    pub least_stress: Option<f64>,
 }

@@ -313,7 +313,7 @@ fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
             max_equivalent_plastic_strain: part(|figures| figures.max_plastic_strain),
             depth: part(|figures| figures.dent),
             pile_up: part(|figures| figures.pile_up),
-            least_stress: part(|figures| figures.least_stress),
+            least_stress: (figures.force <= 0.0).then(|| part(|figures| figures.least_stress)),
         })
     };
     Some(EllipseErrors {
