@@ -18,6 +18,9 @@ const OF_INCREMENTS: f64 = 0.5;
 const SCATTER: f64 = 1e-2;
 const SCATTER_OF_APPROACH: f64 = 1.5e-3;
 const SCATTER_OF_AXES: f64 = 0.2;
+/// More of the pressure, times the distance of its peak from the middle over the semi-axis: single cells are jagged near the edge. Of a
+/// perfectly plastic ball at six yield stresses 10 and 15 cells find 4.6 and 3 % too much.
+const SCATTER_OF_RING: f64 = 2e-2;
 /// By how much the force changes with the approach, of both logarithms.
 const FORCE_OVER_APPROACH: f64 = 1.5;
 
@@ -60,10 +63,12 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
     let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
     let semi_axes =
         [(grid.hx(), a), (grid.hy(), b)].map(|(cell, axis)| SCATTER_OF_AXES * cell / axis.max(cell));
+    let [x, y] = step.peak_position;
+    let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
     HalfSpaceFigures {
         force,
         approach,
-        peak_pressure: scatter * SCATTER,
+        peak_pressure: scatter * (SCATTER + SCATTER_OF_RING * from_middle),
         semi_axes,
         area: semi_axes.iter().sum(),
         max_plastic_strain: [scatter * SCATTER; 2],
