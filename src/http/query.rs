@@ -205,7 +205,7 @@ pub(super) struct WaitQuery {
     /// `summary` is none of them.
     #[param(
         example = "summary",
-        pattern = "^(summary|contact|subsurface|plasticity|fields|history)(,(summary|contact|subsurface|plasticity|fields|history))*$"
+        pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
     )]
     fields: Option<String>,
 }
@@ -322,15 +322,17 @@ pub(super) enum StepPart {
     Subsurface,
     /// Outlines of the plastic zones.
     Plasticity,
-    /// Mesh and nodal fields.
+    /// Mesh and nodal fields, or the layers of half-spaces.
     Fields,
+    /// Pressure and gap of all cells in three dimensions.
+    Maps,
     /// Every iteration.
     History,
 }
 
 impl Named for StepPart {
     const ALL: &'static [Self] =
-        &[Self::Contact, Self::Subsurface, Self::Plasticity, Self::Fields, Self::History];
+        &[Self::Contact, Self::Subsurface, Self::Plasticity, Self::Fields, Self::Maps, Self::History];
 
     fn name(self) -> &'static str {
         match self {
@@ -338,6 +340,7 @@ impl Named for StepPart {
             Self::Subsurface => "subsurface",
             Self::Plasticity => "plasticity",
             Self::Fields => "fields",
+            Self::Maps => "maps",
             Self::History => "history",
         }
     }
@@ -348,11 +351,11 @@ impl Named for StepPart {
 #[expect(dead_code, reason = "declares what `Reader` reads")]
 pub(super) struct SelectionQuery {
     /// The large parts of a step that are wanted, separated by commas: `contact` (`contact.nodes`), `subsurface`,
-    /// `plasticity` (`outline`), `fields`, `history`; `summary` is none of them. The others are left out, or empty
+    /// `plasticity` (`outline`), `fields` (with `layers`), `maps`, `history`; `summary` is none of them. The others are left out, or empty
     /// where the schema requires them; single figures always stay. Everything, unless it is given.
     #[param(
         example = "contact,subsurface",
-        pattern = "^(summary|contact|subsurface|plasticity|fields|history)(,(summary|contact|subsurface|plasticity|fields|history))*$"
+        pattern = "^(summary|contact|subsurface|plasticity|fields|maps|history)(,(summary|contact|subsurface|plasticity|fields|maps|history))*$"
     )]
     fields: Option<String>,
     /// Only this step of a sweep, counted from 1.

@@ -85,9 +85,11 @@ fn keep(step: &mut Value, parts: &[StepPart]) {
     if drops(StepPart::Fields) {
         remove(step, "fields");
         remove(step, "layers");
-        if let Some(half_spaces) = step.get_mut("three_dimensional") {
-            remove(half_spaces, "maps");
-        }
+    }
+    if drops(StepPart::Maps)
+        && let Some(half_spaces) = step.get_mut("three_dimensional")
+    {
+        remove(half_spaces, "maps");
     }
 }
 

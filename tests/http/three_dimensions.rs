@@ -84,6 +84,9 @@ fn a_raceway_is_kept_and_read_back_in_every_form() {
     let summary = server.target.get(&format!("{job}/result?fields=summary")).json();
     assert!(summary["steps"][0]["three_dimensional"]["maps"].is_null());
     assert!(summary["steps"][0]["layers"].is_null());
+    let maps = server.target.get(&format!("{job}/result?fields=maps")).json()["steps"][0].clone();
+    assert_eq!(maps["three_dimensional"]["maps"], whole["maps"]);
+    assert!(maps["layers"].is_null(), "a map is drawn without them");
     let parts = "contact,subsurface,plasticity,history";
     let without = server.target.get(&format!("{job}/result?fields={parts}")).json();
     assert!(without["steps"][0]["three_dimensional"]["maps"].is_null(), "maps are fields");

@@ -93,7 +93,7 @@ export class MapPanel {
     const inside = raw.steps[at].three_dimensional?.maps;
     if (inside) return present(inside);
     this.readout.textContent = 'Loading the map…';
-    ask(`v1/jobs/${id}/result?fields=fields&step=${at + 1}`).then(
+    ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`).then(
       (part) => present(part.steps[0].three_dimensional.maps),
       (error) => {
         if (turn === this.#turn) this.readout.textContent = `Could not load the map: ${error.message}`;

@@ -316,7 +316,6 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
         ("b", whole.b, ellipse.b),
         ("area", whole.area, ellipse.area),
         ("approach", step.approach, errors.approach.unwrap()),
-        ("force", step.contact.force, errors.force.unwrap()),
     ];
     let zone = step.plasticity.lower.as_ref().filter(|zone| zone.yielded);
     if let (Some(zone), Some(errors)) = (zone, ellipse.bodies.lower) {
@@ -331,10 +330,11 @@ fn figures_with_errors(step: &StepReport) -> Vec<(&'static str, f64, f64)> {
             found.extend(is_unloaded.then_some(("pile-up", surface.pile_up, errors.pile_up.unwrap())));
         }
         let profile = step.subsurface_below_peak.as_ref().or(step.subsurface.as_ref());
-        if let Some(profile) = profile.and_then(|bodies| bodies.lower.as_ref()) {
+        let profile = profile.and_then(|bodies| bodies.lower.as_ref());
+        if let (Some(profile), Some(error)) = (profile, errors.least_stress) {
             let stresses = [&profile.sigma_xx, &profile.sigma_yy].into_iter().flatten();
             let least = stresses.flat_map(|stress| stress.iter().skip(1)).copied().fold(0.0, f64::min);
-            found.push(("least stress", least, errors.least_stress.unwrap()));
+            found.push(("residual stress", least, error));
         }
     }
     found
@@ -348,10 +348,17 @@ fn estimated_errors_cover_what_finer_grids_change() {
     let mut all: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
     for seed in 0..count {
         let mut job = random_job(&mut Random(1000 + seed));
-        let coarse = solve(&job);
-        let cells = job["mesh"]["elements_per_half_width"].as_u64().unwrap();
-        job["mesh"]["elements_per_half_width"] = json!(2 * cells);
-        let fine = solve(&job);
+        let force = job["load"]["force"].clone();
+        if force.is_f64() {
+            // Dents are what random jobs seldom leave.
+            job["load"] = json!({"history": [{"force": force}, {"force": 0}]});
+            job["solver"]["theory"] = json!("flow");
+        }
+        let cells = 4 + seed % 3;
+        let [coarse, fine] = [cells, 2 * cells].map(|cells| {
+            job["mesh"]["elements_per_half_width"] = json!(cells);
+            solve(&job)
+        });
         for (coarse, fine) in coarse.steps.iter().zip(&fine.steps) {
             let truth: BTreeMap<_, _> =
                 figures_with_errors(fine).into_iter().map(|(name, value, _)| (name, value)).collect();
@@ -359,7 +366,12 @@ fn estimated_errors_cover_what_finer_grids_change() {
                 let Some(truth) = truth.get(name).filter(|_| value != 0.0) else { continue };
                 let change = (truth / value - 1.0).abs();
                 if change > error {
-                    println!("{seed} {name}: {value} changes by {change:.4}, bar {error:.4}");
+                    let place = coarse.contact.peak_position / coarse.contact.half_width;
+                    println!(
+                        "{seed}, {cells} cells, {:?}, {} increments, peak at {place:.2}: {name} {value} changes by {change:.4}, bar {error:.4}",
+                        coarse.load,
+                        coarse.flow.as_ref().map_or(0, |flow| flow.increments.force.len()),
+                    );
                 }
                 all.entry(name).or_default().push([change, error]);
             }
@@ -377,5 +389,5 @@ fn estimated_errors_cover_what_finer_grids_change() {
         println!("| {name} | {} | {within} | {error:.2} | {change:.2} |", pairs.len());
         (covered, total) = (covered + within, total + pairs.len());
     }
-    assert!(total as u64 > 10 * count && 20 * covered >= 19 * total, "{covered} of {total}");
+    assert!(total as u64 > 10 * count && 10 * covered >= 9 * total, "{covered} of {total}");
 }

@@ -375,7 +375,7 @@ fn ellipse_errors(step: &HalfSpaceStep) -> Option<EllipseErrors> {
             area: None,
             depth: part(|figures| figures.dent),
             pile_up: part(|figures| figures.pile_up),
-            least_stress: part(|figures| figures.least_stress),
+            least_stress: (figures.force <= 0.0).then(|| part(|figures| figures.least_stress)).flatten(),
             utilization: None,
         })
     };
