@@ -5,13 +5,13 @@
  * @typedef {'plane_strain' | 'plane_stress' | 'axisymmetric' | 'three_dimensional'} Analysis
  *
  * @typedef {object} BodyErrors
- * @property {number} [area]
+ * @property {number | null} area
  * @property {number | null} depth
  * @property {number | null} least_stress
  * @property {number | null} max_equivalent_plastic_strain
- * @property {number} [mean_equivalent_plastic_strain]
+ * @property {number | null} mean_equivalent_plastic_strain
  * @property {number | null} pile_up
- * @property {number} [utilization]
+ * @property {number | null} utilization
  *
  * @typedef {object} BodyErrorsOfBodies
  * @property {BodyErrors | null} lower
@@ -55,8 +55,6 @@
  * @property {(number)[]} pressure
  * @property {(number)[]} y
  *
- * @typedef {'none' | 'plane'} Detrend
- *
  * @typedef {object} EllipseErrors
  * @property {number} area
  * @property {number} b
@@ -77,8 +75,8 @@
  * @typedef {object} ErrorEstimate
  * @property {number | null} approach
  * @property {BodyErrorsOfBodies} [bodies]
- * @property {number} [contact_stiffness]
- * @property {number} [force]
+ * @property {number | null} contact_stiffness
+ * @property {number | null} force
  * @property {number | null} half_width
  * @property {number | null} peak_pressure
  *
@@ -359,10 +357,14 @@
  * @property {Subsurface | null} upper
  *
  * @typedef {object} Surface
- * @property {Detrend | null} [detrend]
- * @property {((number)[])[]} heights
- * @property {number} spacing_x
- * @property {number} spacing_y
+ * @property {number} depth
+ * @property {(number)[]} height
+ * @property {number} max_reverse_strain
+ * @property {number} pile_up
+ * @property {number} pile_up_position
+ * @property {number} reverse_area
+ * @property {(number)[]} x
+ * @property {boolean} yielded_in_reverse
  *
  * @typedef {object} SurfaceOfBodies
  * @property {Surface | null} lower

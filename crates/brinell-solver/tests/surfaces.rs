@@ -47,7 +47,8 @@ fn surface(step: &StepReport) -> &RoughContactReport {
     step.three_dimensional.as_ref().unwrap().surface.as_ref().unwrap()
 }
 
-/// The same cells, so that the answers differ by the place of the apex between cells alone.
+/// The same cells, so that elastic answers differ by the place of the apex between cells alone; layers are others. By counted cells
+/// the area is 2.8 % more than by semi-axes.
 #[test]
 fn heights_of_a_ball_are_a_ball() {
     let plasticity = json!({"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500});
@@ -65,10 +66,10 @@ fn heights_of_a_ball_are_a_ball() {
         for upper in [json!({"shape": {"type": "flat"}, "surface": sphere}), cap] {
             let patch = solve(&on_steel(&upper, plasticity, &json!({"force": 70})));
             let step = &patch.steps[0];
-            let tolerance = if plasticity.is_some() { 4e-3 } else { 1e-6 };
+            let tolerance = if plasticity.is_some() { 1e-2 } else { 1e-6 };
             near(step.contact.peak_pressure, ball.contact.peak_pressure, tolerance);
             near(step.approach + spacing * spacing / 40.0, ball.approach, 1e-3);
-            near(step.three_dimensional.as_ref().unwrap().area, whole.area, 3e-2);
+            near(step.three_dimensional.as_ref().unwrap().area, whole.area, 5e-2);
             let found = surface(step).plastic_part;
             assert_eq!(found.is_some_and(|part| part > 0.5), plasticity.is_some(), "{found:?}");
         }
@@ -111,14 +112,15 @@ fn a_rough_patch_touches_in_proportion_to_its_load() {
     for step in &report.steps {
         let found = surface(step);
         let factor = found.contact_ratio * modulus * slope / found.nominal_pressure;
-        println!(
-            "{} {factor} {:?} {:?}",
-            found.contact_ratio, found.pressure_quantiles, step.estimated_error
-        );
         assert!((1.8..2.6).contains(&factor), "{factor}");
         near(found.contact_ratio * step.contact.mean_pressure, found.nominal_pressure, 1e-9);
         assert!(found.pressure_quantiles.windows(2).all(|pair| pair[0] <= pair[1]));
         assert!(step.hertz.is_none() && step.estimated_error.is_some());
+    }
+    // The method of Polonsky and Keer, in Python, on the same cells: 202 and 403 of 4096, largest pressures 1339.13 and 1501.34 MPa.
+    for (step, (cells, peak)) in report.steps.iter().zip([(202.0, 1339.13), (403.0, 1501.34)]) {
+        near(surface(step).contact_ratio, cells / 4096.0, 5e-3);
+        near(step.contact.peak_pressure, peak, 1e-3);
     }
     let [one, two] = [0, 1].map(|k| surface(&report.steps[k]).contact_ratio);
     assert!((1.7..2.1).contains(&(two / one)), "{one} {two}");
@@ -135,13 +137,6 @@ fn asperities_that_yield_leave_dents() {
     job["solver"] = json!({"theory": "flow"});
     let report = solve(&job);
     let [loaded, unloaded] = [&report.steps[0], &report.steps[1]];
-    println!(
-        "{} {} {:?} {:?}",
-        elastic.steps[0].contact.peak_pressure,
-        loaded.contact.peak_pressure,
-        surface(loaded),
-        loaded.estimated_error
-    );
     assert!(loaded.contact.peak_pressure < 0.9 * elastic.steps[0].contact.peak_pressure);
     assert!(surface(loaded).contact_ratio > surface(&elastic.steps[0]).contact_ratio);
     assert!(surface(loaded).plastic_part.unwrap() > 0.3);
