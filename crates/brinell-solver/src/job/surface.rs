@@ -187,7 +187,7 @@ mod tests {
         let mut wrong = job(&good);
         wrong["load"] = json!({"onset": true});
         wrong["lower"]["surface"] = json!({"heights": sloping(), "spacing_x": 0.1, "spacing_y": 0.3});
-        assert_eq!(pointers(&wrong), ["/upper/surface", "/lower/surface", "/load/onset"]);
+        assert_eq!(pointers(&wrong), ["/load/onset", "/lower/surface", "/upper/surface"]);
         let mut roller = job(&good);
         roller["lower"]["shape"] = json!({"type": "roller", "radius": 5, "length": 8});
         assert_eq!(pointers(&roller), ["/upper/surface"]);

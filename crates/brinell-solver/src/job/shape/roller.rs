@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(faults(&json!({"profile": "crowned", "crown_radius": 0})), ["/crown_radius"]);
         assert_eq!(
             faults(&json!({"profile": "round", "radius": 0, "tilt": 51})),
-            ["/radius", "/profile", "/tilt"]
+            ["/profile", "/radius", "/tilt"]
         );
     }
 
