@@ -23,7 +23,9 @@ service.test(
     await page.getByLabel('Step', { exact: true }).focus();
     await page.keyboard.press('Home');
     await page.getByText('1370.8 MPa').first().waitFor();
-    await page.waitForFunction(() => document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'));
+    await page.waitForFunction(() =>
+      document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'),
+    );
     await page.locator('.plot').first().waitFor();
   },
   { own: [] },

@@ -133,7 +133,7 @@ fn figure(step: &StepReport, name: &str) -> f64 {
     }
 }
 
-fn bar_of(bars: ErrorEstimate, name: &str) -> Option<f64> {
+fn bar_of(bars: &ErrorEstimate, name: &str) -> Option<f64> {
     match name {
         "peak pressure" => bars.peak_pressure,
         "half-width" => bars.half_width,
@@ -179,7 +179,7 @@ fn errors_that_a_coarser_mesh_does_not_show() {
         let [found, exact] = [1, 4].map(|finer| at(&job, finer * elements));
         for name in figures {
             let error = (figure(&found, name) / figure(&exact, name) - 1.0).abs();
-            let bar = bar_of(found.estimated_error.unwrap(), name);
+            let bar = bar_of(&found.estimated_error.unwrap(), name);
             assert!(bar.is_none_or(|bar| error <= bar), "{name}: {error} beyond {bar:?} of {job}");
         }
     }

@@ -24,6 +24,7 @@ from .models import (
     Profile,
     Punch,
     RambergOsgood,
+    Roller,
     Sphere,
     Swift,
     Table,
@@ -47,6 +48,7 @@ __all__ = [
     "profile",
     "punch",
     "ramberg_osgood",
+    "roller",
     "sphere",
     "swift",
     "table",
@@ -292,6 +294,44 @@ def punch(
         support: how its far boundary is held: "clamped" (default) or "roller".
     """
     return build_body(Punch, material, support, depth=depth, width=width, edge_radius=edge_radius)
+
+
+def roller(
+    *,
+    length: Number,
+    radius: Number,
+    material: Material,
+    crown_radius: Number | None = None,
+    design_force: Number | None = None,
+    points: Sequence[tuple[Number, Number]] | Sequence[Sequence[Number]] | Any = None,
+    profile: str | None = None,
+    rotation: Number | None = None,
+    tilt: Number | None = None,
+    support: Support | None = None,
+) -> ContactBody:
+    """A cylinder of finite length, whose axis is its y: a roller, a rib; only in three dimensions.
+
+    Args:
+        length: Length that can touch, without the rounded ends.
+        radius: Radius.
+        crown_radius: Radius of the arc along the axis, for `crowned`.
+        design_force: Force under which a `logarithmic` profile makes the pressure along the roller
+            even.
+        points: Points `[y, height]` for `points`, y rising and passing 0, straight between them.
+            Points that start or end at y = 0 are completed by their mirror image. Beyond the
+            outermost ones the height stays.
+        profile: How the surface falls towards the ends: `crowned` in an arc of `crown_radius`,
+            `logarithmic` by Lundberg for `design_force`, `iso_16281` with the factor of that
+            standard, `points` as given. If it is left out, the roller is straight.
+        rotation: Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is
+            left out. Without unit.
+        tilt: Misalignment in the plane of axis and normal, in mrad: positive brings the end at
+            positive y closer to the other body; 0 if it is left out. The approach is that of
+            the middle. Without unit.
+        material: a name among `materials`, `material(...)` or `rigid`.
+        support: how its far boundary is held: "clamped" (default) or "roller".
+    """
+    return build_body(Roller, material, support, length=length, radius=radius, crown_radius=crown_radius, design_force=design_force, points=points, profile=profile, rotation=rotation, tilt=tilt)
 
 
 def sphere(

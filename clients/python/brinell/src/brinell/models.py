@@ -165,26 +165,41 @@ class BodyErrors(BaseModel):
     Estimated relative errors of figures of one body; 0 of a figure that is 0.
     """
 
+    area: Annotated[
+        float | None, Field(description='Of the plastic area. Without unit.', ge=0.0)
+    ]
     depth: Annotated[
-        float,
+        float | None,
         Field(
-            description='Of the depth by which plastic strain lowers the surface. Without unit.',
+            description='Of the depth by which the surface is lowered, in three dimensions by plastic strain alone. Without unit.',
             ge=0.0,
         ),
     ]
     least_stress: Annotated[
-        float,
+        float | None,
         Field(
-            description='Of the least stress along the surface below the largest pressure, without load the residual stress. Without unit.',
+            description='Of the least stress along the surface below the middle of the contact, in three dimensions below the largest pressure; without load that is the residual stress. Without unit.',
             ge=0.0,
         ),
     ]
     max_equivalent_plastic_strain: Annotated[
-        float, Field(description='Of the largest plastic strain. Without unit.', ge=0.0)
+        float | None,
+        Field(description='Of the largest plastic strain. Without unit.', ge=0.0),
+    ]
+    mean_equivalent_plastic_strain: Annotated[
+        float | None,
+        Field(description='Of the mean plastic strain. Without unit.', ge=0.0),
     ]
     pile_up: Annotated[
-        float,
-        Field(description='Of the height by which it raises it. Without unit.', ge=0.0),
+        float | None,
+        Field(description='Of the height by which it is raised. Without unit.', ge=0.0),
+    ]
+    utilization: Annotated[
+        float | None,
+        Field(
+            description='Of the largest von Mises stress there over the yield stress. Without unit.',
+            ge=0.0,
+        ),
     ]
 
 
@@ -556,32 +571,41 @@ class Energy(BaseModel):
 
 class ErrorEstimate(BaseModel):
     """
-    Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about the theory: for that see `validity`.
+    Estimated bounds of the relative discretization errors. They hold in at least 95 of 100 cases and say nothing about the theory: for that see `validity`, which also says why a bound is `null`.
     """
 
     approach: Annotated[
-        float,
+        float | None,
         Field(
             description='Of the approach; 0 where it is prescribed. Without unit.',
             ge=0.0,
         ),
     ]
+    bodies: Annotated[
+        BodyErrorsOfBodies | None,
+        Field(
+            description='Of figures of each body; absent in three dimensions, which have their own.'
+        ),
+    ] = None
     contact_stiffness: Annotated[
         float | None,
-        Field(description='Of the contact stiffness. Without unit.', ge=0.0),
-    ] = None
+        Field(
+            description='Of the contact stiffness, where there is one. Without unit.',
+            ge=0.0,
+        ),
+    ]
     force: Annotated[
         float | None,
         Field(
             description='Of the contact force; 0 where it is prescribed. Without unit.',
             ge=0.0,
         ),
-    ] = None
+    ]
     half_width: Annotated[
-        float, Field(description='Of the half-width. Without unit.', ge=0.0)
+        float | None, Field(description='Of the half-width. Without unit.', ge=0.0)
     ]
     peak_pressure: Annotated[
-        float, Field(description='Of the peak pressure. Without unit.', ge=0.0)
+        float | None, Field(description='Of the peak pressure. Without unit.', ge=0.0)
     ]
 
 
@@ -2181,6 +2205,118 @@ class Rigid(BaseModel):
     ] = None
 
 
+class Point1Item(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='y, along the axis from the middle. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Point1Item1(RootModel[float]):
+    root: Annotated[
+        float,
+        Field(
+            description='Height over the cylinder, negative where the surface falls. Range: -1e6 to 1e6 mm or -1e3 to 1e3 m.',
+            ge=-1000000.0,
+            le=1000000.0,
+        ),
+    ]
+
+
+class Point1(RootModel[tuple[Point1Item, Point1Item1]]):
+    root: Annotated[
+        tuple[Point1Item, Point1Item1],
+        Field(description='One point.', max_length=2, min_length=2),
+    ]
+
+
+class RollerContact(BaseModel):
+    """
+    The contact along a roller, in rows of cells across it. y is that of the fields, 0 in the middle of the roller.
+    """
+
+    end_pressure: Annotated[
+        list[float],
+        Field(
+            description='Largest pressure of a cell in the outermost rows, at negative and at positive y; 0 where the contact ends before. Where the roller has sharp ends it grows without bound with finer cells. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    half_width: Annotated[
+        list[float],
+        Field(
+            description='Half the width of the contact in each row. Unit: mm (SI: m).'
+        ),
+    ]
+    line_load: Annotated[
+        list[float],
+        Field(
+            description='Force on unit length of each row. Unit: N/mm² (SI: N/m²); in axisymmetry and three dimensions N/mm (SI: N/m).'
+        ),
+    ]
+    middle_pressure: Annotated[
+        float,
+        Field(
+            description='Largest pressure of a cell in the rows beside the middle of the roller. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    moment: Annotated[
+        float,
+        Field(
+            description='Moment of the pressure about the x axis through the middle, the sum of force times y: positive where the half at positive y bears more. Unit: N (SI: N) of thickness, force times length; N mm (SI: J) in axisymmetry and three dimensions.'
+        ),
+    ]
+    pressure: Annotated[
+        list[float],
+        Field(
+            description='Largest pressure of a cell of each row. Unit: MPa (SI: Pa).'
+        ),
+    ]
+    y: Annotated[
+        list[float],
+        Field(description='Middles of the rows along the roller. Unit: mm (SI: m).'),
+    ]
+
+
+class RoughContact(BaseModel):
+    """
+    The contact of surfaces with heights on top of their shapes. `area` is that of the cells in contact, a and b are half of what lies between the outermost of them.
+    """
+
+    contact_ratio: Annotated[
+        float,
+        Field(
+            description='Area of the cells in contact over that of all heights. Without unit.',
+            ge=0.0,
+        ),
+    ]
+    nominal_pressure: Annotated[
+        float,
+        Field(
+            description='Force over the area of all heights. Unit: MPa (SI: Pa).',
+            ge=0.0,
+        ),
+    ]
+    parts: Annotated[list[float], Field(description='Parts of the area in contact.')]
+    plastic_part: Annotated[
+        float | None,
+        Field(
+            description='Part of the area in contact below which a body has yielded at some depth; `null` where none has a hardening curve. Without unit.',
+            ge=0.0,
+        ),
+    ] = None
+    pressure_quantiles: Annotated[
+        list[float],
+        Field(
+            description='Pressure below which these parts of the area in contact are; empty where nothing touches. Unit: MPa (SI: Pa).'
+        ),
+    ]
+
+
 class Sphere(BaseModel):
     """
     A ball on a half-space; only in three dimensions.
@@ -2434,6 +2570,50 @@ class Surface(BaseModel):
     ]
 
 
+class Height(RootModel[list[float]]):
+    root: Annotated[list[float], Field(max_length=512, min_length=8)]
+
+
+class SurfaceHeights(BaseModel):
+    """
+    Heights on top of the shape of a half-space. The contact is solved on their grid, and there is none beyond it.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    detrend: Annotated[
+        Literal['none', 'plane'] | None,
+        Field(description='What is taken away from the heights. Default: `none`.'),
+    ] = None
+    heights: Annotated[
+        list[Height],
+        Field(
+            description='Heights along the outward normal at the middles of cells: `heights[i][j]` at the i-th x and the j-th y of the job, the middle of the grid at the origin. Rows of one length.',
+            max_length=512,
+            min_length=8,
+        ),
+    ]
+    spacing_x: Annotated[
+        float,
+        Field(
+            description='Distance of heights along x. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[0.001],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    spacing_y: Annotated[
+        float,
+        Field(
+            description='Distance of heights along y. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[0.001],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+
+
 class SurfaceOfBodies(BaseModel):
     """
     One value for each body.
@@ -2453,7 +2633,7 @@ class SurfaceOfBodies(BaseModel):
     ]
 
 
-class Point1Item(RootModel[float]):
+class Point2Item(RootModel[float]):
     root: Annotated[
         float,
         Field(
@@ -2464,7 +2644,7 @@ class Point1Item(RootModel[float]):
     ]
 
 
-class Point1Item1(RootModel[float]):
+class Point2Item1(RootModel[float]):
     root: Annotated[
         float,
         Field(
@@ -2475,9 +2655,9 @@ class Point1Item1(RootModel[float]):
     ]
 
 
-class Point1(RootModel[tuple[Point1Item, Point1Item1]]):
+class Point2(RootModel[tuple[Point2Item, Point2Item1]]):
     root: Annotated[
-        tuple[Point1Item, Point1Item1],
+        tuple[Point2Item, Point2Item1],
         Field(description='One point.', max_length=2, min_length=2),
     ]
 
@@ -2642,12 +2822,20 @@ class ThreeDimensional(BaseModel):
             description='y of the largest pressure; its x is `contact.peak_position`. Unit: mm (SI: m).'
         ),
     ]
+    roller: Annotated[
+        RollerContact | None,
+        Field(description='What is said along a roller; absent without one.'),
+    ] = None
     section: Annotated[
         ContactSection,
         Field(
             description='The cells of the section x = 0; those of the section y = 0 are `contact.nodes`.'
         ),
     ]
+    surface: Annotated[
+        RoughContact | None,
+        Field(description='What is said of a contact of heights; absent without them.'),
+    ] = None
 
 
 class Timings(BaseModel):
@@ -2709,7 +2897,7 @@ class ValidityNote(BaseModel):
         str,
         Field(
             description='Stable identifier. There may be more in the future.',
-            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'half_spaces'],
+            examples=['not_converged', 'cancelled', 'timed_out', 'slow_coupling', 'wide_contact', 'large_strain', 'collapse', 'deformation_theory', 'falling_loads', 'no_contact', 'contact_at_edge', 'coarse_mesh', 'coarse_case', 'onset_unknown', 'unbounded_strain', 'bilinear_curve', 'initial_yield', 'yield_by_hardness', 'near_support', 'sharp_corner', 'suspicious_units', 'half_spaces', 'roller_end', 'surface_end'],
         ),
     ]
     message: Annotated[str, Field(description='For a person.')]
@@ -2986,6 +3174,83 @@ class HardnessOverDepth(BaseModel):
     ]
 
 
+class Roller(BaseModel):
+    """
+    A cylinder of finite length, whose axis is its y: a roller, a rib; only in three dimensions.
+    """
+
+    model_config = ConfigDict(
+        extra='forbid',
+    )
+    crown_radius: Annotated[
+        float | None,
+        Field(
+            description='Radius of the arc along the axis, for `crowned`. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ] = None
+    design_force: Annotated[
+        float | None,
+        Field(
+            description='Force under which a `logarithmic` profile makes the pressure along the roller even. Range: 1e-9 to 1e9 N.',
+            ge=1e-09,
+            le=1000000000.0,
+        ),
+    ] = None
+    length: Annotated[
+        float,
+        Field(
+            description='Length that can touch, without the rounded ends. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[10.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    points: Annotated[
+        list[Point1] | None,
+        Field(
+            description='Points `[y, height]` for `points`, y rising and passing 0, straight between them. Points that start or end at y = 0 are completed by their mirror image. Beyond the outermost ones the height stays.',
+            max_length=10000,
+            min_length=2,
+        ),
+    ] = None
+    profile: Annotated[
+        Literal['crowned', 'logarithmic', 'iso_16281', 'points'] | None,
+        Field(
+            description='How the surface falls towards the ends: `crowned` in an arc of `crown_radius`, `logarithmic` by Lundberg for `design_force`, `iso_16281` with the factor of that standard, `points` as given. If it is left out, the roller is straight.'
+        ),
+    ] = None
+    radius: Annotated[
+        float,
+        Field(
+            description='Radius. Range: 1e-6 to 1e6 mm or 1e-9 to 1e3 m.',
+            examples=[5.0],
+            ge=1e-09,
+            le=1000000.0,
+        ),
+    ]
+    rotation: Annotated[
+        float | None,
+        Field(
+            description='Angle of its x from that of the contact plane, in degrees, towards y; 0 if it is left out. Without unit.',
+            ge=-360.0,
+            le=360.0,
+        ),
+    ] = None
+    tilt: Annotated[
+        float | None,
+        Field(
+            description='Misalignment in the plane of axis and normal, in mrad: positive brings the end at positive y closer to the other body; 0 if it is left out. The approach is that of the middle. Without unit.',
+            ge=-50.0,
+            le=50.0,
+        ),
+    ] = None
+    type: Annotated[
+        Literal['roller'], Field(description='The word that names this kind.')
+    ]
+
+
 class SolverSettings(BaseModel):
     """
     Iteration controls.
@@ -3177,7 +3442,7 @@ class Table(BaseModel):
         Field(description='How the stresses of the curve vary with the depth.'),
     ] = None
     points: Annotated[
-        list[Point1],
+        list[Point2],
         Field(
             description='Points `[plastic_strain, stress]`, joined by straight lines, constant beyond the last.',
             examples=[[[0.0, 500.0], [0.01, 600.0], [0.05, 750.0]]],
@@ -3579,12 +3844,18 @@ class ContactBody(BaseModel):
         Deformable | Rigid, Field(description='What a body is made of.')
     ]
     shape: Annotated[
-        Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power | Sphere | Curved | Flat,
+        Cylinder | Block | Groove | Hole | Profile | Wedge | Cone | Punch | Parabola | Ellipse | Power | Sphere | Curved | Roller | Flat,
         Field(description='The undeformed outline of a body.', discriminator='type'),
     ]
     support: Annotated[
         Literal['clamped', 'roller'] | None,
         Field(description='How the far boundary is held. Default: `clamped`.'),
+    ] = None
+    surface: Annotated[
+        SurfaceHeights | None,
+        Field(
+            description='Heights on top of the shape, measured or computed; only in three dimensions.'
+        ),
     ] = None
 
 
