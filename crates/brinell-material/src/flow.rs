@@ -45,7 +45,7 @@ const LAST_STEP: f64 = 1e-7;
 
 /// Accuracies of ε_zz in plane stress over the strains: of the path in one part and of the whole one.
 const ROUGH: f64 = 1e-6;
-const FINE: f64 = 1e-12;
+const FINE: f64 = 1e-14;
 /// Least slope by which σ_zz is extrapolated over ε_zz, over the bulk modulus.
 const LEAST_SLOPE: f64 = 0.25;
 
