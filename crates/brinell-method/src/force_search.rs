@@ -28,9 +28,6 @@ const NEIGHBOUR: f64 = 1.1;
 /// Largest change of the logarithm of the force between fine solves.
 const LARGEST_CORRECTION: f64 = 0.3;
 
-/// Systems of a search that are many: a value that is not missed then ends it.
-pub const MANY_SYSTEMS: usize = 40;
-
 /// How finely a trial is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Density {
@@ -127,9 +124,8 @@ pub enum UnreachableReason {
 /// # Errors
 /// [`Error::Unreachable`], and those of a solve.
 pub fn find<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<ForceFound<B::Step>, B::Error> {
-    let before = *run.passes;
     let (force, sensitivity) = run.silently(|run| coarse(bodies, terms, run))?;
-    let mut found = fine(bodies, terms, force, sensitivity, before + MANY_SYSTEMS, run)?;
+    let mut found = fine(bodies, terms, force, sensitivity, run)?;
     // Of a figure that rises more steeply than others an equally small change of the force is a larger one.
     let steepness = (sensitivity / terms.expected_slope).max(1.0);
     let trial = &mut found.trial;
@@ -191,13 +187,12 @@ fn coarse<B: Sought>(bodies: &B, terms: Terms, run: &mut Run<'_>) -> Result<(f64
     Err(Error::Unreachable(Unreachable { nearest, force, largest_force, reason }).into())
 }
 
-/// From a force that is nearly right to the answer; after `enough` systems any that does not miss the value is one.
+/// From a force that is nearly right to the answer.
 fn fine<B: Sought>(
     bodies: &B,
     terms: Terms,
     mut force: f64,
     sensitivity: f64,
-    enough: usize,
     run: &mut Run<'_>,
 ) -> Result<ForceFound<B::Step>, B::Error> {
     let mut slope = sensitivity;
@@ -218,8 +213,7 @@ fn fine<B: Sought>(
         if best.as_ref().is_none_or(|best| trial.deviation() < best.deviation()) {
             best = Some(trial);
         }
-        let accepted = if *run.passes < enough { terms.tolerance } else { terms.missed.max(terms.tolerance) };
-        if best.as_ref().is_some_and(|best| best.deviation() <= accepted) {
+        if best.as_ref().is_some_and(|best| best.deviation() <= terms.tolerance) {
             break;
         }
         if let Some(last) = last

@@ -15,7 +15,6 @@ use crate::job::{
     Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory, Units,
 };
 use crate::material::von_mises;
-use crate::solver::method::force_search::MANY_SYSTEMS;
 use crate::solver::outline_of;
 use crate::solver::{
     IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution,
@@ -85,6 +84,8 @@ const FACTORIZATION: usize = 10;
 /// Increments of a load, and evaluations for each of them, that are many.
 const MANY_INCREMENTS: usize = 25;
 const SLOW_ITERATION: usize = 12;
+/// Meshes of a search for a force that are many.
+const MANY_MESHES: usize = 40;
 /// Elements over those asked for, and equations, from which on a mesh is called fine.
 const MUCH_FINER: f64 = 3.0;
 const MANY_EQUATIONS: usize = 1_000_000;
@@ -408,9 +409,9 @@ fn many_meshes(step: &StepSolution) -> Option<String> {
     } else {
         "near the value the contact changes from mesh to mesh"
     };
-    (step.meshes_of_search > MANY_SYSTEMS).then(|| {
+    (step.meshes_of_search > MANY_MESHES).then(|| {
         format!(
-            "The force was sought on {} meshes, of which searches rarely take more than {MANY_SYSTEMS}: {each}. A force near {} \
+            "The force was sought on {} meshes, of which searches rarely take more than {MANY_MESHES}: {each}. A force near {} \
              (`load.force` or `load.history`) is solved at once.",
             step.meshes_of_search,
             rounded(step.force())
