@@ -77,7 +77,10 @@ mod accepted {
             json!({"theory": "deformation", "coupling": "accelerated", "contact": "active_set", "tolerance": 1e-6,
                 "max_iterations": 500})
         );
-        assert_eq!(written["output"], json!({"subsurface": true, "fields": false}));
+        assert_eq!(
+            written["output"],
+            json!({"subsurface": true, "fields": false, "contact_stiffness": false})
+        );
         assert_eq!(written["upper"]["support"], "clamped");
         assert_eq!(written["units"].take(), "mm_N_MPa");
         assert_eq!(written.get("tags"), None);
@@ -88,8 +91,9 @@ mod accepted {
         for text in [TWO_CYLINDERS, CYLINDER_ON_BLOCK, RAMBERG_OSGOOD] {
             let job = Job::from_json(text.as_bytes()).unwrap();
             let mut read: Value = serde_json::from_str(text).unwrap();
-            // The examples leave the theory to its default, which is written.
+            // The examples leave these to their defaults, which are written.
             read["solver"]["theory"] = json!("deformation");
+            read["output"]["contact_stiffness"] = json!(false);
             assert_eq!(serde_json::to_value(&job).unwrap(), read);
             assert_eq!(job.validate(), Ok(()));
         }
@@ -109,6 +113,7 @@ mod accepted {
         let plain = Job::from_json(TWO_CYLINDERS.as_bytes()).unwrap();
         assert_eq!(Job { units: Units::MmNMpa, ..read.clone() }, plain);
         si["solver"]["theory"] = json!("deformation");
+        si["output"]["contact_stiffness"] = json!(false);
         assert_eq!(serde_json::to_value(&read).unwrap(), si);
     }
 
@@ -342,7 +347,7 @@ mod refused {
         /lower/shape/radius: must be a number, got a string
         /lower/shape/colour: unknown key "colour"; expected one of: type, radius
         /mesh/elements_per_half_width: must be a whole number between 4 and 320, got 1000000
-        /upper/shape/type: must be one of: cylinder, block, groove, hole, profile, wedge, cone, punch, parabola, ellipse, power, sphere, curved, flat, got "ball"
+        /upper/shape/type: must be one of: cylinder, block, groove, hole, profile, wedge, cone, punch, parabola, ellipse, power, sphere, curved, roller, flat, got "ball"
         /upper/support: must be one of: clamped, roller, got "welded"
         /units: must be one of: mm_N_MPa, SI, got "inch"
         /analysis: is required

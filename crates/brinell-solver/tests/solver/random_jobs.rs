@@ -18,7 +18,7 @@ use random_job::Random;
 const ELEMENTS: [u32; 3] = [4, 5, 6];
 
 /// What a report leaves empty where there is nothing to say.
-const MAY_BE_NULL: [&str; 11] = [
+const MAY_BE_NULL: [&str; 12] = [
     "hertz",
     "estimated_error",
     "relative_error",
@@ -30,6 +30,7 @@ const MAY_BE_NULL: [&str; 11] = [
     "lower",
     "yield_onset",
     "max_equivalent_plastic_strain",
+    "contact_stiffness",
 ];
 
 /// A figure that some jobs here ask for and that their materials do not have.
@@ -40,7 +41,7 @@ fn assert_finite(value: &Value, path: &str) {
         Value::Array(items) => items.iter().for_each(|item| assert_finite(item, path)),
         Value::Object(fields) => fields.iter().for_each(|(key, item)| {
             assert!(
-                !item.is_null() || MAY_BE_NULL.contains(&key.as_str()),
+                !item.is_null() || MAY_BE_NULL.contains(&key.as_str()) || path.contains("/estimated_error"),
                 "{path}/{key} is not a finite number"
             );
             if !item.is_null() {

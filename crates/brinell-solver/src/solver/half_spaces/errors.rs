@@ -5,7 +5,7 @@
 //! ```
 //! Floors are for what scatters with the cells at the edge of the contact: approach and semi-axes, and all other figures of
 //! contacts that yield. Factors and floors are those by which the prototype's figures on 16 to 64 cells a side are covered, but for
-//! semi-axes, whose floor covers random contacts on 4 to 10 cells over a semi-axis.
+//! semi-axes and plastic strain, whose floors cover random contacts on 4 to 10 cells over a semi-axis.
 
 use super::step::{HalfSpaceFigures, HalfSpaceStep};
 use crate::contact::ContactLoad;
@@ -14,10 +14,11 @@ use crate::solver::method::steps::CoarseFigures;
 
 const OF_GRID: f64 = 0.7;
 const OF_INCREMENTS: f64 = 0.5;
-/// Floors over the figure: pressure, dent, strain and stress; approach. Semi-axes: over a cell.
+/// Floors over the figure: pressure, dent and stress; approach. Semi-axes and plastic strain: over cell and semi-axis.
 const SCATTER: f64 = 1e-2;
 const SCATTER_OF_APPROACH: f64 = 1.5e-3;
 const SCATTER_OF_AXES: f64 = 0.2;
+const SCATTER_OF_STRAIN: f64 = 0.3;
 /// More of the pressure, times the distance of its peak from the middle over the semi-axis: single cells are jagged near the edge. Of a
 /// perfectly plastic ball at six yield stresses 10 and 15 cells find 4.6 and 3 % too much.
 const SCATTER_OF_RING: f64 = 2e-2;
@@ -61,8 +62,9 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
         ContactLoad::Approach(_) => (FORCE_OVER_APPROACH * SCATTER_OF_APPROACH, 0.0),
     };
     let (grid, [a, b]) = (&step.surface.grid, step.figures.semi_axes);
-    let semi_axes =
-        [(grid.hx(), a), (grid.hy(), b)].map(|(cell, axis)| SCATTER_OF_AXES * cell / axis.max(cell));
+    let sizes = [(grid.hx(), a), (grid.hy(), b)].map(|(cell, axis)| cell / axis.max(cell));
+    let semi_axes = sizes.map(|size| SCATTER_OF_AXES * size);
+    let strain = scatter * SCATTER_OF_STRAIN * sizes[0].max(sizes[1]);
     let [x, y] = step.peak_position;
     let from_middle = if a.min(b) > 0.0 { (x / a).hypot(y / b).min(1.0) } else { 0.0 };
     HalfSpaceFigures {
@@ -71,7 +73,7 @@ fn floors(step: &HalfSpaceStep) -> HalfSpaceFigures {
         peak_pressure: scatter * (SCATTER + SCATTER_OF_RING * from_middle),
         semi_axes,
         area: semi_axes.iter().sum(),
-        max_plastic_strain: [scatter * SCATTER; 2],
+        max_plastic_strain: [strain; 2],
         dent: [scatter * SCATTER; 2],
         pile_up: [scatter * SCATTER; 2],
         least_stress: [scatter * SCATTER; 2],
