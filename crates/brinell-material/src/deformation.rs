@@ -39,7 +39,7 @@ pub struct DeformationPlasticity {
 const USUAL_TRIALS: u32 = 10;
 const MOST_TRIALS: u32 = 130;
 /// Part of G within which they end.
-const SECANT_ACCURACY: f64 = 1e-12;
+const SECANT_ACCURACY: f64 = 1e-14;
 
 /// How far from elastic a point is.
 #[derive(Debug, Clone, Copy, PartialEq)]
