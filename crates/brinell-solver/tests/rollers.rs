@@ -193,3 +193,18 @@ fn a_tilted_roller_yields_at_one_end() {
     let text = serde_json::to_string(&report).unwrap();
     assert!(!text.contains("NaN"));
 }
+
+/// Rounding leaves a roller at an angle a curvature of its own along its axis, of either sign.
+#[test]
+fn a_roller_at_any_angle_is_the_same_contact() {
+    let pressed = |rotation: f64| {
+        let changes = json!({"load": {"force": 5000}, "mesh": {"elements_per_half_width": 4}});
+        let mut job = roller(20.0, &json!({}), &changes);
+        job["upper"]["shape"]["rotation"] = json!(rotation);
+        along(&solve(&job).steps[0]).middle_pressure
+    };
+    let straight = pressed(0.0);
+    for rotation in [1.0, 10.0, 37.0, 89.0, 90.0, -90.0, 91.0, 179.0, 180.0, 270.0, 360.0] {
+        near(pressed(rotation), straight, 1e-6);
+    }
+}

@@ -1,10 +1,12 @@
 //! What half-spaces in three dimensions ask of a job.
 
 use super::reader::Node;
-use super::{Analysis, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Shape};
+use super::{Analysis, Body, ContactMethod, Coupling, FieldError, Job, Load, MeshSettings, Shape};
 
 /// Least curvature of the gap in one direction over that in the other: what is flatter is a line contact.
 const LEAST_CURVATURE_RATIO: f64 = 1e-4;
+/// Sine of the angle between axes that are one.
+const ALIGNED: f64 = 1e-9;
 
 impl Job {
     /// Whatever of the job half-spaces cannot do, and half-spaces in a plane analysis.
@@ -98,7 +100,7 @@ impl Job {
         let ends = [&self.upper, &self.lower].iter().any(|body| matches!(body.shape, Shape::Roller(_)));
         let needed = if ends { -LEAST_CURVATURE_RATIO } else { LEAST_CURVATURE_RATIO };
         if greatest > 0.0 && least >= needed * greatest {
-            return Vec::new();
+            return self.faults_of_rollers();
         }
         let detail = if greatest <= 0.0 || least < -LEAST_CURVATURE_RATIO * greatest {
             "the surfaces do not open away from where they touch: in each direction the concave body needs the larger radius"
@@ -107,6 +109,23 @@ impl Job {
              solve it as \"plane_strain\", give a body a radius there, or make it a \"roller\""
         };
         ["/upper/shape", "/lower/shape"].map(|pointer| FieldError::new(pointer, detail)).to_vec()
+    }
+
+    /// Rollers lie along the contact, so that they end it.
+    fn faults_of_rollers(&self) -> Vec<FieldError> {
+        let orientation = self.gap_orientation().unwrap_or(0.0);
+        let lies_across = |body: &Body| match &body.shape {
+            Shape::Roller(roller) => {
+                let angle = roller.rotation.unwrap_or(0.0) - orientation;
+                angle.to_radians().sin().abs() > ALIGNED
+            }
+            _ => false,
+        };
+        let bodies = [("/upper/shape", &self.upper), ("/lower/shape", &self.lower)];
+        let across = bodies.into_iter().filter(|(_, body)| lies_across(body));
+        let detail = "the roller does not lie along the longer axis of the contact: turn it by `rotation` until it does, or take \
+                      \"curved\" where the contact stays away from its ends";
+        across.map(|(pointer, _)| FieldError::new(pointer, detail)).collect()
     }
 
     /// Principal curvatures of the gap between two half-spaces, the smaller one first \[1/mm\]; `None` of other shapes.
@@ -167,6 +186,23 @@ mod tests {
         assert_eq!(read.analysis.force().symbol(Units::MmNMpa), "N");
         assert!(read.validate().is_ok());
         assert!(serde_json::to_value(&read).unwrap()["upper"].get("support").is_none());
+    }
+
+    #[test]
+    fn a_roller_lies_along_its_contact() {
+        let roller =
+            |rotation: i32| json!({"type": "roller", "radius": 10, "length": 20, "rotation": rotation});
+        for rotation in [0, 1, 10, 37, 90, 179, 180, 270, 360] {
+            assert!(faults(&job(&roller(rotation), &json!({"type": "flat"}))).is_empty(), "{rotation}");
+            let same = json!({"type": "curved", "radius_x": 25, "rotation": rotation});
+            assert!(faults(&job(&roller(rotation), &same)).is_empty(), "{rotation}");
+        }
+        let across = json!({"type": "curved", "radius_y": 5});
+        assert_eq!(
+            pointers(&job(&json!({"type": "roller", "radius": 50, "length": 20}), &across)),
+            ["/upper/shape"]
+        );
+        assert_eq!(pointers(&job(&roller(10), &json!({"type": "curved", "radius_x": 25}))), ["/upper/shape"]);
     }
 
     #[test]

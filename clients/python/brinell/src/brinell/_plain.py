@@ -45,6 +45,10 @@ _KINDS: dict[str, str | tuple[str, str]] = {
         [
             "radius",
             "radius_x",
+            "length",
+            "crown_radius",
+            "spacing_x",
+            "spacing_y",
             "radius_y",
             "width",
             "depth",
@@ -81,6 +85,7 @@ _KINDS: dict[str, str | tuple[str, str]] = {
     ),
     "force": FORCE,
     "forces": FORCE,
+    "design_force": FORCE,
     "angle": ANGLE,
     "rotation": ANGLE,
     "over_depth": (LENGTH, PURE),

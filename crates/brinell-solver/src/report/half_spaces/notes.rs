@@ -105,6 +105,14 @@ pub(super) fn notes(
     if let Some(message) = roller_end(problem, step, write) {
         note("roller_end", message);
     }
+    if has_kinks(problem) {
+        note(
+            "sharp_corner",
+            "The profile of a roller is given by points: elastic pressure has no bound at its kinks, and grows there with finer cells. The \
+             peak pressure is that of the cells, without a bar."
+                .to_owned(),
+        );
+    }
     if a > 0.0 {
         note(
             "half_spaces",
@@ -200,6 +208,19 @@ fn reaches_rim(map: &SurfaceMap) -> bool {
         i == 0 || j == 0 || i + 1 == nx || j + 1 == ny
     };
     map.pressure.iter().enumerate().any(|(cell, pressure)| *pressure > 0.0 && is_rim(cell))
+}
+
+/// Whether the peak is that of the cells: at the end of a roller, or at the kinks of a profile by points.
+pub(super) fn is_peak_unknown(
+    problem: &HalfSpaceProblem,
+    step: &HalfSpaceStep,
+    write: UnitConverter,
+) -> bool {
+    has_kinks(problem) || roller_end(problem, step, write).is_some()
+}
+
+fn has_kinks(problem: &HalfSpaceProblem) -> bool {
+    problem.rollers.iter().any(|roller| matches!(roller.relief, Relief::Points(_)))
 }
 
 /// What is said of a contact that reaches an end of a roller.

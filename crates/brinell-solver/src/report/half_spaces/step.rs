@@ -6,6 +6,7 @@ use super::document::{
 };
 use super::elastic::EllipticReference;
 use super::layers::layers;
+use super::notes::is_peak_unknown;
 use crate::contact::ContactLoad;
 use crate::job::{Deformable, InitialStressProfile, Job, Load, Material, Quantity};
 use crate::report::build::{HALF_SPACE_DATUM, in_units};
@@ -307,16 +308,18 @@ impl StepWriter<'_> {
             (None, Some(_)) => Some(contact_stiffness::ERROR),
             (None, None) => None,
         };
+        let is_peak_known = !is_peak_unknown(self.problem, step, self.write);
+        let peak = Some(relative(errors.peak_pressure, figures.peak_pressure)).filter(|_| is_peak_known);
         Some(ErrorEstimate {
-            peak_pressure: Some(relative(errors.peak_pressure, figures.peak_pressure)),
+            peak_pressure: peak,
             half_width: Some(relative(errors.semi_axes[0], figures.semi_axes[0])),
             approach: Some(relative(errors.approach, figures.approach)),
             // The stress that yields first goes with the third root of the force.
-            force: Some(if self.job.load == Load::Onset {
-                3.0 * relative(errors.peak_pressure, figures.peak_pressure)
+            force: if self.job.load == Load::Onset {
+                peak.map(|peak| 3.0 * peak)
             } else {
-                relative(errors.force, figures.force)
-            }),
+                Some(relative(errors.force, figures.force))
+            },
             contact_stiffness: of_stiffness,
             bodies: None,
         })

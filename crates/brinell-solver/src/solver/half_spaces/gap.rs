@@ -4,12 +4,6 @@ use brinell_halfspace::SurfaceGrid;
 
 use super::problem::HalfSpaceProblem;
 
-/// Cosine of the angle between a roller and the y of the fields below which the roller does not bound the contact along y.
-const ALONG: f64 = 0.5;
-
-/// Sine of the angle between axes that are one.
-const ALIGNED: f64 = 1e-9;
-
 /// What the surface of a roller is beside a cylinder without ends. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RollerGap {
@@ -143,22 +137,12 @@ impl HalfSpaceProblem {
 
     /// Whether the gap is even in x and in y of the fields.
     pub fn gap_is_even(&self) -> bool {
-        let orientation = self.orientation();
-        self.heights.is_none()
-            && self.rollers.iter().all(|roller| {
-                let (sine, cosine) = (roller.rotation - orientation).sin_cos();
-                sine.abs().min(cosine.abs()) < ALIGNED && roller.is_even()
-            })
+        self.heights.is_none() && self.rollers.iter().all(RollerGap::is_even)
     }
 
-    /// Half the length along y of the fields that a roller leaves the contact \[mm\]; `None` without a roller along it.
+    /// Half the length along y of the fields that rollers leave the contact \[mm\]; `None` without a roller.
     pub fn half_length(&self) -> Option<f64> {
-        let orientation = self.orientation();
-        let of_roller = |roller: &RollerGap| {
-            let cosine = (roller.rotation - orientation).cos().abs();
-            (cosine > ALONG).then_some(0.5 * roller.length / cosine)
-        };
-        self.rollers.iter().filter_map(of_roller).reduce(f64::min)
+        self.rollers.iter().map(|roller| 0.5 * roller.length).reduce(f64::min)
     }
 
     /// Slope by which the gap falls along y of the fields.

@@ -140,9 +140,9 @@ impl HalfSpaceProblem {
         let [kx, ky] = self.principal_curvatures();
         let ellipse = || EllipticContact::new(kx.recip(), ky.recip(), self.effective_modulus(), force);
         let Some(half_length) = self.half_length() else { return ellipse() };
-        let is_curved = ky > LINE * kx;
-        Some(ellipse())
-            .filter(|found| is_curved && found.semi_axis_y < half_length)
+        let ellipse = (ky > LINE * kx).then(ellipse);
+        ellipse
+            .filter(|found| found.semi_axis_y < half_length)
             .unwrap_or_else(|| line_contact(kx.recip(), 2.0 * half_length, self.effective_modulus(), force))
     }
 
