@@ -389,5 +389,5 @@ fn estimated_errors_cover_what_finer_grids_change() {
         println!("| {name} | {} | {within} | {error:.2} | {change:.2} |", pairs.len());
         (covered, total) = (covered + within, total + pairs.len());
     }
-    assert!(total as u64 > 10 * count && 10 * covered >= 9 * total, "{covered} of {total}");
+    assert!(total as u64 > 8 * count && 20 * covered >= 19 * total, "{covered} of {total}");
 }

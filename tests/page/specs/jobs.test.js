@@ -115,9 +115,10 @@ service.test('everything can be taken along', async (page) => {
   await follow(page, `job=${id}`);
   await page.locator('[data-status=succeeded]').waitFor();
   await page.getByText('Download', { exact: true }).click();
-  // Flow theory alone has increments and surfaces; one load has no curve.
+  // Flow theory alone has increments and surfaces, half-spaces alone have layers; one load has no curve.
   const disabled = await page.locator('.menu button:disabled').allTextContents();
-  assert.deepEqual(disabled, ['Increments, CSV', 'Surfaces, CSV', 'Force over approach, SVG', 'Surfaces, SVG']);
+  const none = ['Increments, CSV', 'Surfaces, CSV', 'Layers, VTR', 'Force over approach, SVG', 'Surfaces, SVG'];
+  assert.deepEqual(disabled, none);
   for (const button of await page.locator('.menu button:enabled').all()) {
     const name = await button.textContent();
     const [file] = await Promise.all([page.waitForEvent('download'), button.click()]);

@@ -27,7 +27,11 @@ service.test('every force of a sweep is written, and every load of a history', a
 });
 
 service.test('a step without load has no columns of Hertz, and no stiffness', async (page) => {
-  await shown(page, { load: { history: [{ force: 300 }, { force: 0 }] }, solver: { theory: 'flow' } });
+  await shown(page, {
+    load: { history: [{ force: 300 }, { force: 0 }] },
+    solver: { theory: 'flow' },
+    output: { contact_stiffness: true },
+  });
   const stiffness = page.locator('#headline dl > div', { hasText: 'Contact stiffness' });
   await page.locator('#headline').getByText('Permanent approach').waitFor();
   assert.equal(await stiffness.count(), 0);

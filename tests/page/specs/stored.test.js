@@ -20,9 +20,10 @@ service.test(
     assert.deepEqual(jobs[0].tags, { part: 'ball' });
     await page.goto(`${server.url}/#job=${jobs[0].id}`);
     await page.reload();
-    await page.getByLabel('Step', { exact: true }).focus();
-    await page.keyboard.press('Home');
-    await page.getByText('1370.8 MPa').first().waitFor();
+    const headline = page.locator('#headline');
+    await headline.getByText('0.0027456').waitFor();
+    await page.getByLabel('Step', { exact: true }).fill('0');
+    await headline.getByText('1370.8').waitFor();
     await page.waitForFunction(() =>
       document.querySelector('.over')?.getAttribute('aria-label')?.startsWith('Field of'),
     );

@@ -62,7 +62,7 @@ pub struct RoughContactReport {
     pub contact_ratio: f64,
     /// Force over the area of all heights \[stress >= 0\].
     pub nominal_pressure: f64,
-    /// Parts of the area in contact.
+    /// Parts of the area in contact \[1 >= 0\].
     pub parts: Vec<f64>,
     /// Pressure below which these parts of the area in contact are; empty where nothing touches \[stress >= 0\].
     pub pressure_quantiles: Vec<f64>,
