@@ -2301,7 +2301,9 @@ class RoughContact(BaseModel):
             ge=0.0,
         ),
     ]
-    parts: Annotated[list[float], Field(description='Parts of the area in contact.')]
+    parts: Annotated[
+        list[float], Field(description='Parts of the area in contact. Without unit.')
+    ]
     plastic_part: Annotated[
         float | None,
         Field(
