@@ -195,7 +195,7 @@ pub fn router(state: HttpState) -> Router {
     let hosts = from_fn_with_state(state.clone(), check_host);
     // Noise does not compress.
     let compressible = DefaultPredicate::new()
-        .and(NotForContentType::const_new("application/zip"))
+        .and(NotForContentType::const_new("application/octet-stream"))
         .and(|_, _, _: &HeaderMap, about: &Extensions| about.get::<CodingChosen>().is_none());
     let cors = cors(&state.settings.cors_origins);
     let (documented, _) = guarded_routes().route_layer(keys).merge(open_routes()).split_for_parts();

@@ -191,7 +191,7 @@ fn bytes_of(answer: &Answer, name: &str) -> Vec<u8> {
 fn fields_are_an_archive_of_arrays() {
     let solved = Solved::new(true);
     let answer = solved.get("/fields/2", &[]);
-    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/zip")));
+    assert_eq!((answer.status, answer.header("content-type")), (200, Some("application/octet-stream")));
     let step = solved.get("/result?step=2", &[]).json()["steps"][0].clone();
     let step: StepReport = serde_json::from_value(step).unwrap();
     let expected = step.fields.unwrap().upper.unwrap();

@@ -70,7 +70,7 @@ async function answerOf({ url, options }, number, silence, buffers) {
   const parts = /** @type {Uint8Array[]} */ ([]);
   await each(response, number, silence, (chunk) => parts.push(chunk.slice()));
   const body = new Blob(/** @type {BlobPart[]} */ (parts));
-  const isArchive = /^application\/zip/.test(response.headers.get('content-type') ?? '');
+  const isArchive = /^application\/octet-stream/.test(response.headers.get('content-type') ?? '');
   if (response.ok && isArchive) return { answer: readFields(await body.arrayBuffer(), buffers) };
   const text = await body.text();
   // 202: it takes longer than one waits, and goes on as a job.

@@ -36,7 +36,7 @@ use brinell_solver::report::NpyFile;
         ArraysQuery,
     ),
     responses(
-        (status = OK, description = "The archive.", body = Vec<u8>, content_type = "application/zip", headers(
+        (status = OK, description = "The archive.", body = Vec<u8>, content_type = "application/octet-stream", headers(
             ("ETag" = String, description = "Name of these bytes, for `If-None-Match`."),
         )),
         (status = NOT_MODIFIED, description = "The client has these bytes already."),
@@ -64,7 +64,7 @@ pub(in crate::http) async fn get_fields(
     };
     let tag = format!("\"{id}-{}-{step}-npz{}\"", head.attempt, wanted.name());
     let common: [(HeaderName, &str); 3] =
-        [(CONTENT_TYPE, "application/zip"), (ETAG, &tag), (CACHE_CONTROL, "private, no-cache")];
+        [(CONTENT_TYPE, "application/octet-stream"), (ETAG, &tag), (CACHE_CONTROL, "private, no-cache")];
     if result_body::is_known(&tag, &headers) {
         return Ok((StatusCode::NOT_MODIFIED, common).into_response());
     }
