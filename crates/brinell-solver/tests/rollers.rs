@@ -163,7 +163,7 @@ fn the_middle_of_a_long_roller_is_in_plane_strain() {
         "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
     let body = |shape: Value| json!({"shape": shape, "material": yielding});
     let changes = json!({"load": {"force": 544.5 * 16.0}, "lower": body(json!({"type": "flat"})),
-        "mesh": {"elements_per_half_width": 8}});
+        "mesh": {"elements_per_half_width": 16}});
     let report = solve(&roller(16.0, &json!({"profile": "logarithmic", "design_force": 8712}), &changes));
     let roller = along(&report.steps[0]);
     let line_load = roller.line_load[roller.y.len() / 2];
@@ -174,8 +174,8 @@ fn the_middle_of_a_long_roller_is_in_plane_strain() {
         "load": {"force": line_load}, "mesh": {"elements_per_half_width": 40},
     });
     let plane = solve(&plane);
-    near(roller.middle_pressure, plane.steps[0].contact.peak_pressure, 1.2e-2);
-    near(roller.half_width[roller.y.len() / 2], plane.steps[0].contact.half_width, 3e-2);
+    near(roller.middle_pressure, plane.steps[0].contact.peak_pressure, 1e-2);
+    near(roller.half_width[roller.y.len() / 2], plane.steps[0].contact.half_width, 2e-2);
 }
 
 /// Tilt and yield together, in few cells.
