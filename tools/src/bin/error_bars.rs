@@ -152,10 +152,13 @@ fn main() {
             continue;
         };
         solved += 1;
-        for (step, exact) in found.iter().zip(&exact) {
+        let mut follows_unknown_peak = false;
+        for (mut step, exact) in found.into_iter().zip(&exact) {
             steps += 1;
-            let bars = bars(&parsed, step);
-            let [found, exact] = [step, exact].map(|step| step.figures().values());
+            step.follows_unknown_peak = follows_unknown_peak;
+            let bars = bars(&parsed, &step);
+            follows_unknown_peak |= !step.increments.is_empty() && bars[0].is_none();
+            let [found, exact] = [&step, exact].map(|step| step.figures().values());
             // Bodies alike are counted once.
             let is_shared =
                 found[CONTACT.len()..CONTACT.len() + BODY.len()] == found[CONTACT.len() + BODY.len()..];
@@ -163,7 +166,7 @@ fn main() {
             for k in (0..figures).filter(|k| exact[*k] != 0.0 && found[*k] != 0.0 && bars[*k] != Some(0.0)) {
                 let figure = if k < CONTACT.len() + BODY.len() { k } else { k - BODY.len() };
                 let error = (exact[k] / found[k] - 1.0).abs().max(1e-12);
-                let of_figure = counted.entry((figure, yields(step))).or_default();
+                let of_figure = counted.entry((figure, yields(&step))).or_default();
                 match bars[k] {
                     Some(bar) => of_figure.bars.push([bar, error]),
                     None => of_figure.without += 1,

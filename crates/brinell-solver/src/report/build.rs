@@ -8,8 +8,8 @@ use super::target::TargetSeen;
 use super::units::UnitConverter;
 use super::{
     FieldsReport, HertzReport, LoadReport, MeshReport, PerBody, PlasticityReport, Report, StepReport,
-    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, onset, plastic_strain,
-    plastic_zone, subsurface, validity,
+    SubsurfaceReport, Timings, contact, error_bars, fields, flow, load_approach, mesh_effects, onset,
+    plastic_strain, plastic_zone, subsurface, validity,
 };
 use crate::contact::ContactLoad;
 use crate::job::{Block, Body, Cylinder, Job, Material, Named, Quantity, Shape};
@@ -30,6 +30,8 @@ pub(super) struct ReportBuilder<'a> {
     differences: LoadDifferences<'a>,
     /// Whether they are a history and not a curve.
     is_history: bool,
+    /// Whether the mesh did not tell the largest pressure of a load of the history.
+    is_peak_unknown: bool,
     target: TargetSeen,
     /// The mesh of the last step.
     mesh: MeshReport,
@@ -47,6 +49,7 @@ impl<'a> ReportBuilder<'a> {
             curve: Vec::new(),
             differences: LoadDifferences::new(job, options),
             is_history: false,
+            is_peak_unknown: false,
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
             time: Duration::ZERO,
@@ -62,6 +65,7 @@ impl<'a> ReportBuilder<'a> {
     /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
     pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
         let start = observer.elapsed();
+        step.follows_unknown_peak = self.is_peak_unknown;
         let slope = self.differences.next(Seen::of(&step), observer);
         let fields = slope.and_then(|slope| {
             step.contact_stiffness = step.contact_stiffness.or(slope);
@@ -76,6 +80,7 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             self.is_history |= !step.increments.is_empty();
+            self.is_peak_unknown |= self.is_history && mesh_effects::is_peak_unknown(step);
             let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
             let end = [step.approach, step.force(), half_width];
             self.curve.extend(load_approach::points(&step.increments, end, step.spacing, stiffness));
@@ -93,7 +98,7 @@ impl<'a> ReportBuilder<'a> {
 
     /// The report without its steps.
     pub(super) fn finish(self, solution: &Solution, observer: &dyn Observer) -> Report {
-        let Self { job, write, status, curve, is_history, target, mesh, time, differences: _ } = self;
+        let Self { job, write, status, curve, is_history, target, mesh, time, .. } = self;
         let interrupted = solution.interrupted.map(SolveStatus::from);
         let status = interrupted.map_or(status, |interrupted| worse(status, interrupted));
         Report {

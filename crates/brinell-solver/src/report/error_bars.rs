@@ -19,11 +19,12 @@ use serde::{Deserialize, Serialize};
 use super::contact_stiffness;
 use super::mesh_effects::{is_clamped_column, is_peak_unknown, is_ring_on_few_elements};
 use super::onset::is_onset_unknown;
-use super::{PerBody, plastic_strain, strength};
+use super::surface_stress::UncertainStress;
+use super::{PerBody, plastic_strain, strength, target};
 use crate::contact::ContactLoad;
 use crate::fem::element::StressState;
-use crate::job::Job;
-use crate::solver::{CoarseFigures, StepSolution};
+use crate::job::{Job, Load, TargetFigure};
+use crate::solver::{BodyFigures, CoarseFigures, StepSolution};
 
 /// Floors of figures over h/a, in the order of `CoarseFigures`, those of a body once: in plane analyses, and of bodies of revolution.
 const FLOORS: [(&str, [f64; 2]); 11] = [
@@ -44,8 +45,8 @@ const FLOORS: [(&str, [f64; 2]); 11] = [
 const CONTACT_FIGURES: usize = 4;
 const BODY_FIGURES: usize = FLOORS.len() - CONTACT_FIGURES;
 
-/// Floor of the contact stiffness of elastic bodies, and of those that unload, over h/a.
-const STIFFNESS_FLOOR: f64 = 0.1;
+/// Floors of the contact stiffness of elastic bodies, and of those that unload, over h/a.
+const STIFFNESS_FLOORS: [f64; 2] = [0.1, 0.2];
 /// Exponent of the force with which peak pressure, half-width and stiffness of a contact of arcs grow at most: those of a line contact.
 const WITH_FORCE: f64 = 0.5;
 
@@ -63,7 +64,8 @@ pub struct ErrorEstimate {
     /// Of the approach; 0 where it is prescribed \[1 >= 0\].
     #[cfg_attr(feature = "openapi", schema(required))]
     pub approach: Option<f64>,
-    /// Of the contact force; 0 where it is prescribed \[1 >= 0\].
+    /// Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has it: of the force that leaves a permanent target, and of targets in
+    /// three dimensions \[1 >= 0\].
     #[serde(default)]
     #[cfg_attr(feature = "openapi", schema(required))]
     pub force: Option<f64>,
@@ -107,10 +109,29 @@ pub struct BodyErrors {
     pub utilization: Option<f64>,
 }
 
-/// The bars of a step; `None` where there is no answer or no coarser mesh, where a ring touches on few elements, and where the onset of yield
-/// is not known. Single figures have none where the mesh does not tell them: behind a rounded edge that is thinner than elements, at a sharp
-/// corner, next to an end or at a thin tip, below a coarse case, and above a clamped column.
+/// The bars of a step; `None` where there is no answer or no coarser mesh, where a ring touches on few
+/// elements, and where the onset of yield is not known. Single figures have none where the mesh does
+/// not tell them: behind a rounded edge that is thinner than elements, at a sharp corner, next to an
+/// end or at a thin tip, below a coarse case, and above a clamped column.
 pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
+    let bars = under_its_force(job, step)?;
+    Some(match (step.load, &job.load) {
+        (ContactLoad::Approach(_), _) => bars,
+        (ContactLoad::Force(_), Load::Onset) => bars.with_force_error(step.onset_error.unwrap_or(0.0), None),
+        (ContactLoad::Force(force), Load::Target(target)) if force > 0.0 => {
+            let of_revolution = step.stress_state == StressState::Axisymmetric;
+            let error = step.target_sensitivity.zip(target::error_of(target.figure, &bars, of_revolution));
+            match error.map(|(sensitivity, error)| error / sensitivity) {
+                Some(error) => bars.with_force_error(error, Some(target.figure)),
+                None => ErrorEstimate { force: None, ..bars },
+            }
+        }
+        (ContactLoad::Force(_), _) => ErrorEstimate { force: Some(0.0), ..bars },
+    })
+}
+
+/// The bars of a step if its force were given.
+pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let half_width = if step.patch.is_some() { step.half_width() } else { step.reached[1] };
     let is_unknown = step.has_collapsed || step.status.is_stopped() || is_onset_unknown(job, step);
     if is_unknown || half_width <= 0.0 || is_ring_on_few_elements(step) {
@@ -121,42 +142,68 @@ pub fn estimate(job: &Job, step: &StepSolution) -> Option<ErrorEstimate> {
     let is_known = step.rounded_edge.is_none();
     let is_peak_known = is_known && !is_peak_unknown(step);
     let is_approach_known = is_known && !is_clamped_column(job, step);
-    let onset = step.onset_error.unwrap_or(0.0);
-    let approach = approach.filter(|_| is_approach_known).map(|bar| bar + onset);
-    let (approach, force) = match step.load {
-        ContactLoad::Force(_) => (approach, Some(onset)),
-        ContactLoad::Approach(_) => (Some(0.0), force.filter(|_| is_approach_known)),
-    };
-    let on_curve = |bar: f64| bar + WITH_FORCE * onset;
+    let is_approach_given = matches!(step.load, ContactLoad::Approach(_));
     let stiffness = step.contact_stiffness.filter(|_| is_known);
     let of_body = |side: usize| {
         let body = step.bodies[side].as_deref()?;
         let [largest, mean, area, dent, pile_up, least_stress, von_mises] = bars.of_body(side);
-        let is_inner_known = is_peak_known && !strength::is_coarse(body);
+        let is_inner_known = is_peak_known && !step.follows_unknown_peak && !strength::is_coarse(body);
         let inner = |bar: Option<f64>| bar.filter(|_| is_inner_known);
+        let BodyFigures { least_stress: least, largest_von_mises: most, .. } = bars.bodies[side];
+        let uncertain = UncertainStress::of(step, body);
+        let at_surface = |bar: Option<f64>, found: f64, beyond: fn(&UncertainStress, f64) -> f64| {
+            let added = uncertain.as_ref().map_or(0.0, |stress| beyond(stress, found) / found.abs());
+            inner(bar).map(|bar| bar + added).filter(|bar| bar.is_finite())
+        };
         Some(BodyErrors {
             max_equivalent_plastic_strain: inner(largest).filter(|_| plastic_strain::largest(body).is_some()),
             mean_equivalent_plastic_strain: inner(mean),
             area: inner(area),
-            depth: dent.filter(|_| is_approach_known).map(|bar| bar + onset),
-            pile_up: pile_up.filter(|_| is_known).map(|bar| bar + onset),
-            least_stress: inner(least_stress),
-            utilization: inner(von_mises),
+            depth: dent.filter(|_| is_approach_known),
+            pile_up: pile_up.filter(|_| is_known),
+            least_stress: at_surface(least_stress, least, UncertainStress::below),
+            utilization: at_surface(von_mises, most, UncertainStress::above),
         })
     };
     Some(ErrorEstimate {
-        peak_pressure: peak_pressure.filter(|_| is_peak_known).map(on_curve),
-        half_width: half_width.filter(|_| is_known).map(on_curve),
-        approach,
-        force,
-        contact_stiffness: stiffness.map(|_| on_curve(stiffness_bar(step, bars.size))),
+        peak_pressure: peak_pressure.filter(|_| is_peak_known),
+        half_width: half_width.filter(|_| is_known),
+        approach: if is_approach_given { Some(0.0) } else { approach.filter(|_| is_approach_known) },
+        force: force.filter(|_| is_approach_known),
+        contact_stiffness: stiffness.map(|_| stiffness_bar(step, bars.size)),
         bodies: Some(PerBody { upper: of_body(0), lower: of_body(1) }),
     })
+}
+
+impl ErrorEstimate {
+    /// The same under a force that was sought and has an error, and what that does to the other figures; nothing to the `target`.
+    fn with_force_error(mut self, error: f64, target: Option<TargetFigure>) -> Self {
+        let wider = |bar: &mut Option<f64>, exponent: f64| {
+            *bar = bar.map(|bar| bar + exponent * error);
+        };
+        self.force = Some(error);
+        wider(&mut self.approach, 1.0);
+        if target != Some(TargetFigure::PeakPressure) {
+            wider(&mut self.peak_pressure, WITH_FORCE);
+        }
+        if target != Some(TargetFigure::HalfWidth) {
+            wider(&mut self.half_width, WITH_FORCE);
+        }
+        wider(&mut self.contact_stiffness, WITH_FORCE);
+        if let Some(bodies) = &mut self.bodies {
+            for body in [&mut bodies.upper, &mut bodies.lower].into_iter().flatten() {
+                wider(&mut body.depth, 1.0);
+                wider(&mut body.pile_up, 1.0);
+            }
+        }
+        self
+    }
 }
 
 /// What the bars of a step are made of.
 struct Bars {
     of_revolution: bool,
+    bodies: [BodyFigures; 2],
     /// h/a.
     size: f64,
     found: [f64; CoarseFigures::COUNT],
@@ -187,6 +234,7 @@ impl Bars {
         let part = step.coarsest_part().map_or(0.0, |(_, elements)| elements.recip());
         Some(Self {
             of_revolution: step.stress_state == StressState::Axisymmetric,
+            bodies: figures.bodies,
             size: (step.spacing / half_width).max(part),
             found: figures.values(),
             coarse: step.coarse?.values(),
@@ -224,7 +272,9 @@ impl Bars {
 fn stiffness_bar(step: &StepSolution, size: f64) -> f64 {
     let yields = step.bodies.iter().flatten().any(|body| body.max_plastic_strain() > 0.0);
     match step.stress_state {
-        _ if !yields || step.approach < step.reached[0] => STIFFNESS_FLOOR * size,
+        state if !yields || step.approach < step.reached[0] => {
+            STIFFNESS_FLOORS[usize::from(state == StressState::Axisymmetric)] * size
+        }
         StressState::PlaneStress => contact_stiffness::PLANE_STRESS_ERROR,
         StressState::PlaneStrain | StressState::Axisymmetric => contact_stiffness::ERROR,
     }

@@ -8,8 +8,9 @@ use crate::solver::{BodySolution, ContactPatch, StepSolution};
 
 /// Change of the peak pressure by half the elements from which on it is said to grow at a corner.
 const GROWTH: f64 = 0.02;
-/// Elements over a ring that are few.
-const RING_ELEMENTS: f64 = 6.0;
+/// Elements over a half-width, and over a ring, below which a mesh is called coarse. Meshes are sized by an
+/// estimate of the half-width, so one of 10 elements may turn out to have 9.5.
+pub(super) const COARSE_MESH: f64 = 9.0;
 /// Elements from an end of a contact that are next to it, of one that is wider to each side than the last, and of a circle or ring.
 const NEXT_TO_END: f64 = 4.0;
 const NEXT_TO_END_OF_CIRCLE: f64 = 5.0;
@@ -21,7 +22,7 @@ const PEAK_IN_MIDDLE: f64 = 1.5;
 pub(super) fn is_ring_on_few_elements(step: &StepSolution) -> bool {
     let is_few = |part: &ContactPatch| {
         let holds_peak = (part.left..=part.right).contains(&step.peak_position);
-        holds_peak && part.left > 0.0 && part.right - part.left < RING_ELEMENTS * step.spacing
+        holds_peak && part.left > 0.0 && part.right - part.left < COARSE_MESH * step.spacing
     };
     step.stress_state == StressState::Axisymmetric && step.parts.iter().any(is_few)
 }
@@ -61,7 +62,7 @@ pub(super) fn peak_is_unbounded(step: &StepSolution) -> bool {
     step.loaded_corners.iter().any(is_at_peak) && growth > GROWTH
 }
 
-/// Whether the mesh does not tell the largest pressure, and with it stress and strain.
+/// Whether the mesh does not tell the largest pressure.
 pub(super) fn is_peak_unknown(step: &StepSolution) -> bool {
     step.rounded_tip.is_some() || peak_is_unbounded(step) || peak_is_next_to_end(step)
 }

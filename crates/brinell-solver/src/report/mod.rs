@@ -19,6 +19,7 @@ mod plastic_zone;
 mod run;
 mod strength;
 mod subsurface;
+mod surface_stress;
 mod target;
 mod units;
 mod validity;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mesh_effects::peak_is_unbounded;
+use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use super::units::{UnitConverter, rounded};
 use crate::contact::ContactLoad;
 use crate::job::{Job, Load, Units};
@@ -68,6 +68,15 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
             step.spacing,
             rounded(onset),
             job.analysis.force().symbol(Units::MmNMpa),
+        ));
+    }
+    let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
+    if peak_is_next_to_end(step) && can_yield() {
+        return Some(format!(
+            "{unknown}. The largest pressure is at x = {} mm, next to an end of the contact, where it rises within elements of {:.2e} \
+             mm: finer ones find more of it, and yield under a smaller force.",
+            rounded(step.peak_position),
+            step.spacing
         ));
     }
     let is_at_corner = job.load == Load::Onset && peak_is_unbounded(step);

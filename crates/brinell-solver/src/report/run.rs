@@ -60,7 +60,7 @@ impl RunError {
                 Load::Target(target) => vec![format!("/load/target/{}", target.figure.name())],
                 _ => vec!["/load/onset".to_owned()],
             },
-            SolveError::Conforming | SolveError::TouchesAtEnd { .. } => {
+            SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. } => {
                 sides.map(|(side, _)| format!("/{side}/shape")).to_vec()
             }
             SolveError::AmbiguousCorner { side, .. } => {
@@ -82,7 +82,7 @@ impl RunError {
             SolveError::Unreachable(found) => {
                 target::unreachable(found, &job.load, UnitConverter::new(job.units, job.analysis))
             }
-            SolveError::TooWide { .. } | SolveError::Conforming if lies_in_groove(job) => {
+            SolveError::TooWide { .. } | SolveError::Conforming { .. } if lies_in_groove(job) => {
                 format!("{error}; {CONFORMING_ADVICE}")
             }
             // What went wrong within the contact solver says nothing to who wrote the job.

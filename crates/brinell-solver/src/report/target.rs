@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::units::UnitConverter;
-use super::{BodyErrors, ErrorEstimate, PerBody, StepReport};
+use super::{BodyErrors, ErrorEstimate, PerBody, StepReport, error_bars};
 use crate::fem::element::StressState;
 use crate::job::{Job, Load, Named as _, Target, TargetFigure};
 use crate::solver::{StepSolution, Unreachable, UnreachableReason, target_figure};
@@ -47,8 +47,8 @@ impl TargetSeen {
     pub fn see(&mut self, job: &Job, step: &StepSolution, report: &StepReport) {
         let Load::Target(target) = &job.load else { return };
         let of_revolution = step.stress_state == StressState::Axisymmetric;
-        let error =
-            report.estimated_error.as_ref().and_then(|bars| error_of(target.figure, bars, of_revolution));
+        let bars = error_bars::under_its_force(job, step).filter(|_| report.estimated_error.is_some());
+        let error = bars.and_then(|bars| error_of(target.figure, &bars, of_revolution));
         self.take(step.force(), target_figure(step, target.figure), error);
     }
 
@@ -76,7 +76,7 @@ impl TargetSeen {
 }
 
 /// The error bar of a figure, if it has one; of a figure of both bodies the larger bar.
-fn error_of(figure: TargetFigure, bars: &ErrorEstimate, of_revolution: bool) -> Option<f64> {
+pub(super) fn error_of(figure: TargetFigure, bars: &ErrorEstimate, of_revolution: bool) -> Option<f64> {
     let of_bodies = |bar: fn(&BodyErrors) -> Option<f64>| {
         let PerBody { upper, lower } = bars.bodies?;
         [upper, lower].iter().flatten().try_fold(0.0, |most, body| Some(f64::max(most, bar(body)?)))

@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::mesh_effects::{
-    is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded,
+    COARSE_MESH, is_clamped_column, is_ring_on_few_elements, peak_is_next_to_end, peak_is_unbounded,
 };
 use super::onset::is_onset_unknown;
 use super::run::{CONFORMING_ADVICE, lies_in_groove};
+use super::surface_stress::UncertainStress;
 use super::units::rounded;
 use super::{error_bars, onset, plastic_strain, strength};
 use crate::contact::{ContactLoad, KktReport};
@@ -14,11 +15,10 @@ use crate::fem::mesh::Outline;
 use crate::job::{
     Body, Coupling, HistoryLoad, Job, Load, MeshSettings, PositiveF64, SolverSettings, Theory, Units,
 };
-use crate::material::von_mises;
 use crate::solver::outline_of;
 use crate::solver::{
     IterationRecord, LastIncrement, MAX_HALF_ANGLE, PairState, RoundedTip, SolveStatus, StepSolution,
-    TIP_ELEMENTS, surface_stress_error,
+    TIP_ELEMENTS,
 };
 
 /// One remark on the validity of the answer.
@@ -93,13 +93,8 @@ const MANY_EQUATIONS: usize = 1_000_000;
 const LARGE_STRAIN: f64 = 0.05;
 /// Plastic strain beyond which that is said more strongly.
 const VERY_LARGE_STRAIN: f64 = 0.2;
-/// Elements over the half-width below which the mesh is called coarse. Meshes are sized by an estimate of the
-/// half-width, so one of 10 elements may turn out to have 9.5.
-const COARSE_MESH: f64 = 9.0;
 /// Relative error of the force of an onset of yield beyond which that is said.
 const UNCERTAIN_ONSET: f64 = 0.03;
-/// Error of stresses at the surface over the largest von Mises stress from which on it is told.
-const UNCERTAIN_SURFACE: f64 = 0.1;
 /// Depth of a body over the half-width below which its support shapes the answer.
 const NEAR_SUPPORT: f64 = 5.0;
 
@@ -132,6 +127,13 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
              that of the mesh. Ask for more elements (`mesh.elements_per_half_width`).",
             step.peak_position, step.spacing
         ));
+    }
+    if step.follows_unknown_peak {
+        messages.push(
+            "The mesh does not tell the largest pressure of an earlier load, nor what it left in the bodies: plastic strain and stress are those \
+             of the mesh. Ask for more elements (`mesh.elements_per_half_width`)."
+                .to_owned(),
+        );
     }
     if is_clamped_column(job, step) {
         messages.push(
@@ -177,17 +179,14 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
 
 /// What is said of stresses at the surface below the middle of the contact that change within elements.
 fn surface_stress(step: &StepSolution) -> Option<String> {
-    let bodies = || step.bodies.iter().flatten().filter(|body| body.max_plastic_strain() > 0.0);
-    let error = bodies().map(|body| surface_stress_error(step, body, step.middle)).fold(0.0, f64::max);
-    let stresses = bodies().flat_map(|body| body.stress.points.iter().flatten());
-    let largest = stresses.map(|point| von_mises(point.stress)).fold(0.0, f64::max);
-    (error > UNCERTAIN_SURFACE * largest).then(|| {
-        format!(
-            "Below the surface plastic strain changes within elements of {:.2e} mm: stresses along the surface, at the depth 0, are known to \
-             about {error:.0} MPa only. Ask for more elements (`mesh.elements_per_half_width`).",
-            step.spacing
-        )
-    })
+    let uncertain = step.bodies.iter().flatten().filter_map(|body| UncertainStress::of(step, body));
+    let error = uncertain.map(|stress| stress.error).reduce(f64::max)?;
+    Some(format!(
+        "Below the surface plastic strain changes within elements of {:.2e} mm: stresses along the surface, at the depth 0, are known to about {} MPa only. \
+         Ask for more elements (`mesh.elements_per_half_width`).",
+        step.spacing,
+        rounded(error)
+    ))
 }
 
 /// What is said of an approach that a history leaves and that is smaller than its error.

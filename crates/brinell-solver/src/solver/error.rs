@@ -51,9 +51,13 @@ pub enum SolveError {
     },
     /// The surfaces do not open away from the contact.
     #[error(
-        "the surfaces do not open away from where they first touch, so that no load makes a contact that ends"
+        "the surfaces do not open within {limit:.4} mm of where they first touch, half of the way to their ends, so that no load \
+         makes a contact that ends there: make the surfaces wider if they open beyond"
     )]
-    Conforming,
+    Conforming {
+        /// How far from there contacts are solved \[mm\].
+        limit: f64,
+    },
     /// The surfaces first touch where one of them is about to end.
     #[error(
         "the surfaces first touch at x = {x:.4} mm, but contacts are solved from {left:.4} to {right:.4} mm, a fifth short of the \

@@ -55,4 +55,6 @@ pub use solution::{
     BodySolution, Energy, NarrowEdge, PairState, RoundedTip, Solution, StepMesh, StepSolution,
 };
 pub use surface_recovery::{SurfaceStress, surface_stresses};
-pub(crate) use surface_recovery::{recovered, recovered_at_rest, surface_stress_error};
+pub(crate) use surface_recovery::{
+    recovered, recovered_at_rest, surface_stress_error, surface_stress_in_middle,
+};

@@ -108,6 +108,8 @@ pub struct StepSolution {
     pub missed: Option<f64>,
     /// Of the onset of yield: relative error of the force, by how much meshes of half the density change it.
     pub onset_error: Option<f64>,
+    /// Relative change of a target over that of the force, under the force that was sought for it.
+    pub target_sensitivity: Option<f64>,
     /// Meshes on which its force was sought; 0 of a load that was given.
     pub meshes_of_search: usize,
     /// Times the candidate zone was widened.
@@ -120,6 +122,8 @@ pub struct StepSolution {
     pub increment_error: Option<CoarseFigures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
+    /// Whether the mesh did not tell the largest pressure under a load before it in a history; what it left in the bodies is unknown as well.
+    pub follows_unknown_peak: bool,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the elastic one, of the pairs
     /// in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

@@ -7,14 +7,18 @@
 //! ε_t = Δu·t / Δs          strain along the surface; in a body of revolution ε_θ = u_r / r
 //! ε_p                      plastic strain, extended from the means over the elements below; 0 in an elastic skin
 //! ```
-//! Hooke's law of `ε - ε_p` gives the other components. A mean is extended by half of the lesser of the two slopes below it, and never
-//! beyond zero, so that no kink of plastic strain is carried to the surface.
+//! Hooke's law of `ε - ε_p` gives the other components. A mean is extended by half of the lesser of
+//! the two slopes below it, and never beyond zero, so that no kink of plastic strain is carried to
+//! the surface. Where plastic strain is a hundred times the elastic one its error is a stress far
+//! above yield: where material yields no von Mises stress exceeds the yield stress and the largest that
+//! the elements below have borne. What is above is moved towards the least von Mises stress under `σ_n`.
 //!
 //! # Reference
 //! A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy, *Uniformly high order accurate essentially non-oscillatory schemes, III*,
 //! J. Comput. Phys. 71 (1987) 231–303.
 
 use crate::fem::element::{Quad, StressState};
+use crate::material::von_mises;
 use crate::solver::load_stepping::surface_stress::{Segment, from_surface, principal};
 use crate::solver::recovery::Recovery;
 use crate::solver::solution::{BodySolution, StepSolution};
@@ -27,10 +31,12 @@ const ROWS: usize = 3;
 pub struct SurfaceStress {
     /// Index of the node.
     pub node: u32,
-    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` beyond the one before the load \[MPa\].
+    /// Stress `[σ_xx, σ_yy, σ_zz, τ_xy]` \[MPa\].
     pub stress: [f64; 4],
     /// Equivalent plastic strain.
     pub plastic_strain: f64,
+    /// By what von Mises' stress was above the largest that is borne there, to which it is limited \[MPa\].
+    pub beyond: f64,
 }
 
 /// Stresses recovered on a body, at the candidate nodes from what is known at the surface.
@@ -47,12 +53,8 @@ pub(crate) fn recovered_under<'a>(
     pressure: &[f64],
 ) -> Recovery<'a> {
     let mut recovery = Recovery::new(body, symmetric);
-    let at_rest = body.at_rest();
-    let mut initial = at_rest.as_ref().map(|at_rest| recovered_at_rest(state, symmetric, at_rest));
     for known in surface_stresses(state, symmetric, body, pressure) {
-        let before = initial.as_mut().map_or([0.0; 6], |initial| initial.node(known.node));
-        let stress = std::array::from_fn(|k| known.stress[k] + before[k]);
-        recovery.know(known.node, stress, known.plastic_strain);
+        recovery.know(known.node, known.stress, known.plastic_strain);
     }
     recovery
 }
@@ -89,6 +91,8 @@ pub fn surface_stresses(
         return Vec::new();
     }
     let recovery = Recovery::new(body, symmetric);
+    let at_rest = body.at_rest();
+    let mut initial = at_rest.as_ref().map(|at_rest| recovered_at_rest(state, symmetric, at_rest));
     let segments: Vec<Known> = pairs_of(body).map(|pair| Known::of(state, body, &recovery, pair)).collect();
     let first = usize::from(!symmetric);
     let at = |k: usize| {
@@ -112,10 +116,44 @@ pub fn surface_stresses(
             StressState::PlaneStrain | StressState::PlaneStress => 0.0,
         };
         let elastic = [along - plastic_along, around - plastic_across];
-        let stress = principal(state, body.model.elastic(), elastic, -pressure[k]);
-        SurfaceStress { node, stress: from_surface(stress, tangent), plastic_strain: plastic_strain.max(0.0) }
+        let loaded = from_surface(principal(state, body.model.elastic(), elastic, -pressure[k]), tangent);
+        let before = initial.as_mut().map_or([0.0; 6], |initial| initial.node(node));
+        let stress = std::array::from_fn(|k| loaded[k] + before[k]);
+        let most = largest_borne(body, node, recovery.elements_of(node)).unwrap_or(f64::INFINITY);
+        let beyond = (von_mises(stress) - most).max(0.0);
+        let least = least_stress(state, pressure[k], tangent);
+        let stress = if beyond > 0.0 { within(most, stress, least) } else { stress };
+        SurfaceStress { node, stress, plastic_strain: plastic_strain.max(0.0), beyond }
     };
     (first..nodes.len() - 1).map(at).collect()
+}
+
+/// Largest von Mises stress that a node of the surface bears, if an element around it has yielded: its
+/// yield stress, or the largest that these elements have borne \[MPa\].
+fn largest_borne(body: &BodySolution, node: u32, elements: &[u32]) -> Option<f64> {
+    let points = || elements.iter().flat_map(|&element| &body.stress.points[element as usize]);
+    let yields = points().any(|point| point.equivalent_plastic_strain > 0.0);
+    let law = body.model.hardening().filter(|_| yields)?;
+    let at_yield = law.nominal_yield_stress() * body.model.strength(body.mesh.nodes[node as usize]);
+    Some(points().map(|point| point.largest_von_mises).fold(at_yield, f64::max))
+}
+
+/// The stress with the least von Mises stress under a pressure on the surface \[MPa\].
+fn least_stress(state: StressState, pressure: f64, tangent: [f64; 2]) -> [f64; 4] {
+    let [along, across] = match state {
+        StressState::PlaneStress => [-0.5 * pressure, 0.0],
+        StressState::PlaneStrain | StressState::Axisymmetric => [-pressure; 2],
+    };
+    from_surface([along, -pressure, across], tangent)
+}
+
+/// A stress whose von Mises stress is at most `most`, on the line from the `least` one \[MPa\].
+fn within(most: f64, stress: [f64; 4], least: [f64; 4]) -> [f64; 4] {
+    // Squares add up, because von Mises' stress is least at one end of the line.
+    let beyond = std::array::from_fn(|k| stress[k] - least[k]);
+    let room = (most.powi(2) - von_mises(least).powi(2)).max(0.0).sqrt();
+    let part = (room / von_mises(beyond)).min(1.0);
+    std::array::from_fn(|k| least[k] + part * beyond[k])
 }
 
 /// What is known half-way between two neighbouring nodes.
@@ -138,6 +176,14 @@ impl Known {
     fn mixed(self, other: Self, parts: [f64; 2]) -> [f64; 4] {
         std::array::from_fn(|k| parts[0] * self.strains[k] + parts[1] * other.strains[k])
     }
+}
+
+/// What is known at the surface below the middle of the contact.
+pub(crate) fn surface_stress_in_middle(step: &StepSolution, body: &BodySolution) -> Option<SurfaceStress> {
+    let pressure: Vec<f64> = step.pairs.iter().map(|pair| pair.pressure).collect();
+    let stresses = surface_stresses(step.stress_state, step.symmetric, body, &pressure);
+    let top = *body.normal_line(step.middle).first()?;
+    stresses.into_iter().find(|known| known.node == top)
 }
 
 /// Error of the stress along the surface at the abscissa `x` \[mm\]: half of what the plastic strain changes from the first element below
@@ -217,6 +263,21 @@ fn mean_plastic_strain(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stresses_beyond_what_was_borne_are_moved_along_a_line() {
+        for state in [StressState::PlaneStrain, StressState::PlaneStress] {
+            let least = least_stress(state, 100.0, [0.6, 0.8]);
+            let across = if state == StressState::PlaneStress { 0.0 } else { 80.0 };
+            let stress = from_surface([900.0, -100.0, across], [0.6, 0.8]);
+            let moved = within(300.0, stress, least);
+            assert!((von_mises(moved) - 300.0).abs() < 1e-9);
+            let traction = |[x, y, _, shear]: [f64; 4]| [-0.8 * x + 0.6 * shear, -0.8 * shear + 0.6 * y];
+            let [was, is] = [traction(stress), traction(moved)];
+            assert!((was[0] - is[0]).abs() < 1e-9 && (was[1] - is[1]).abs() < 1e-9, "{was:?} {is:?}");
+            assert_eq!(within(1e4, stress, least), stress);
+        }
+    }
 
     #[test]
     fn no_kink_is_extended() {

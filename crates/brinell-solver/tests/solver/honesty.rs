@@ -217,3 +217,96 @@ fn a_bilinear_curve_is_said_to_tell_little_of_small_strains() {
         assert_eq!(remark(&report.unwrap().steps[0], "bilinear_curve").is_some(), is_told, "{strain}");
     }
 }
+
+/// A flat of 4 mm with edges of 0.4 mm by points: half-planes yield under 202.5 N/mm, 20 elements alone find 636.
+#[test]
+fn an_onset_next_to_an_end_of_the_contact_is_not_given() {
+    let mut job = flat_by_points(0.4);
+    for elements in [10, 20] {
+        job["mesh"] = json!({"elements_per_half_width": elements});
+        job["load"] = json!({"onset": true});
+        let step = report(&job).steps.remove(0);
+        assert_eq!(step.status, SolveStatus::Converged);
+        assert!(step.yield_onset.is_none() && step.estimated_error.is_none());
+        assert!(remark(&step, "onset_unknown").is_some_and(|message| message.contains("next to an end")));
+        job["load"] = json!({"force": 263});
+        let step = report(&job).steps.remove(0);
+        let zone = step.plasticity.lower.as_ref().unwrap();
+        assert!(zone.yielded || remark(&step, "onset_unknown").is_some());
+    }
+}
+
+/// A rigid punch whose edges are arcs of points, on a block that yields at 500 MPa.
+fn flat_by_points(radius: f64) -> Value {
+    let flat = 2.0 - radius;
+    let mut right: Vec<[f64; 2]> = (1..=8).map(|k| [flat * f64::from(k) / 8.0, 0.0]).collect();
+    right.extend((1..=11).map(|k| {
+        let angle = f64::from(k) * 0.1;
+        [flat + radius * angle.sin(), -radius * (1.0 - angle.cos())]
+    }));
+    let [x, y] = right[right.len() - 1];
+    right.push([x + 2.0, y - 2.0 * 1.1_f64.tan()]);
+    let left = right.iter().rev().map(|[x, y]| [-x, *y]);
+    let points: Vec<[f64; 2]> = left.chain([[0.0, 0.0]]).chain(right.iter().copied()).collect();
+    let steel = json!({"young_modulus": 210_000, "poisson_ratio": 0.3,
+        "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 10_500}});
+    json!({"analysis": "plane_strain", "output": {"subsurface": false},
+        "upper": {"shape": {"type": "profile", "points": points, "depth": 5}, "material": {"rigid": true}},
+        "lower": {"shape": {"type": "block", "width": 60, "depth": 40}, "material": steel}})
+}
+
+/// The force is the answer of a target: what the mesh does to the figure it does to the force, with the sensitivity of the figure.
+#[test]
+fn the_force_of_a_target_has_a_bar() {
+    let sphere = json!({"shape": {"type": "cylinder", "radius": 10}, "material":
+        {"young_modulus": 210_000, "poisson_ratio": 0.3,
+            "plasticity": {"law": "bilinear", "yield_stress": 500, "tangent_modulus": 2100}}});
+    let found = |elements: u32, load: &Value| {
+        let report =
+            report(&json!({"analysis": "axisymmetric", "upper": sphere, "lower": sphere, "load": load,
+            "mesh": {"elements_per_half_width": elements}, "output": {"subsurface": false}}));
+        let step = &report.steps[0];
+        (step.contact.force, step.approach, step.estimated_error, report.target.clone())
+    };
+    let target = json!({"target": {"peak_pressure": 1300}});
+    let [(force, approach, bars, target), (fine, fine_approach, ..)] = [10, 40].map(|n| found(n, &target));
+    let (bars, target) = (bars.unwrap(), target.unwrap());
+    assert!(bars.force.unwrap() > 0.0 && bars.force.unwrap() <= target.relative_error.unwrap());
+    assert!((force / fine - 1.0).abs() < bars.force.unwrap(), "{force} {fine} {bars:?}");
+    assert!((approach / fine_approach - 1.0).abs() < bars.approach.unwrap(), "{approach} {fine_approach}");
+}
+
+/// Plastic strain of 3000 times the elastic one: the difference of strains would be 9 times the yield stress.
+#[test]
+fn no_stress_at_the_surface_is_beyond_what_elements_have_borne() {
+    let soft = json!({"young_modulus": 290_000, "poisson_ratio": 0.45,
+        "plasticity": {"law": "voce", "yield_stress": 5, "saturation_stress": 9, "rate": 29}});
+    let job = json!({"analysis": "axisymmetric", "solver": {"theory": "flow"},
+        "upper": {"shape": {"type": "cylinder", "radius": 5.4}, "material": soft},
+        "lower": {"shape": {"type": "block", "width": 16, "depth": 18}, "material":
+            {"young_modulus": 58_000, "poisson_ratio": 0.3}},
+        "load": {"history": [{"force": 0.1}, {"force": 0}]}, "mesh": {"elements_per_half_width": 8}});
+    for step in &report(&job).steps {
+        let below = step.subsurface.as_ref().unwrap().upper.as_ref().unwrap();
+        assert!(below.von_mises[0] < 9.0, "{:?}", below.von_mises);
+        let bars = step.estimated_error.unwrap().bodies.unwrap().upper.unwrap();
+        assert!(bars.least_stress > Some(0.3) && bars.utilization > Some(0.3), "{bars:?}");
+        assert!(
+            remark(step, "coarse_mesh").is_some_and(|told| told.contains("at the depth 0, are known to"))
+        );
+    }
+}
+
+/// What a load next to whose contact's end the mesh did not tell the pressure has left is not known either.
+#[test]
+fn what_an_unknown_peak_has_left_has_no_bars() {
+    let mut job = flat_by_points(0.4);
+    job["solver"] = json!({"theory": "flow"});
+    job["load"] = json!({"history": [{"force": 1500}, {"force": 0}]});
+    job["mesh"] = json!({"elements_per_half_width": 10});
+    let steps = report(&job).steps;
+    assert_eq!(steps[0].estimated_error.unwrap().peak_pressure, None);
+    let left = steps[1].estimated_error.unwrap().bodies.unwrap().lower.unwrap();
+    assert_eq!((left.max_equivalent_plastic_strain, left.area, left.least_stress), (None, None, None));
+    assert!(remark(&steps[1], "coarse_mesh").is_some_and(|message| message.contains("an earlier load")));
+}

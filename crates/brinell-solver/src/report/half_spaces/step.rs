@@ -315,10 +315,10 @@ impl StepWriter<'_> {
             half_width: Some(relative(errors.semi_axes[0], figures.semi_axes[0])),
             approach: Some(relative(errors.approach, figures.approach)),
             // The stress that yields first goes with the third root of the force.
-            force: if self.job.load == Load::Onset {
-                peak.map(|peak| 3.0 * peak)
-            } else {
-                Some(relative(errors.force, figures.force))
+            force: match self.job.load {
+                Load::Onset => peak.map(|peak| 3.0 * peak),
+                Load::Target(_) if figures.force > 0.0 => None,
+                _ => Some(relative(errors.force, figures.force)),
             },
             contact_stiffness: of_stiffness,
             bodies: None,

@@ -124,6 +124,9 @@ impl ForceSearch<'_> {
                 step.onset_error = Some(error);
             }
         }
+        if let (Sought::Target(_), [step]) = (self.sought, trial.steps.as_mut_slice()) {
+            step.target_sensitivity = Some(sensitivity);
+        }
         if let Some(step) = trial.steps.first_mut() {
             step.meshes_of_search = *run.passes - before;
         }
@@ -316,7 +319,7 @@ pub(crate) fn target_figure(step: &StepSolution, figure: TargetFigure) -> f64 {
 fn force_below(problem: &Problem, holds: impl Fn(f64, f64) -> bool) -> Result<f64, SolveError> {
     let (mut low, mut high) = (1e-9, 1e9);
     let expected = |force: f64| ContactSizeEstimate::expected(problem, ContactLoad::Force(force));
-    if let Err(error @ (SolveError::Conforming | SolveError::TouchesAtEnd { .. })) = expected(low) {
+    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) = expected(low) {
         return Err(error);
     }
     for _ in 0..80 {

@@ -90,7 +90,7 @@ impl ContactSizeEstimate {
         let is_apart = symmetric && touch > 0.0;
         let farthest = if is_apart { limit.min(touch) } else { limit };
         if limit <= 0.0 || problem.opening(touch, farthest) <= 0.0 {
-            return Err(SolveError::Conforming);
+            return Err(SolveError::Conforming { limit: farthest });
         }
         let room = problem.room();
         if touch > room.1 || touch < room.0 {

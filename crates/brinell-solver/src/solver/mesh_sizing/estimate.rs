@@ -75,7 +75,7 @@ fn nominal(problem: &Problem, sought: Sought, elements: usize) -> Result<Estimat
     if sought == Sought::Onset && problem.bodies.iter().all(|body| body.yield_stress().is_none()) {
         return Err(SolveError::NoYieldPoint);
     }
-    if let Err(error @ (SolveError::Conforming | SolveError::TouchesAtEnd { .. })) =
+    if let Err(error @ (SolveError::Conforming { .. } | SolveError::TouchesAtEnd { .. })) =
         ContactSizeEstimate::expected(problem, LEAST_LOAD)
     {
         return Err(error);
