@@ -29,7 +29,7 @@ const SIZE_STEP: f64 = 0.002;
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
 /// between two nodes if half-widths found on a coarser mesh were not a little low.
-pub(super) const BEYOND_LAST: f64 = 0.4;
+const BEYOND_LAST: f64 = 0.4;
 /// Step from one place of an off-centre zone to the next, in elements.
 const CENTRE_STEP: f64 = 0.002;
 /// How much finer a mesh may become than what was expected before anything was solved.
@@ -383,12 +383,6 @@ impl ContactSizeEstimate {
             hertz_half_width: self.hertz_half_width,
             refinement: self.refinement,
         }
-    }
-
-    /// This extent with elements of this size, so many over a half-width \[mm\].
-    pub fn with_spacing(self, spacing: f64, elements: usize) -> Self {
-        let half_width = spacing * (elements as f64 + BEYOND_LAST);
-        Self { half_width, smallest_part: half_width, ..self }
     }
 
     /// This extent with all lengths scaled.
