@@ -23,15 +23,14 @@ pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
-/// Step from one element size to the next, as the part of an element by which it moves the end of the contact.
-const SIZE_STEP: f64 = 0.002;
+/// Step in elements from one size to the next, as it moves the end of the contact, and between places
+/// of an off-centre zone.
+const STEP: f64 = 0.002;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
 /// between two nodes if half-widths found on a coarser mesh were not a little low.
 const BEYOND_LAST: f64 = 0.4;
-/// Step from one place of an off-centre zone to the next, in elements.
-const CENTRE_STEP: f64 = 0.002;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
@@ -409,7 +408,7 @@ impl ContactSizeEstimate {
             return self.half_width / elements / self.refinement;
         }
         let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
-        let step = (SIZE_STEP / elements).ln_1p();
+        let step = (STEP / elements).ln_1p();
         let steps = (resolved / self.hertz_half_width).ln() / step;
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
@@ -430,7 +429,7 @@ impl ContactSizeEstimate {
         if symmetric {
             problem.zone(0.0, half, columns, symmetric)
         } else {
-            let step = CENTRE_STEP * spacing;
+            let step = STEP * spacing;
             let centre = nearest(self.centre / step) * step;
             problem.zone(centre - half, centre + half, 2 * columns, symmetric)
         }
