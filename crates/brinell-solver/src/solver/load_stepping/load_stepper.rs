@@ -11,6 +11,7 @@ use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::System;
 use crate::solver::loads::resolution_reserve;
 use crate::solver::mesh_sizing::contact_size::{ContactSizeEstimate, refinement};
+use crate::solver::mesh_sizing::trace;
 use crate::solver::mesh_solve::{self, MeshSolve, MeshSolveRequest};
 use crate::solver::method::couplings::iteration::Scales;
 use crate::solver::method::final_check::LeastScales;
@@ -39,9 +40,6 @@ const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for, and how much smaller or larger a contact is expected to be than
 /// the one for which its mesh was made, to be left on it whatever was found of its extent.
 const RESOLUTION_SLACK: f64 = 1.05;
-
-/// How much finer than the mesh a surface may have to be resolved without a remark: one step of the search for it.
-const TRACE_SLACK: f64 = 0.8;
 
 /// By how much a zone that does not fit on the surfaces is narrowed, again and again.
 const NARROWING: f64 = 0.95;
@@ -117,8 +115,9 @@ impl<'a> LoadStepper<'a> {
             final_check::finish(self.problem, &mut pass, load, tolerance, LeastScales::default(), run);
         step.coarse = figures;
         let elastic_force = (!yields).then(|| step.force());
+        // One step of the search for it needs no remark.
         step.unresolved =
-            found.unresolved(self.problem, TRACE_SLACK * pass.system.zone.spacing(), elastic_force);
+            found.unresolved(self.problem, trace::STEP * pass.system.zone.spacing(), elastic_force);
         let is_converged = step.status == SolveStatus::Converged;
         // Memory is freed here, where the time it takes is measured.
         self.last = run.time(Phase::Output, move || {

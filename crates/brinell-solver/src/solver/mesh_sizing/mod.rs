@@ -4,4 +4,4 @@ pub(crate) mod contact_size;
 pub(crate) mod estimate;
 pub(crate) mod first_contact;
 pub(crate) mod rough;
-mod trace;
+pub(crate) mod trace;
