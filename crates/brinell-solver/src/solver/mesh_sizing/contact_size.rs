@@ -133,9 +133,8 @@ impl ContactSizeEstimate {
             ContactLoad::Approach(approach) => 0.5 * problem.opening(touch, a) >= approach,
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
-        let (ratio, steps) =
-            if problem.has_arcs() { (SEARCH_RATIO, SEARCH_STEPS) } else { (ROUGH_RATIO, ROUGH_STEPS) };
-        let elastic = smallest(limit, ratio, steps, bears).map(|a| bisect(a / ratio, a, bears));
+        let ratio = if problem.has_arcs() { SEARCH_RATIO } else { ROUGH_RATIO };
+        let elastic = smallest(limit, ratio, bears).map(|a| bisect(a / ratio, a, bears));
         let plastic = match load {
             ContactLoad::Force(force) => plastic_half_width(problem, force, touch),
             ContactLoad::Approach(_) => 0.0,
@@ -172,7 +171,7 @@ impl ContactSizeEstimate {
             ContactLoad::Force(force) => problem.elastic_force(0.0, a) >= force,
             ContactLoad::Approach(approach) => pair.initial_gap(a) >= approach * pair.closing(a),
         };
-        let elastic = smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears);
+        let elastic = smallest(limit, SEARCH_RATIO, bears);
         let (elastic, plastic) = match load {
             ContactLoad::Force(force) => {
                 let Some(elastic) = elastic else {
@@ -448,20 +447,19 @@ pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
     Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns }
 }
 
-/// The smallest half-width that bears a load, by steps of a ratio down from the largest; by as many again where the last
-/// still bears it.
-fn smallest(largest: f64, ratio: f64, steps: i32, bears: impl Fn(f64) -> bool) -> Option<f64> {
+/// The smallest half-width that bears a load, by steps of a ratio down from the largest to a millionth
+/// of it; by as many again where the last still bears it.
+fn smallest(largest: f64, ratio: f64, bears: impl Fn(f64) -> bool) -> Option<f64> {
     let at = |k: i32| largest * ratio.powi(-k);
+    let steps = (1e6_f64.ln() / ratio.ln()).ceil() as i32;
     let steps = if bears(at(steps)) { 2 * steps } else { steps };
     (0..=steps).rev().map(at).find(|&a| bears(a))
 }
 
-/// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
+/// Ratio of the trial half-widths.
 const SEARCH_RATIO: f64 = 1.02;
-const SEARCH_STEPS: i32 = 700;
 /// The same where a force is an integral.
 const ROUGH_RATIO: f64 = 1.1;
-const ROUGH_STEPS: i32 = 145;
 
 /// The least value between `low`, which does not bear, and `high`, which does.
 fn bisect(mut low: f64, mut high: f64, bears: impl Fn(f64) -> bool) -> f64 {
