@@ -31,8 +31,6 @@ const AUXILIARY_TOLERANCE: f64 = 1e-4;
 const SIZING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
-/// How much larger a contact is taken to be where that is not so.
-const WIDENED: f64 = 1.5;
 /// How far plastic flow is looked for, over how far it reached on the coarser mesh.
 const PLASTIC_MARGIN: f64 = 1.1;
 /// Least width of the zone over that of the contact for which a mesh is used again.
@@ -163,7 +161,7 @@ impl<'a> LoadStepper<'a> {
         for _ in 1..SIZING_PASSES {
             if !has_answer(&pass) {
                 // Near a limit load a mesh now and then has none, and another one has.
-                let wider = extent.scaled(WIDENED);
+                let wider = extent.scaled(mesh_solve::ENLARGEMENT);
                 let next = self.small_mesh(load, wider, run)?;
                 if !has_answer(&next.1) {
                     return Ok((found, pass));
@@ -176,7 +174,7 @@ impl<'a> LoadStepper<'a> {
             }
             // A contact of one or two elements is not yet known to be that small.
             let smallest_part = found.half_width;
-            extent = ContactSizeEstimate { half_width: WIDENED * found.half_width, smallest_part, ..found };
+            extent = ContactSizeEstimate { half_width: mesh_solve::ENLARGEMENT * found.half_width, smallest_part, ..found };
             (found, pass) = self.small_mesh(load, extent, run)?;
         }
         Ok((found, pass))

@@ -20,7 +20,7 @@ use crate::solver::problem::Problem;
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
 pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 /// Half-width of the candidate zone over that of the contact.
-const ZONE: f64 = 1.6;
+pub(super) const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
 /// Step in elements from one size to the next, as it moves the end of the contact, and between places
