@@ -32,7 +32,7 @@ const SIZING_PASSES: usize = 5;
 /// Part of the expected half-width that a sizing pass must find in contact to be trusted.
 const SIZING_TRUST: f64 = 0.4;
 /// How far plastic flow is looked for, over how far it reached on the coarser mesh.
-const PLASTIC_MARGIN: f64 = 1.1;
+const PLASTIC_MARGIN: f64 = 1.15;
 /// Least width of the zone over that of the contact for which a mesh is used again.
 const ZONE_MARGIN: f64 = 1.12;
 /// Elements that a mesh used again may be short of those asked for, and how much smaller or larger a contact is expected to be than
@@ -174,7 +174,11 @@ impl<'a> LoadStepper<'a> {
             }
             // A contact of one or two elements is not yet known to be that small.
             let smallest_part = found.half_width;
-            extent = ContactSizeEstimate { half_width: mesh_solve::ENLARGEMENT * found.half_width, smallest_part, ..found };
+            extent = ContactSizeEstimate {
+                half_width: mesh_solve::ENLARGEMENT * found.half_width,
+                smallest_part,
+                ..found
+            };
             (found, pass) = self.small_mesh(load, extent, run)?;
         }
         Ok((found, pass))

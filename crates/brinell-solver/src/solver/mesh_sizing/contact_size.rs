@@ -451,6 +451,7 @@ pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
 /// of it; by as many again where the last still bears it.
 fn smallest(largest: f64, ratio: f64, bears: impl Fn(f64) -> bool) -> Option<f64> {
     let at = |k: i32| largest * ratio.powi(-k);
+    #[expect(clippy::cast_possible_truncation, reason = "some hundred")]
     let steps = (1e6_f64.ln() / ratio.ln()).ceil() as i32;
     let steps = if bears(at(steps)) { 2 * steps } else { steps };
     (0..=steps).rev().map(at).find(|&a| bears(a))
