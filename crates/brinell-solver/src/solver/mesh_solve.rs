@@ -194,8 +194,8 @@ impl Answer for MeshSolve {
     }
 }
 
-/// How much wider the zone becomes when the contact reaches its edge.
-const ENLARGEMENT: f64 = 1.5;
+/// How much wider a zone becomes when the contact reaches its edge.
+pub(crate) const ENLARGEMENT: f64 = 1.5;
 /// Columns of a zone that becomes wider over those that it was made with; beyond that its elements become larger. So much finer than
 /// the whole width asks for are parts of a contact resolved at most, and what grows by more was sized for something smaller.
 const MOST_COLUMNS: usize = 6;

@@ -13,7 +13,6 @@ use crate::fem::element::StressState;
 use crate::fem::mesh::ContactZone;
 use crate::job::Job;
 use crate::material::ReferenceModuli;
-use crate::solver::body_system::plastic_search_region::PlasticSearchRegion;
 use crate::solver::body_system::system::System;
 use crate::solver::body_system::transfer::NodalField;
 use crate::solver::finite_elements::{FiniteElements, MeshDesign};
@@ -34,9 +33,6 @@ use crate::solver::reference::ElasticReference;
 use crate::solver::solution::StepSolution;
 use crate::solver::strategy::coupling;
 use crate::solver::{SolveError, final_check};
-
-/// How far beyond its last extent plastic flow is looked for.
-const PLASTIC_MARGIN: f64 = 1.15;
 
 /// What a history is solved with.
 #[derive(Clone, Copy)]
@@ -129,13 +125,7 @@ impl HistoryOnMesh<'_> {
 
     /// A design that looks for plastic flow as far as the largest load is expected to bring it.
     fn design(&self, zone: ContactZone) -> MeshDesign {
-        let search_region = match self.mesh.search_region {
-            PlasticSearchRegion::WholeBody => PlasticSearchRegion::WholeBody,
-            PlasticSearchRegion::Within(_) => {
-                PlasticSearchRegion::Within(self.size.plastic.scaled(PLASTIC_MARGIN))
-            }
-        };
-        MeshDesign::new(zone, search_region)
+        MeshDesign::new(zone, self.mesh.search_region)
     }
 }
 

@@ -20,18 +20,17 @@ use crate::solver::problem::Problem;
 /// Largest half-width of a contact as a part of the surface beside its middle that is solved at all.
 pub(super) const MAX_HALF_WIDTH: f64 = 0.5;
 /// Half-width of the candidate zone over that of the contact.
-const ZONE: f64 = 1.6;
+pub(super) const ZONE: f64 = 1.6;
 /// Elements over the half-width of the zone at least.
 const LEAST_COLUMNS: f64 = 4.0;
-/// Step from one element size to the next, as the part of an element by which it moves the end of the contact.
-const SIZE_STEP: f64 = 0.002;
+/// Step in elements from one size to the next, as it moves the end of the contact, and between places
+/// of an off-centre zone.
+const STEP: f64 = 0.002;
 /// Growth of the rings at 20 elements per half-width, less one. It leaves the approach low by 0.03 %.
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
 /// between two nodes if half-widths found on a coarser mesh were not a little low.
-pub(super) const BEYOND_LAST: f64 = 0.4;
-/// Step from one place of an off-centre zone to the next, in elements.
-const CENTRE_STEP: f64 = 0.002;
+const BEYOND_LAST: f64 = 0.4;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
@@ -134,9 +133,8 @@ impl ContactSizeEstimate {
             ContactLoad::Approach(approach) => 0.5 * problem.opening(touch, a) >= approach,
         };
         // From small to large, because a contact on several bumps opens, closes and opens again.
-        let (ratio, steps) =
-            if problem.has_arcs() { (SEARCH_RATIO, SEARCH_STEPS) } else { (ROUGH_RATIO, ROUGH_STEPS) };
-        let elastic = smallest(limit, ratio, steps, bears).map(|a| bisect(a / ratio, a, bears));
+        let ratio = if problem.has_arcs() { SEARCH_RATIO } else { ROUGH_RATIO };
+        let elastic = smallest(limit, ratio, bears).map(|a| bisect(a / ratio, a, bears));
         let plastic = match load {
             ContactLoad::Force(force) => plastic_half_width(problem, force, touch),
             ContactLoad::Approach(_) => 0.0,
@@ -173,7 +171,7 @@ impl ContactSizeEstimate {
             ContactLoad::Force(force) => problem.elastic_force(0.0, a) >= force,
             ContactLoad::Approach(approach) => pair.initial_gap(a) >= approach * pair.closing(a),
         };
-        let elastic = smallest(limit, SEARCH_RATIO, SEARCH_STEPS, bears);
+        let elastic = smallest(limit, SEARCH_RATIO, bears);
         let (elastic, plastic) = match load {
             ContactLoad::Force(force) => {
                 let Some(elastic) = elastic else {
@@ -385,12 +383,6 @@ impl ContactSizeEstimate {
         }
     }
 
-    /// This extent with elements of this size, so many over a half-width \[mm\].
-    pub fn with_spacing(self, spacing: f64, elements: usize) -> Self {
-        let half_width = spacing * (elements as f64 + BEYOND_LAST);
-        Self { half_width, smallest_part: half_width, ..self }
-    }
-
     /// This extent with all lengths scaled.
     pub fn scaled(self, factor: f64) -> Self {
         Self {
@@ -415,7 +407,7 @@ impl ContactSizeEstimate {
             return self.half_width / elements / self.refinement;
         }
         let resolved = self.smallest_part.max(self.half_width / MAX_PART_RATIO).min(self.half_width);
-        let step = (SIZE_STEP / elements).ln_1p();
+        let step = (STEP / elements).ln_1p();
         let steps = (resolved / self.hertz_half_width).ln() / step;
         self.hertz_half_width / elements * (step * steps.round()).exp()
     }
@@ -436,7 +428,7 @@ impl ContactSizeEstimate {
         if symmetric {
             problem.zone(0.0, half, columns, symmetric)
         } else {
-            let step = CENTRE_STEP * spacing;
+            let step = STEP * spacing;
             let centre = nearest(self.centre / step) * step;
             problem.zone(centre - half, centre + half, 2 * columns, symmetric)
         }
@@ -455,20 +447,20 @@ pub(crate) fn refinement(zone: &ContactZone) -> Refinement {
     Refinement { growth: 1.0 + RING_GROWTH * 20.0 * ZONE / columns }
 }
 
-/// The smallest half-width that bears a load, by steps of a ratio down from the largest; by as many again where the last
-/// still bears it.
-fn smallest(largest: f64, ratio: f64, steps: i32, bears: impl Fn(f64) -> bool) -> Option<f64> {
+/// The smallest half-width that bears a load, by steps of a ratio down from the largest to a millionth
+/// of it; by as many again where the last still bears it.
+fn smallest(largest: f64, ratio: f64, bears: impl Fn(f64) -> bool) -> Option<f64> {
     let at = |k: i32| largest * ratio.powi(-k);
+    #[expect(clippy::cast_possible_truncation, reason = "some hundred")]
+    let steps = (1e6_f64.ln() / ratio.ln()).ceil() as i32;
     let steps = if bears(at(steps)) { 2 * steps } else { steps };
     (0..=steps).rev().map(at).find(|&a| bears(a))
 }
 
-/// Ratio of the trial half-widths, and how many there are: down to a millionth of the largest.
+/// Ratio of the trial half-widths.
 const SEARCH_RATIO: f64 = 1.02;
-const SEARCH_STEPS: i32 = 700;
 /// The same where a force is an integral.
 const ROUGH_RATIO: f64 = 1.1;
-const ROUGH_STEPS: i32 = 145;
 
 /// The least value between `low`, which does not bear, and `high`, which does.
 fn bisect(mut low: f64, mut high: f64, bears: impl Fn(f64) -> bool) -> f64 {

@@ -3,14 +3,13 @@
 
 use std::f64::consts::PI;
 
+use super::contact_size::ZONE;
 use crate::contact::{ActiveSetSolver, ContactLoad, ContactProblem, ContactSolver, never};
 use crate::fem::element::StressState;
+use crate::solver::mesh_solve::ENLARGEMENT;
 use crate::solver::problem::Problem;
 use dense_cholesky::SymmetricMatrix;
 
-/// Half-width of what is looked at over the expected one, and how much wider it becomes where that is not enough.
-const REACH: f64 = 1.6;
-const WIDENING: f64 = 1.5;
 /// Pairs at most to each side of the middle.
 const MAX_PAIRS: f64 = 450.0;
 /// Part of the force that a part of the contact carries at least to be resolved for its own sake.
@@ -54,7 +53,7 @@ pub(crate) fn contact(
     expected: f64,
     spacing: f64,
 ) -> Option<Touching> {
-    let mut reach = REACH * expected;
+    let mut reach = ZONE * expected;
     loop {
         let to_each_side = (reach / spacing).ceil();
         if to_each_side > MAX_PAIRS {
@@ -63,7 +62,7 @@ pub(crate) fn contact(
         let pairs = Pairs { centre, spacing, to_each_side };
         match pairs.press(problem, force)? {
             Pressed::Within(touching) => return Some(touching),
-            Pressed::Beyond => reach *= WIDENING,
+            Pressed::Beyond => reach *= ENLARGEMENT,
         }
     }
 }
@@ -83,13 +82,13 @@ pub(crate) fn extent(problem: &Problem, force: f64, centre: f64, available: f64)
         if found.reach(centre) >= LEAST_PART_OF_REACH * reach {
             break;
         }
-        reach = REACH * found.reach(centre);
+        reach = ZONE * found.reach(centre);
         found = look(reach, PAIRS_OF_EXTENT)?;
     }
     while BESIDE * reach < available {
         reach *= BESIDE;
         let wider = look(reach, BESIDE * PAIRS_OF_EXTENT)?;
-        let is_all = wider.half_width() < WIDENING * found.half_width();
+        let is_all = wider.half_width() < ENLARGEMENT * found.half_width();
         found = wider;
         if is_all {
             break;

@@ -13,9 +13,7 @@ use crate::solver::problem::Problem;
 /// Slope that may be left out, as a part of the mean slope of the gap.
 const SLOPE_SHARE: f64 = 0.1;
 /// How much smaller elements become from one trial to the next.
-const STEP: f64 = 0.8;
-/// Trials at most.
-const MAX_TRIALS: u32 = 60;
+pub(crate) const STEP: f64 = 0.8;
 
 /// The largest spacing \[mm\] up to `wanted` with which the nodes of a mesh see the gap over `[centre - a, centre + a]` as it
 /// is.
@@ -30,10 +28,7 @@ pub(crate) fn resolving_spacing(problem: &Problem, centre: f64, a: f64, wanted: 
     }
     let shortest = inside.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     let mut spacing = wanted;
-    for _ in 0..MAX_TRIALS {
-        if spacing <= shortest {
-            break;
-        }
+    while spacing > shortest {
         let smooth = 2.0 * 0.25 * opening * (spacing / a).powi(2);
         let allowed = smooth + SLOPE_SHARE * 0.5 * opening * spacing / a;
         if largest_deviation(problem, &inside, centre, edges, spacing) <= allowed {
