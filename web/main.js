@@ -19,6 +19,7 @@ import { startJson } from './setup/json.js';
 import { Live } from './setup/live.js';
 import { refusalWords, send, sentence, waitingWords } from './setup/send.js';
 import { startSketch } from './setup/sketch.js';
+import { LayerSource } from './field/layers.js';
 import { FieldSource } from './field/source.js';
 import { JobList } from './jobs/list.js';
 import { names } from './jobs/names.js';
@@ -37,6 +38,10 @@ const [KEPT, KEPT_AT] = ['draft', 'draft-at'];
 /** Whether nothing is to move by itself. */
 const isStill = matchMedia('(prefers-reduced-motion: reduce)');
 const WELCOME = 'Set up a contact and solve it. Until then: what Hertz’s theory says of elastic bodies.';
+
+/** @param {string} id @param {import('./types.js').Report} report @returns {FieldSource | LayerSource} */
+const sourceOf = (id, report) =>
+  report.analysis === 'three_dimensional' ? new LayerSource(id, report) : new FieldSource(id, report);
 
 startMemory();
 startTheme();
@@ -72,8 +77,8 @@ const watch = new Watch({
   },
   solved: (id, report) => {
     const job = current?.job ?? {};
-    const inside = report.steps.some(({ fields }) => fields);
-    const fields = job.output?.fields && !inside ? new FieldSource(id, report) : undefined;
+    const inside = report.steps.some(({ fields, layers }) => fields ?? layers);
+    const fields = job.output?.fields && !inside ? sourceOf(id, report) : undefined;
     first = { id, report, job, fields, colour: COLOURS[0], label: '' };
     show();
     if (innerWidth < 900) byId('result').scrollIntoView({ behavior: isStill.matches ? 'auto' : 'smooth' });

@@ -38,7 +38,7 @@
  * @property {number[]} [dash] of its curves
  * @property {boolean} [removed] whether the service no longer has it
  * @property {Report} [raw] the report in the units of its job
- * @property {import('./field/source.js').FieldSource} [fields] of the job, if it asked for them and they are not in the report
+ * @property {import('./field/source.js').FieldSource | import('./field/layers.js').LayerSource} [fields] of the job, if it asked for them and they are not in the report
  * @property {Job} job
  * @property {Report} report
  */

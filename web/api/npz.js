@@ -6,10 +6,15 @@ const END = 0x06054b50;
 const END_BYTES = 22;
 const ENTRY_BYTES = 46;
 const LOCAL_BYTES = 30;
-/** Types of numbers that the service sends. */
-const KINDS = /** @type {Record<string, Float32ArrayConstructor | Uint32ArrayConstructor>} */ ({
+/** Types of numbers that the service sends, and in which heights are kept. */
+const KINDS = /** @type {Record<string, any>} */ ({
   '<f4': Float32Array,
   '<u4': Uint32Array,
+  '<f8': Float64Array,
+  '<i4': Int32Array,
+  '<i2': Int16Array,
+  '<u2': Uint16Array,
+  '|u1': Uint8Array,
 });
 
 /** The files of an archive: names and places. @param {DataView} view @returns {{name: string, at: number, size: number}[]} */
@@ -36,6 +41,21 @@ function numbers(view, at, size) {
   const kind = KINDS[/'descr': '([^']*)'/.exec(header)?.[1] ?? ''];
   if (!kind) throw new Error(`numbers of another type: ${header}`);
   return new kind(view.buffer.slice(data, at + size));
+}
+
+/** @param {ArrayBuffer} file `.npy` of a grid @returns {number[][]} its rows */
+export function readGrid(file) {
+  const view = new DataView(file);
+  if (file.byteLength < 12 || view.getUint32(0) !== 0x934e554d || view.getUint8(6) !== 1)
+    throw new Error('this is no array of NumPy');
+  const header = new TextDecoder().decode(new Uint8Array(file, 10, view.getUint16(8, true)));
+  const shape = /'shape': \((\d+), (\d+)\)/.exec(header);
+  if (!shape) throw new Error('heights are an array of two dimensions');
+  const [rows, columns] = [Number(shape[1]), Number(shape[2])];
+  const values = numbers(view, 0, file.byteLength);
+  if (values.length !== rows * columns) throw new Error('the array is cut short');
+  const [i, j] = /'fortran_order': True/.test(header) ? [1, rows] : [columns, 1];
+  return Array.from({ length: rows }, (_, x) => Array.from({ length: columns }, (_, y) => values[x * i + y * j]));
 }
 
 /** @param {ArrayBuffer} archive @param {ArrayBuffer[]} buffers takes those of the arrays, to be handed over @returns {Arrays} */

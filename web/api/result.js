@@ -42,7 +42,7 @@ export function fetchResult(id, progress) {
  * @throws {Problem}
  */
 export const fetchFields = (id, step, arrays, about) =>
-  ask(`v1/jobs/${id}/fields/${step + 1}?arrays=${arrays.join()}`, {}, about);
+  ask(`v1/jobs/${id}/fields/${step + 1}${arrays.length ? `?arrays=${arrays.join()}` : ''}`, {}, about);
 
 /** Starts the worker, so that what is asked soon need not wait for it. */
 export function prepare() {

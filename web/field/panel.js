@@ -10,7 +10,7 @@ import { Panel } from '../result/panel.js';
 import { ColourRange } from './colours.js';
 import { CutTool } from './cut-tool.js';
 import { steer } from './pointer.js';
-import { QUANTITIES, arraysOf, nameOf } from './quantities.js';
+import { QUANTITIES, arraysOf, nameOf, quantitiesOf, sectionOf } from './quantities.js';
 import { READ, colourBar, extremes, readout } from './read.js';
 import { Scene, bodiesOf } from './scene.js';
 import { fieldTools } from './tools.js';
@@ -19,7 +19,7 @@ import { fieldTools } from './tools.js';
 /** @typedef {import('./quantities.js').Quantity} Quantity */
 /** @typedef {import('../lib/units.js').UnitSet} UnitSet */
 /** @typedef {import('./source.js').Fields} Fields */
-/** @typedef {import('./source.js').FieldSource} FieldSource */
+/** @typedef {Pick<import('./source.js').FieldSource, 'whole' | 'peek' | 'get' | 'close'>} FieldSource */
 /** @typedef {import('./scene.js').Asked} Asked */
 
 export class FieldPanel {
@@ -48,8 +48,8 @@ export class FieldPanel {
   /** Whose steps have all been looked at. @type {FieldSource | undefined} */
   #surveyed;
 
-  /** @param {() => void} wanted called to solve again with fields */
-  constructor(wanted) {
+  /** @param {() => void} wanted called to solve again with fields @param {Node[]} controls beside the title */
+  constructor(wanted, controls) {
     this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
     this.readout = h('p', { class: 'readout', role: 'status' });
     this.empty = h(
@@ -76,7 +76,8 @@ export class FieldPanel {
     });
     this.stage = this.scene.stage;
     this.range = new ColourRange(() => this.#colour());
-    const { element, quantities } = this.#tools();
+    const { element, quantities, displacement } = this.#tools();
+    this.displacement = displacement;
     this.controls = element;
     this.quantities = quantities;
     this.panel = new Panel(
@@ -90,6 +91,7 @@ export class FieldPanel {
         this.empty,
       ],
       {
+        controls,
         picture: async (title) => {
           await this.settled;
           const canvas = this.canvas(title);
@@ -274,11 +276,12 @@ export class FieldPanel {
     const chosen = this.#chosen;
     if (this.#named !== analysis)
       this.quantities.replaceChildren(
-        ...Object.keys(QUANTITIES).map((value) =>
-          h('option', { value, selected: value === chosen }, nameOf(/** @type {Quantity} */ (value), analysis)),
+        ...quantitiesOf(analysis).map((value) =>
+          h('option', { value, selected: value === chosen }, nameOf(value, analysis)),
         ),
       );
     this.quantities.value = chosen;
+    this.displacement.hidden = sectionOf(analysis) !== undefined;
     this.#named = analysis;
     this.range.single = this.scene.shown?.report.steps.length === 1;
   }
@@ -356,7 +359,7 @@ export class FieldPanel {
           this.scene.deformation,
           this.scene.camera.toWorld(...this.scene.probe),
         )
-      : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}. White line: plastic zone.`;
+      : `${matchMedia('(pointer: coarse)').matches ? 'Tap the field for its figures; two fingers move and zoom it' : 'Point at the field for its figures; drag to move; click, then scroll to zoom'}.${sectionOf(scales.analysis) ? '' : ' White line: plastic zone.'}`;
     if (this.scene.probe) this.#fetchRead();
   }
 

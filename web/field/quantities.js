@@ -25,8 +25,30 @@ export const QUANTITIES = {
 /** @param {Quantity} quantity @param {string} analysis @returns {string} */
 export const nameOf = (quantity, analysis) => {
   const { name, round } = QUANTITIES[quantity];
+  const section = sectionOf(analysis);
+  if (section)
+    return name.replace(/(?<=[στ])[xyz]{1,2}/, (axes) =>
+      [...axes]
+        .map((axis) => section[axis])
+        .sort()
+        .join(''),
+    );
   return analysis === 'axisymmetric' ? (round ?? name) : name;
 };
+
+/** What the axes of a section of half-spaces are in three dimensions. @param {string} analysis @returns {Record<string, string> | undefined} nothing of other analyses */
+export const sectionOf = (analysis) =>
+  analysis === 'section_x'
+    ? { x: 'x', y: 'z', z: 'y' }
+    : analysis === 'section_y'
+      ? { x: 'y', y: 'z', z: 'x' }
+      : undefined;
+
+/** What can be shown of an analysis: of half-spaces no displacements are known. @param {string} analysis */
+export const quantitiesOf = (analysis) =>
+  /** @type {Quantity[]} */ (Object.keys(QUANTITIES)).filter(
+    (quantity) => !sectionOf(analysis) || QUANTITIES[quantity].kind !== 'length',
+  );
 
 /**
  * What a value on the right is to be taken by on this side: across the plane of symmetry shear and lateral displacement change their

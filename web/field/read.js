@@ -4,7 +4,7 @@ import { h } from '../lib/dom.js';
 import { figure, unit } from '../lib/units.js';
 import { locate, valueAt, vectorAt } from './locate.js';
 import { limitOf } from './palette.js';
-import { QUANTITIES, arraysOf, nameOf, parityOf, valueOf, valuesOf } from './quantities.js';
+import { QUANTITIES, arraysOf, nameOf, parityOf, sectionOf, valueOf, valuesOf } from './quantities.js';
 
 /** @typedef {import('../types.js').Mesh} Mesh */
 /** @typedef {import('./quantities.js').Quantity} Quantity */
@@ -101,7 +101,8 @@ export const READ = [
  */
 export function readout(bodies, shown, scales, deformation, [x, y]) {
   const side = scales.symmetric && x < 0 ? -1 : 1;
-  const [across, up] = scales.analysis === 'axisymmetric' ? ['r', 'z'] : ['x', 'y'];
+  const section = sectionOf(scales.analysis);
+  const [across, up] = section ? [section.x, 'z'] : scales.analysis === 'axisymmetric' ? ['r', 'z'] : ['x', 'y'];
   for (const { name, mesh, lift, moved } of bodies) {
     const place = locate(mesh, deformation, lift, side * x, y);
     if (!place) continue;
@@ -118,7 +119,7 @@ export function readout(bodies, shown, scales, deformation, [x, y]) {
         .replace(' stress', '')
         .replace(/^.* (?=[στ])/, '')} ${figure(factor * value, 4)}`;
     };
-    const where = `${name} body, ${across} ${figure(across === 'r' ? Math.abs(px) : side * px, 3)}, ${up} ${figure(py, 3)} ${unit('length', scales.units)}`;
+    const where = `${name} body, ${across} ${figure(across === 'r' ? Math.abs(px) : side * px, 3)}, ${up} ${figure(section ? Math.abs(py) : py, 3)} ${unit('length', scales.units)}`;
     const stresses = STRESSES.filter(there);
     const others = /** @type {Quantity[]} */ ([...new Set(['equivalent_plastic_strain', shown])]);
     const parts = [

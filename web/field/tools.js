@@ -29,11 +29,12 @@ export function fieldTools(on, range) {
   };
   const button = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ work) =>
     h('button', { type: 'button', class: 'plain', 'aria-label': name, title: name, onclick: work }, sign);
+  const displacement = h('label', {}, 'Displacement ', loupe);
   const element = h(
     'div',
     { class: 'bar tools' },
     quantities,
-    h('label', {}, 'Displacement ', loupe),
+    displacement,
     flag('Mesh', on.mesh),
     flag('Isolines', on.isolines),
     flag('Cut', on.cut),
@@ -46,5 +47,5 @@ export function fieldTools(on, range) {
     ),
     range,
   );
-  return { element, quantities };
+  return { element, quantities, displacement };
 }

@@ -71,8 +71,13 @@ function contactFigures(report, step) {
   const zone = zoneWords(step, unit('length', report.units));
   return [
     { ...described(peak, report, step), elastic: elastic?.peak_pressure, undented },
-    { ...described(wide, report, step), elastic: elastic?.half_width, undented, note: width },
-    ...longerAxis(report, step),
+    // Heights touch here and there up to the rim.
+    ...(step.three_dimensional?.surface
+      ? []
+      : [{ ...described(wide, report, step), elastic: elastic?.half_width, undented, note: width }]),
+    ...ofRoller(report, step),
+    ...ofHeights(report, step),
+    ...(step.three_dimensional?.surface ? [] : longerAxis(report, step)),
     // Without load it is what a load has left.
     ...(isUnloaded(step) ? [] : [approach(report, step)]),
     {
@@ -99,6 +104,54 @@ function contactFigures(report, step) {
           },
         ]
       : []),
+  ];
+}
+
+/** What happens at the ends of a roller. @param {Report} report @param {Step} step @returns {Answer[]} */
+function ofRoller(report, { three_dimensional: ellipse, contact }) {
+  const roller = ellipse?.roller;
+  if (!roller || contact.force === 0) return [];
+  const edge = Math.max(...roller.end_pressure);
+  const tilted = Math.abs(roller.moment) > 1e-6 * contact.force * ellipse.b;
+  return [
+    {
+      name: 'Edge pressure',
+      value: edge,
+      unit: unit('stress', report.units),
+      note:
+        edge > 0
+          ? `${figure(edge / roller.middle_pressure, 3)} of that in the middle`
+          : 'the contact ends before the roller',
+    },
+    ...(tilted
+      ? [
+          {
+            name: 'Moment',
+            value: roller.moment,
+            unit: unit('energy', report.units),
+            note: 'that holds the tilt, about the middle',
+          },
+        ]
+      : []),
+  ];
+}
+
+/** How much of a rough surface touches. @param {Report} report @param {Step} step @returns {Answer[]} */
+function ofHeights(report, { three_dimensional: ellipse }) {
+  const rough = ellipse?.surface;
+  if (!rough) return [];
+  const plastic = rough.plastic_part;
+  return [
+    { name: 'Real contact area', value: 100 * rough.contact_ratio, unit: '%', note: 'of the area of the heights' },
+    ...(plastic === undefined
+      ? []
+      : [{ name: 'Area that yields', value: 100 * plastic, unit: '%', note: 'below which a body has yielded' }]),
+    {
+      name: 'Nominal pressure',
+      value: rough.nominal_pressure,
+      unit: unit('stress', report.units),
+      note: 'force over the area of the heights',
+    },
   ];
 }
 

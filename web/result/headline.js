@@ -24,8 +24,8 @@ export function showHeadline({ job, report }, at) {
 /** Letters of a figure for which a card has room. */
 const SHORT = 9;
 
-/** Least width of a card. */
-const CARD = 150;
+/** Least width of a card: lines below its figure have room for five words. */
+const CARD = 190;
 
 /** Cards in rows of about the same length, so that none stands alone. */
 const rows = new ResizeObserver(([{ target, contentRect }]) => {

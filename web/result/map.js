@@ -4,9 +4,12 @@ import { ask } from '../api/client.js';
 import { bands, limitOf, roundStep } from '../field/palette.js';
 import { colourBar } from '../field/read.js';
 import { h } from '../lib/dom.js';
+import { numberOf } from '../lib/number.js';
 import { colour, onTheme, paper } from '../lib/theme.js';
 import { figure, plain, setOf, unit } from '../lib/units.js';
+import { Chart } from './chart.js';
 import { inUnits } from './converted.js';
+import { beside } from './loads.js';
 import { Panel, segments } from './panel.js';
 
 /** @typedef {import('../types.js').Shown} Shown */
@@ -16,7 +19,10 @@ import { Panel, segments } from './panel.js';
 /**
  * @typedef {object} Picture
  * @property {Ellipse} ellipse
- * @property {Maps} maps
+ * @property {Maps & {depth?: number[]}} maps `depth`: that of both dents together
+ * @property {string} label
+ * @property {string} colour of its curves
+ * @property {number[]} [dash]
  * @property {import('../lib/units.js').Units | import('../lib/units.js').UnitSet} units
  */
 
@@ -26,83 +32,208 @@ const BOTTOM = 38;
 /** Room of the colours [px]. */
 const RIGHT = 72;
 const TOP = 10;
-/** What is shown, over the semi-axes. */
+/** What is shown, over what touches. */
 const SHOWN = 1.35;
 /** Distance of two ticks at least [px]. */
 const TICKS = 70;
 const FONT = '11px system-ui, sans-serif';
 
-/** @type {Record<'pressure' | 'gap', {letter: string, kind: 'stress' | 'length'}>} */
-const QUANTITIES = { pressure: { letter: 'p', kind: 'stress' }, gap: { letter: 'g', kind: 'length' } };
+/** @typedef {'pressure' | 'gap' | 'depth'} Quantity */
+/** @type {Record<Quantity, {name: string, letter: string, kind: 'stress' | 'length'}>} */
+const QUANTITIES = {
+  pressure: { name: 'Pressure', letter: 'p', kind: 'stress' },
+  gap: { name: 'Gap', letter: 'g', kind: 'length' },
+  depth: { name: 'Dent', letter: 'δ', kind: 'length' },
+};
 
 export class MapPanel {
-  /** @type {Picture | undefined} */
-  #picture;
-  /** @type {'pressure' | 'gap'} */
+  /** Of every job that is shown. @type {Picture[]} */
+  #pictures = [];
+  /** Which of them is drawn. */
+  #which = 0;
+  /** @type {Quantity} */
   #quantity = 'pressure';
+  #isolines = false;
+  /** Where the cuts meet: x and y, or the place of the largest pressure. @type {[number, number] | undefined} */
+  #pinned;
   /** An answer to what is not the last question is not shown. */
   #turn = 0;
 
   /** @param {() => void} wanted called to solve again with maps */
   constructor(wanted) {
-    this.canvas = h('canvas', { role: 'img' });
+    this.canvas = h('canvas', {
+      class: 'over',
+      role: 'img',
+      tabindex: 0,
+      'aria-description': 'Arrows move the place of the cuts; Home puts it back to the largest value.',
+    });
     this.bar = h('ol', { class: 'colours', 'aria-hidden': 'true' });
     this.stage = h('div', { class: 'stage' }, this.canvas, this.bar);
     this.readout = h('p', { class: 'readout', role: 'status' });
+    this.chart = new Chart(170);
     this.empty = h(
       'div',
       { class: 'empty' },
       h('p', {}, 'This job did not ask for the maps of its contact.'),
       h('button', { type: 'button', onclick: wanted }, 'Solve again with them'),
     );
-    const choice = segments('Shown on the map', { pressure: 'Pressure', gap: 'Gap' }, (value) => {
-      this.#quantity = /** @type {'pressure' | 'gap'} */ (value);
-      this.#draw();
+    const names = Object.fromEntries(Object.entries(QUANTITIES).map(([key, { name }]) => [key, name]));
+    this.choice = segments('Shown on the map', names, (value) => {
+      this.#quantity = /** @type {Quantity} */ (value);
+      this.#again();
     });
-    this.panel = new Panel('map', 'Map of the contact', [this.stage, this.readout, this.empty], {
-      controls: [choice],
+    const lines = h('input', {
+      type: 'checkbox',
+      onchange: () => {
+        this.#isolines = lines.checked;
+        this.#draw();
+      },
+    });
+    this.jobs = h('select', {
+      'aria-label': 'Job of the map',
+      onchange: () => {
+        this.#which = this.jobs.selectedIndex;
+        this.#again();
+      },
+    });
+    this.tools = h('div', { class: 'bar tools' }, this.jobs, h('label', {}, lines, ' Lines between colours'));
+    const content = [this.tools, this.stage, this.readout, this.chart.element, this.empty];
+    this.panel = new Panel('map', 'Map of the contact', content, {
+      controls: [this.choice],
       picture: async (title) => {
         const canvas = this.onPaper(title);
         return canvas ? new Promise((resolve) => canvas.toBlob(resolve)) : null;
       },
     });
-    this.stage.addEventListener('pointermove', ({ offsetX, offsetY }) => this.#read(offsetX, offsetY));
-    this.stage.addEventListener('pointerleave', () => this.#read());
+    this.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => this.#read(offsetX, offsetY));
+    this.canvas.addEventListener('pointerleave', () => this.#read());
+    this.canvas.addEventListener('click', ({ offsetX, offsetY }) => {
+      const picture = this.#picture;
+      if (picture) this.#pin(this.#frame.place(offsetX, offsetY));
+    });
+    this.canvas.addEventListener('keydown', (event) => {
+      const picture = this.#picture;
+      const step = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1] }[event.key];
+      if (!picture || !(step || event.key === 'Home')) return;
+      event.preventDefault();
+      const { x, y } = picture.maps;
+      const [px, py] = this.#place(picture);
+      this.#pin(step && [px + step[0] * (x[1] - x[0]), py + step[1] * (y[1] - y[0])]);
+    });
     new ResizeObserver(() => this.#draw()).observe(this.stage);
     onTheme(() => this.#draw());
   }
 
+  get #picture() {
+    return this.#pictures[this.#which];
+  }
+
   /** @param {Shown[]} shown @param {number} at step of the first */
-  show([{ id, job, report, raw = report }], at) {
+  show(shown, at) {
     const turn = ++this.#turn;
+    const [{ report, job }] = shown;
     const ellipse = report.steps[at].three_dimensional;
     this.panel.show(ellipse !== undefined);
     const asked = Boolean(ellipse?.maps ?? job.output?.fields);
-    this.stage.hidden = this.readout.hidden = !asked;
+    this.tools.hidden = this.stage.hidden = this.readout.hidden = this.chart.element.hidden = !asked;
     this.empty.hidden = asked;
-    this.#picture = undefined;
+    this.#pictures = [];
     if (!ellipse || !asked) return;
-    const present = (/** @type {Maps} */ maps) => {
-      if (turn !== this.#turn) return;
-      const own = /** @type {import('../lib/units.js').Units} */ (raw.units);
-      const converted = inUnits(maps, { analysis: raw.analysis, units: own }, setOf(report.units));
-      this.#picture = { ellipse, maps: converted, units: report.units };
-      this.#draw();
-      this.#read();
-    };
-    const inside = raw.steps[at].three_dimensional?.maps;
-    if (inside) return present(inside);
+    const sides = beside(shown, at).filter(
+      ({ one, at }) => one.report.steps[at].three_dimensional?.maps ?? one.job.output?.fields,
+    );
     this.readout.textContent = 'Loading the map…';
-    ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`).then(
-      (part) => present(part.steps[0].three_dimensional.maps),
+    Promise.all(sides.map(({ one, at, label }) => pictureOf(one, at, label))).then(
+      (pictures) => {
+        if (turn !== this.#turn) return;
+        this.#pictures = pictures;
+        this.#which = Math.min(this.#which, pictures.length - 1);
+        this.#offer();
+        this.#again();
+      },
       (error) => {
         if (turn === this.#turn) this.readout.textContent = `Could not load the map: ${error.message}`;
       },
     );
   }
 
+  /** Offers jobs and quantities of which there is a map. */
+  #offer() {
+    this.jobs.hidden = this.#pictures.length < 2;
+    this.jobs.replaceChildren(...this.#pictures.map(({ label }) => h('option', {}, label)));
+    this.jobs.selectedIndex = this.#which;
+    const dented = this.#pictures.some(({ maps }) => maps.depth);
+    const boxes = /** @type {NodeListOf<HTMLInputElement>} */ (this.choice.querySelectorAll('input'));
+    /** @type {HTMLElement} */ (boxes[2].parentElement).hidden = !dented;
+    // What a load has left is what one looks for when it is gone.
+    if (dented !== (this.#quantity === 'depth')) {
+      this.#quantity = dented ? 'depth' : 'pressure';
+      boxes[dented ? 2 : 0].checked = true;
+    }
+  }
+
+  /** Another job, quantity or step. */
+  #again() {
+    this.#draw();
+    this.#read();
+    this.#cut();
+  }
+
+  /** @param {[number, number]} [place] */
+  #pin(place) {
+    this.#pinned = place;
+    this.#draw();
+    this.#cut();
+  }
+
+  /** Where the cuts meet. @param {Picture} picture @returns {[number, number]} */
+  #place({ maps }) {
+    const { x, y } = maps;
+    const values = valuesOf(maps, this.#quantity);
+    const within = (/** @type {number} */ at, /** @type {number[]} */ cells) =>
+      Math.min(cells[cells.length - 1], Math.max(cells[0], at));
+    if (this.#pinned) return [within(this.#pinned[0], x), within(this.#pinned[1], y)];
+    const most = this.#quantity === 'gap' ? -1 : values.indexOf(largest(values));
+    return most < 0 ? [0, 0] : [x[Math.floor(most / y.length)], y[most % y.length]];
+  }
+
+  /** Curves of all jobs through the place of the cuts. */
+  #cut() {
+    const picture = this.#picture;
+    if (!picture) return;
+    const [px, py] = this.#place(picture);
+    const { letter, kind, name } = QUANTITIES[this.#quantity];
+    const several = this.#pictures.length > 1;
+    const length = unit('length', picture.units);
+    const along = (/** @type {Picture} */ { maps, label, colour: own, dash }) => {
+      const there = (/** @type {number} */ x, /** @type {number} */ y) => {
+        const value = valueAt(maps, this.#quantity, x, y);
+        return Number.isFinite(value) ? value : null;
+      };
+      const x = { x: maps.x, y: maps.x.map((x) => there(x, py)) };
+      const y = { x: maps.y, y: maps.y.map((y) => there(px, y)) };
+      return several
+        ? [
+            { ...y, label: `${label}, along y`, colour: own, dash },
+            { ...x, label: `${label}, along x`, colour: own, dash: [2, 2] },
+          ]
+        : [
+            { ...y, label: `along y, at x ${figure(px, 3)}`, colour: '--curve-2', dash: [7, 3] },
+            { ...x, label: `along x, at y ${figure(py, 3)}`, colour: '--curve-1' },
+          ];
+    };
+    const { x, y } = this.#frame.shown;
+    this.chart.show({
+      x: `x, y  [${length}]`,
+      y: `${letter}  [${unit(kind, picture.units)}]`,
+      curves: this.#pictures.flatMap(along),
+      range: [Math.min(x[0], y[0]), Math.max(x[1], y[1])],
+      words: `${name} along the cuts through x ${figure(px, 3)}, y ${figure(py, 3)} ${length}.`,
+    });
+  }
+
   get #frame() {
-    return new Frame(this.stage.clientWidth, this.stage.clientHeight, /** @type {Picture} */ (this.#picture));
+    return new Frame(this.stage.clientWidth, this.stage.clientHeight, this.#picture);
   }
 
   #draw() {
@@ -114,17 +245,22 @@ export class MapPanel {
     const context = this.canvas.getContext('2d');
     if (!context) return;
     context.scale(scale, scale);
-    const shades = bandsOf(picture, this.#quantity);
     const name = unit(QUANTITIES[this.#quantity].kind, picture.units);
-    this.bar.replaceChildren(...colourBar(shades, name));
-    paint(context, this.#frame, picture, this.#quantity, colour);
+    this.bar.replaceChildren(...colourBar(this.#bands(), name));
+    this.#paint(context, this.#frame, picture, colour);
     performance.mark('field-drawn');
     const { ellipse, units } = picture;
     const length = unit('length', units);
     this.canvas.setAttribute(
       'aria-label',
-      `Map of the ${this.#quantity} over a contact with the semi-axes ${figure(ellipse.a, 4)} and ${figure(ellipse.b, 4)} ${length}.`,
+      `Map of the ${QUANTITIES[this.#quantity].name.toLowerCase()} over a contact with the semi-axes ${figure(ellipse.a, 4)} and ${figure(ellipse.b, 4)} ${length}.`,
     );
+  }
+
+  /** Colours that are the same for all jobs. */
+  #bands() {
+    const all = this.#pictures.map(({ maps }) => valuesOf(maps, this.#quantity));
+    return bands(Math.min(0, ...all.map(least)), Math.max(...all.map(largest)));
   }
 
   /** What is at a place of the stage, or of the whole. @param {number} [left] @param {number} [top] */
@@ -134,126 +270,238 @@ export class MapPanel {
     const { ellipse, maps, units } = picture;
     const [length, stress] = [unit('length', units), unit('stress', units)];
     const [x, y] = left === undefined || top === undefined ? [NaN, NaN] : this.#frame.place(left, top);
-    const here = { pressure: valueAt(maps, 'pressure', x, y), gap: valueAt(maps, 'gap', x, y) };
-    this.readout.textContent = Number.isFinite(here.pressure)
-      ? `x ${figure(x, 3)}, y ${figure(y, 3)} ${length}:  p ${figure(here.pressure, 4)} ${stress} · gap ${figure(here.gap, 3)} ${length}`
-      : `x lies along the shorter semi-axis${ellipse.orientation ? `, ${figure(ellipse.orientation, 3)}° from that of the job` : ''}. Dashed: Hertz, elastic. The axes have scales of their own.`;
+    const at = (/** @type {Quantity} */ quantity) => valueAt(maps, quantity, x, y);
+    const dent = maps.depth ? ` · dent ${figure(at('depth'), 3)} ${length}` : '';
+    const scales = ellipse.surface ? '' : ' The axes have scales of their own.';
+    const axes = ellipse.orientation
+      ? `x lies along the shorter semi-axis, ${figure(ellipse.orientation, 3)}° from that of the job. `
+      : '';
+    this.readout.textContent = Number.isFinite(at('pressure'))
+      ? `x ${figure(x, 3)}, y ${figure(y, 3)} ${length}:  p ${figure(at('pressure'), 4)} ${stress} · gap ${figure(at('gap'), 3)} ${length}${dent}`
+      : `${axes}${ellipse.hertz ? 'Dashed: Hertz, elastic. ' : ''}Click to cut there.${scales}`;
+  }
+
+  /** Maps of all jobs, for the report. @returns {HTMLCanvasElement[]} */
+  allOnPaper() {
+    return this.#pictures.flatMap(
+      (picture) => this.onPaper(`${QUANTITIES[this.#quantity].name}, ${picture.label}`, picture) ?? [],
+    );
   }
 
   /** The map with the limits of its colours. @returns {HTMLCanvasElement | null} nothing where there is no map */
-  onPaper(title = this.panel.caption) {
-    const picture = this.#picture;
-    const canvas = h('canvas', { width: 1400, height: 900 });
+  onPaper(title = this.panel.caption, picture = this.#picture) {
+    const [width, height, right] = [520, 350, 462];
+    const canvas = h('canvas', { width: 3 * width, height: 3 * height });
     const context = canvas.getContext('2d');
     if (!picture || !context) return null;
+    const ink = paper('--ink');
+    context.scale(3, 3);
     context.fillStyle = paper('--panel');
-    context.fillRect(0, 0, 1400, 900);
-    context.scale(2, 2);
+    context.fillRect(0, 0, width, height);
     context.font = '600 13px system-ui, sans-serif';
-    context.fillStyle = paper('--ink');
-    context.fillText(title, LEFT, 18);
+    context.fillStyle = ink;
+    context.fillText(title, 8, 18, 440);
     context.translate(0, 26);
-    paint(context, new Frame(690, 424, picture), picture, this.#quantity, paper);
-    const { colours, ...limits } = bandsOf(picture, this.#quantity);
-    const name = unit(QUANTITIES[this.#quantity].kind, picture.units);
-    context.fillText(`${QUANTITIES[this.#quantity].letter}  [${name}]`, 632, 18);
+    this.#paint(context, new Frame(width - 10, height - 26, picture), picture, paper);
+    const { colours, ...limits } = this.#bands();
+    const { kind, letter } = QUANTITIES[this.#quantity];
+    context.fillStyle = ink;
+    context.fillText(`${letter}  [${unit(kind, picture.units)}]`, right, -8);
     colours.forEach((rgb, k) => {
-      const top = 32 + 17 * (colours.length - 1 - k);
+      const top = 8 + 17 * (colours.length - 1 - k);
       context.fillStyle = css(rgb);
-      context.fillRect(632, top, 13, 17);
-      context.fillStyle = paper('--ink');
-      context.fillText(limitOf({ colours, ...limits }, k + 1), 650, top + 4);
+      context.fillRect(right, top, 13, 17);
+      context.fillStyle = ink;
+      context.fillText(limitOf({ colours, ...limits }, k + 1), right + 18, top + 4);
     });
     return canvas;
   }
+
+  /** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Picture} picture @param {Colours} colours */
+  #paint(context, frame, picture, colours) {
+    const { ellipse, maps, units } = picture;
+    const quantity = this.#quantity;
+    const { low, step, colours: shades } = this.#bands();
+    const ink = colours('--ink');
+    /** Bands of the row above. @type {number[]} */
+    let above = [];
+    for (let top = 0; top < frame.height; top++) {
+      /** @type {number[]} */
+      const row = [];
+      for (let left = 0; left < frame.width; left++) {
+        const place = frame.place(frame.x0 + left + 0.5, frame.y0 + top + 0.5);
+        const value = valueAt(maps, quantity, ...place);
+        const seen = quantity === 'depth' ? Number.isFinite(value) : value > 0;
+        const band = Math.min(shades.length - 1, Math.max(0, Math.floor((value - low) / step)));
+        row[left] = seen && (quantity !== 'pressure' || touches(maps, ...place)) ? band : -1;
+        const [beside, over] = [row[left - 1] ?? row[left], above[left] ?? row[left]];
+        const line = this.#isolines && (beside !== row[left] || over !== row[left]);
+        if (row[left] < 0 && !line) continue;
+        context.fillStyle = line ? ink : css(shades[row[left]]);
+        context.fillRect(frame.x0 + left, frame.y0 + top, 1, 1);
+      }
+      above = row;
+    }
+    frame.axes(context, unit('length', units), ink);
+    if (ellipse.hertz) frame.ellipse(context, ellipse.hertz);
+    frame.cross(context, this.#place(picture));
+  }
 }
 
-/** The part of the surface that is drawn, and where. */
+/** @param {Shown} one @param {number} at @param {string} label @returns {Promise<Picture>} */
+async function pictureOf({ id, job, report, raw = report, colour, dash }, at, label) {
+  const step = raw.steps[at];
+  const maps =
+    step.three_dimensional?.maps ??
+    (await ask(`v1/jobs/${id}/result?fields=maps&step=${at + 1}`)).steps[0].three_dimensional.maps;
+  const own = /** @type {import('../lib/units.js').Units} */ (raw.units);
+  const depth = dentOf(job, step, maps);
+  const converted = inUnits({ ...maps, depth }, { analysis: raw.analysis, units: own }, setOf(report.units));
+  const ellipse = /** @type {Ellipse} */ (report.steps[at].three_dimensional);
+  return { ellipse, maps: converted, units: report.units, label, colour, dash };
+}
+
+/**
+ * What a load has left of both surfaces: the gap without load, less that of the bodies as they were, and the permanent approach.
+ * @param {import('../types.js').Job} job @param {import('../types.js').Step} step @param {Maps} maps
+ * @returns {number[] | undefined} nothing under load, and of shapes that are not given by their radii
+ */
+function dentOf(job, { contact, flow, approach, three_dimensional: ellipse }, { x, y, gap }) {
+  const bodies = [job.upper, job.lower];
+  const plain = bodies.every(({ shape, surface }) => ['sphere', 'curved', 'flat'].includes(shape?.type) && !surface);
+  if (contact.force !== 0 || !flow || !ellipse || !plain) return undefined;
+  const sum = { xx: 0, yy: 0, xy: 0 };
+  for (const { shape } of bodies) {
+    const turn = (((Number(shape.rotation) || 0) - ellipse.orientation) * Math.PI) / 180;
+    const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    const [kx, ky] = [shape.radius_x ?? shape.radius, shape.radius_y ?? shape.radius].map((radius) =>
+      radius == null ? 0 : 1 / numberOf(radius),
+    );
+    sum.xx += kx * c * c + ky * s * s;
+    sum.yy += kx * s * s + ky * c * c;
+    sum.xy += (kx - ky) * c * s;
+  }
+  return gap.map((one, k) => {
+    const [px, py] = [x[Math.floor(k / y.length)], y[k % y.length]];
+    return one - (sum.xx * px * px + sum.yy * py * py) / 2 - sum.xy * px * py + approach;
+  });
+}
+
+/** @param {number[]} values */
+const largest = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
+/** @param {number[]} values */
+const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
+/** @param {Picture['maps']} maps @param {Quantity} quantity */
+const valuesOf = (maps, quantity) => maps[quantity] ?? maps.gap;
+
+/** The part of the surface that is drawn, and where: y to the right, x up. */
 class Frame {
   /** @param {number} width @param {number} height @param {Picture} picture */
   constructor(width, height, { ellipse, maps }) {
-    // The longer axis lies along the wider side. Without a contact all cells are shown.
-    const reach = (/** @type {number} */ axis, /** @type {number[]} */ cells) =>
-      Math.min(axis > 0 ? SHOWN * axis : Infinity, Math.abs(cells[0]));
-    this.across = reach(ellipse.b, maps.y);
-    this.up = reach(ellipse.a, maps.x);
+    const rows = maps.x.map((_, i) =>
+      maps.pressure.slice(i * maps.y.length, (i + 1) * maps.y.length).some((p) => p > 0),
+    );
+    const columns = maps.y.map((_, j) => maps.x.some((_, i) => maps.pressure[i * maps.y.length + j] > 0));
+    const room = (/** @type {number[]} */ cells, /** @type {boolean[]} */ touching, /** @type {number} */ axis = 0) => {
+      const [first, last] = [cells[0], cells[cells.length - 1]];
+      // Of heights, and without a contact, all cells are shown.
+      if (ellipse.surface || !touching.includes(true)) return [first, last];
+      const [from, to] = [cells[touching.indexOf(true)], cells[touching.lastIndexOf(true)]];
+      const [low, high] = [Math.min(from, -axis), Math.max(to, axis)];
+      const [middle, half] = [(low + high) / 2, Math.max((high - low) / 2, cells[1] - cells[0])];
+      return [Math.max(first, middle - SHOWN * half), Math.min(last, middle + SHOWN * half)];
+    };
+    this.shown = { x: room(maps.x, rows, ellipse.hertz?.a), y: room(maps.y, columns, ellipse.hertz?.b) };
     this.width = width - LEFT - RIGHT;
     this.height = height - TOP - BOTTOM;
+    // Heights are seen as they are, others as wide as there is room.
+    const [up, across] = [this.shown.x, this.shown.y].map(([low, high]) => high - low);
+    const even = Math.min(this.width / across, this.height / up);
+    if (ellipse.surface) {
+      this.width = Math.floor(even * across);
+      this.height = Math.floor(even * up);
+    }
+    this.x0 = LEFT + Math.floor((width - LEFT - RIGHT - this.width) / 2);
+    this.y0 = TOP;
   }
 
   /** @param {number} left @param {number} top @returns {[number, number]} x and y */
   place(left, top) {
-    return [this.up * (1 - (2 * (top - TOP)) / this.height), this.across * ((2 * (left - LEFT)) / this.width - 1)];
+    const { x, y } = this.shown;
+    const [across, down] = [(left - this.x0) / this.width, (top - this.y0) / this.height];
+    return across < 0 || across > 1 || down < 0 || down > 1
+      ? [NaN, NaN]
+      : [x[1] + down * (x[0] - x[1]), y[0] + across * (y[1] - y[0])];
   }
 
   /** @param {number} y @returns {number} */
   left(y) {
-    return LEFT + 0.5 * this.width * (1 + y / this.across);
+    const [from, to] = this.shown.y;
+    return this.x0 + (this.width * (y - from)) / (to - from);
   }
 
   /** @param {number} x @returns {number} */
   top(x) {
-    return TOP + 0.5 * this.height * (1 - x / this.up);
+    const [from, to] = this.shown.x;
+    return this.y0 + (this.height * (to - x)) / (to - from);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {string} length its unit @param {string} ink */
+  axes(context, length, ink) {
+    const bottom = this.y0 + this.height;
+    context.font = FONT;
+    context.strokeStyle = context.fillStyle = ink;
+    context.strokeRect(this.x0, this.y0, this.width, this.height);
+    context.textAlign = 'center';
+    for (const y of ticks(this.shown.y, this.width)) {
+      context.fillRect(this.left(y), bottom, 1, 4);
+      context.fillText(plain(y), this.left(y), bottom + 15);
+    }
+    context.fillText(`y  [${length}]`, this.x0 + 0.5 * this.width, bottom + 31);
+    context.textAlign = 'right';
+    for (const x of ticks(this.shown.x, this.height)) {
+      context.fillRect(this.x0 - 4, this.top(x), 4, 1);
+      context.fillText(plain(x), this.x0 - 7, this.top(x) + 4);
+    }
+    context.textAlign = 'left';
+    context.fillText(`x  [${length}]`, this.x0 - LEFT + 2, this.y0 + 9);
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {{a: number, b: number}} semi-axes */
+  ellipse(context, { a, b }) {
+    const [across, up] = [this.left(b) - this.left(0), this.top(0) - this.top(a)];
+    context.save();
+    context.rect(this.x0, this.y0, this.width, this.height);
+    context.clip();
+    context.setLineDash([5, 4]);
+    context.beginPath();
+    context.ellipse(this.left(0), this.top(0), across, up, 0, 0, 2 * Math.PI);
+    context.stroke();
+    context.restore();
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {[number, number]} place of the cuts */
+  cross(context, [x, y]) {
+    context.save();
+    context.globalAlpha = 0.45;
+    context.beginPath();
+    context.rect(this.x0, this.y0, this.width, this.height);
+    context.clip();
+    context.fillRect(this.x0, this.top(x), this.width, 1);
+    context.fillRect(this.left(y), this.y0, 1, this.height);
+    context.restore();
   }
 }
-
-/** @param {Picture} picture @param {'pressure' | 'gap'} quantity */
-const bandsOf = ({ maps }, quantity) => bands(0, Math.max(...maps[quantity]));
 
 /** @param {import('../field/palette.js').Rgb} rgb */
 const css = (rgb) => `rgb(${rgb.map((c) => Math.round(255 * c)).join(' ')})`;
 
-/** @param {CanvasRenderingContext2D} context @param {Frame} frame @param {Picture} picture @param {'pressure' | 'gap'} quantity @param {Colours} colours */
-function paint(context, frame, { ellipse, maps, units }, quantity, colours) {
-  const { low, step, colours: shades } = bandsOf({ ellipse, maps, units }, quantity);
-  for (let top = 0; top < frame.height; top++)
-    for (let left = 0; left < frame.width; left++) {
-      const place = frame.place(LEFT + left + 0.5, TOP + top + 0.5);
-      const value = valueAt(maps, quantity, ...place);
-      if (!(value > 0) || (quantity === 'pressure' && !touches(maps, ...place))) continue;
-      context.fillStyle = css(shades[Math.min(shades.length - 1, Math.floor((value - low) / step))]);
-      context.fillRect(LEFT + left, TOP + top, 1, 1);
-    }
-  context.font = FONT;
-  context.strokeStyle = context.fillStyle = colours('--ink');
-  context.strokeRect(LEFT, TOP, frame.width, frame.height);
-  context.textAlign = 'center';
-  for (const y of ticks(frame.across, frame.width)) {
-    context.fillRect(frame.left(y), TOP + frame.height, 1, 4);
-    context.fillText(plain(y), frame.left(y), TOP + frame.height + 15);
-  }
-  const length = unit('length', units);
-  context.fillText(`y  [${length}]`, LEFT + 0.5 * frame.width, TOP + frame.height + 31);
-  context.textAlign = 'right';
-  for (const x of ticks(frame.up, frame.height)) {
-    context.fillRect(LEFT - 4, frame.top(x), 4, 1);
-    context.fillText(plain(x), LEFT - 7, frame.top(x) + 4);
-  }
-  context.textAlign = 'left';
-  context.fillText(`x  [${length}]`, 2, TOP + 9);
-  if (ellipse.hertz) {
-    const { a, b } = ellipse.hertz;
-    context.setLineDash([5, 4]);
-    context.beginPath();
-    context.ellipse(
-      frame.left(0),
-      frame.top(0),
-      (0.5 * frame.width * b) / frame.across,
-      (0.5 * frame.height * a) / frame.up,
-      0,
-      0,
-      2 * Math.PI,
-    );
-    context.stroke();
-    context.setLineDash([]);
-  }
-}
-
-/** Between the middles of four cells; none beyond them. @param {Maps} maps @param {'pressure' | 'gap'} quantity @param {number} x @param {number} y */
+/** Between the middles of four cells; none beyond them. @param {Picture['maps']} maps @param {Quantity} quantity @param {number} x @param {number} y */
 function valueAt(maps, quantity, x, y) {
   const [i, s] = cellOf(maps.x, x);
   const [j, t] = cellOf(maps.y, y);
-  const at = (/** @type {number} */ k, /** @type {number} */ l) => maps[quantity][k * maps.y.length + l];
+  const values = valuesOf(maps, quantity);
+  const at = (/** @type {number} */ k, /** @type {number} */ l) => values[k * maps.y.length + l];
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return NaN;
   return (1 - s) * ((1 - t) * at(i, j) + t * at(i, j + 1)) + s * ((1 - t) * at(i + 1, j) + t * at(i + 1, j + 1));
 }
@@ -271,9 +519,9 @@ function cellOf(cells, place) {
   return [cell, at - cell];
 }
 
-/** Round figures from one end to the other. @param {number} reach to each side @param {number} room [px] */
-function ticks(reach, room) {
-  const step = roundStep((2 * reach * TICKS) / room);
-  const most = Math.floor(reach / step);
-  return Array.from({ length: 2 * most + 1 }, (_, k) => (k - most) * step);
+/** Round figures from one end to the other. @param {number[]} ends @param {number} room [px] */
+function ticks([low, high], room) {
+  const step = roundStep(((high - low) * TICKS) / room);
+  const first = Math.ceil(low / step);
+  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, k) => (first + k) * step);
 }

@@ -64,6 +64,12 @@ export class Panel {
     return `${this.stem ? `${this.stem}-` : ''}${this.id}.${ending}`;
   }
 
+  /** @param {string} title */
+  rename(title) {
+    this.title = title;
+    /** @type {HTMLElement} */ (this.element.querySelector('h3')).textContent = title;
+  }
+
   /** @param {boolean} shown */
   show(shown) {
     this.element.hidden = !shown;

@@ -12,17 +12,19 @@ import {
   LOADS,
   OVER_DEPTH,
   SETTINGS,
-  SHAPES,
   SUPPORTS,
   TARGETS,
   THEORIES,
   hasInitialStress,
+  hasSurface,
   initialStressOf,
   lawOf,
   loadOf,
   overDepthOf,
+  shapeFields,
   shapeLabel,
   targetOf,
+  usualElements,
 } from '../setup/fields.js';
 import { picture } from '../setup/sketch.js';
 import { symbol } from '../setup/entry.js';
@@ -42,10 +44,10 @@ import { remarkOf } from './remarks.js';
  * @param {Shown[]} of.shown
  * @param {number} of.at step of the first
  * @param {SVGSVGElement[]} of.drawings
- * @param {HTMLCanvasElement | null} of.field
+ * @param {HTMLCanvasElement[]} of.fields pictures of maps and of the field
  * @param {SVGSVGElement | null} of.cutDrawing curve of the cut that is seen in the field
  */
-export function showSheet({ shown, at, drawings, field, cutDrawing }) {
+export function showSheet({ shown, at, drawings, fields, cutDrawing }) {
   const [{ id, job, report, label, removed }] = shown;
   const step = report.steps[at];
   const bodies = pairOf(job);
@@ -65,7 +67,7 @@ export function showSheet({ shown, at, drawings, field, cutDrawing }) {
   const ended = endedEarly(job, report);
   const sides = beside(shown, at);
   const others = shown.length > 1 ? sides.map(({ label }) => label) : [];
-  const pictures = [...drawings, field, cutDrawing].filter((one) => one !== null);
+  const pictures = [...drawings, ...fields, cutDrawing].filter((one) => one !== null);
   const remarks = h(
     'section',
     {},
@@ -242,17 +244,19 @@ function inputs(job) {
     const fields = new Map(bodies.flatMap((body) => pick(body).map((field) => [field.key, field])));
     return [...fields.values()].flatMap((field) => {
       const values = bodies.map((body) => pointer.get(place(body), `/${field.key}`) ?? undefined);
-      const of = field.columns
-        ? field.columns.map((one) => unit(one, units) || '1').join(', ')
-        : field.quantity && field.quantity !== 'load'
-          ? unit(field.quantity, units)
-          : '';
+      const of = field.unit
+        ? field.unit
+        : field.columns
+          ? field.columns.map((one) => unit(one, units) || '1').join(', ')
+          : field.quantity && field.quantity !== 'load'
+            ? unit(field.quantity, units)
+            : '';
       return values.every((value) => value === undefined) ? [] : [row(field.label, field.symbol ?? '', values, of)];
     });
   };
   const kind = loadOf(job.load);
   const load = kind === 'target' ? TARGETS[targetOf(job.load)] : LOADS[kind].field;
-  const elements = job.mesh?.elements_per_half_width ?? DEFAULTS['/mesh/elements_per_half_width'];
+  const elements = job.mesh?.elements_per_half_width ?? usualElements(job);
   const whole = (/** @type {any} */ name, /** @type {string} */ value, /** @type {string} */ of) =>
     h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, value), h('td', { class: 'unit' }, of));
   return h(
@@ -273,15 +277,24 @@ function inputs(job) {
         '',
       ),
       fieldsOf(
-        (body) => SHAPES[body?.shape?.type]?.fields ?? [],
+        (body) => shapeFields(body?.shape),
         (body) => body?.shape,
       ),
-      row(
-        'Support',
-        '',
-        bodies.map((body) => SUPPORTS[body?.support ?? 'clamped']?.toLowerCase()),
-        '',
-      ),
+      bodies.some(hasSurface) &&
+        row(
+          'Heights',
+          '',
+          bodies.map((body) => (hasSurface(body) ? heightsWords(body.surface) : undefined)),
+          unit('length', units),
+        ),
+      // A half-space has no far boundary.
+      job.analysis !== 'three_dimensional' &&
+        row(
+          'Support',
+          '',
+          bodies.map((body) => SUPPORTS[body?.support ?? 'clamped']?.toLowerCase()),
+          '',
+        ),
       row('Material', '', [materialName(job, 'upper'), materialName(job, 'lower')], ''),
       fieldsOf(
         (body) =>
@@ -322,6 +335,10 @@ function inputs(job) {
     ),
   );
 }
+
+/** @param {Record<string, any>} surface */
+const heightsWords = ({ heights, spacing_x, spacing_y, detrend }) =>
+  `${heights?.length} × ${heights?.[0]?.length}, ${writeValue(spacing_x)} × ${writeValue(spacing_y)} apart${detrend === 'plane' ? ', mean plane taken away' : ''}`;
 
 /** Every step in figures; beside the names of jobs there is no room to say of each that it converged. @param {Shown[]} shown */
 function tableOf(shown) {

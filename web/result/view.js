@@ -3,6 +3,7 @@
 import { byId, h } from '../lib/dom.js';
 import { paper } from '../lib/theme.js';
 import { setOf, unit, unitsOf } from '../lib/units.js';
+import { LayerSource, reportOf } from '../field/layers.js';
 import { FieldPanel } from '../field/panel.js';
 import { ConvergencePanel } from './convergence.js';
 import { inUnits } from './converted.js';
@@ -15,7 +16,9 @@ import { showHeadline } from './headline.js';
 import { HistoryPanel } from './history.js';
 import { loadWords } from './loads.js';
 import { MapPanel } from './map.js';
+import { segments } from './panel.js';
 import { PressurePanel } from './pressure.js';
+import { SpreadPanel } from './spread.js';
 import { close, showSheet } from './sheet.js';
 import { Steps } from './steps.js';
 import { SweepPanel } from './sweep.js';
@@ -31,12 +34,19 @@ export class View {
   #at = 0;
   /** Whether the field has not shown this job. */
   #anew = false;
+  /** Along which a section of half-spaces lies. @type {'x' | 'y'} */
+  #axis = 'x';
 
   /** @param {{fieldsWanted: () => void, stepped: (step: number) => void}} on */
   constructor(on) {
     this.on = on;
     this.pressure = new PressurePanel();
-    this.field = new FieldPanel(on.fieldsWanted);
+    this.plane = segments('Section of the field', { x: 'y = 0', y: 'x = 0' }, (axis) => {
+      this.#axis = /** @type {'x' | 'y'} */ (axis);
+      this.#showField(true);
+    });
+    this.field = new FieldPanel(on.fieldsWanted, [this.plane]);
+    this.spread = new SpreadPanel();
     this.map = new MapPanel(on.fieldsWanted);
     this.depth = new DepthPanel();
     this.convergence = new ConvergencePanel();
@@ -60,8 +70,8 @@ export class View {
       );
     byId('panels').replaceChildren(
       this.tools,
-      column(this.pressure, this.dent, this.depth, this.sweep),
-      column(this.field, this.map, this.convergence),
+      column(this.pressure, this.spread, this.dent, this.depth, this.sweep),
+      column(this.map, this.field, this.convergence),
       this.figures.panel.element,
       this.differences.panel.element,
       this.history.panel.element,
@@ -85,6 +95,7 @@ export class View {
       this.sweep,
       this.dent,
       this.pressure,
+      this.spread,
       this.map,
       this.depth,
       this.convergence,
@@ -115,13 +126,15 @@ export class View {
   /** @param {Shown[]} shown the first is the one in figures */
   show(shown) {
     const anew = shown[0]?.id !== this.#given[0]?.id;
+    if (this.#given[0]?.fields !== shown[0]?.fields) this.#given[0]?.fields?.close();
     this.#given = shown;
     if (shown.length === 0) return;
     const last = shown[0].report.steps.length - 1;
     this.#at = anew ? last : Math.min(this.#at, last);
     this.#anew ||= anew;
     // A part of a chart that was dragged up is a part of that job's.
-    if (anew) for (const { chart } of [this.pressure, this.depth, this.sweep, this.dent]) chart.whole();
+    if (anew)
+      for (const { chart } of [this.pressure, this.spread, this.map, this.depth, this.sweep, this.dent]) chart.whole();
     this.#again();
   }
 
@@ -153,10 +166,10 @@ export class View {
     showSheet({
       shown: this.#shown,
       at: this.#at,
-      drawings: [this.pressure, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
+      drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
-      field: this.map.onPaper() ?? this.field.canvas(undefined, paper),
+      fields: [...this.map.allOnPaper(), this.field.canvas(undefined, paper)].filter((one) => one !== null),
       cutDrawing: this.field.cutDrawing(),
     });
   }
@@ -182,13 +195,14 @@ export class View {
 
   #showStep() {
     const shown = this.#shown;
-    const [{ id, job, report, raw, label, fields }] = shown;
+    const [{ id, job, report, raw, label }] = shown;
     const step = report.steps[this.#at];
     const many = report.steps.length;
     const load = loadWords(report, this.#at);
     const stem = (id.slice(-8) || 'live') + otherUnits(raw?.units ?? report.units, report.units);
     for (const { panel } of [
       this.pressure,
+      this.spread,
       this.map,
       this.dent,
       this.depth,
@@ -200,7 +214,7 @@ export class View {
       panel.stem = many > 1 ? `${stem}-step-${this.#at + 1}` : stem;
     }
     // Curves of several jobs have the step of each in the legend.
-    if (shown.length > 1) for (const { panel } of [this.pressure, this.depth]) panel.of = '';
+    if (shown.length > 1) for (const { panel } of [this.pressure, this.spread, this.depth]) panel.of = '';
     // So have those of sweeps, among which the first job need not be.
     this.sweep.panel.of = shown.length > 1 ? '' : label;
     for (const { panel } of [this.sweep, this.figures, this.differences]) panel.stem = stem;
@@ -208,6 +222,7 @@ export class View {
     showHeadline(shown[0], this.#at);
     this.sweep.show(shown, this.#at);
     this.pressure.show(shown, this.#at);
+    this.spread.show(shown, this.#at);
     this.map.show(shown, this.#at);
     this.dent.show(shown, this.#at);
     this.depth.show(shown, this.#at);
@@ -215,10 +230,24 @@ export class View {
     this.differences.show(shown);
     this.convergence.show(step.history, report.units, Number(job.solver?.tolerance ?? 1e-6));
     this.history.show(step.history, report.units);
-    // Half-spaces have no mesh.
-    if (step.three_dimensional) this.field.clear();
-    else if (raw) this.field.show({ job, report: raw, at: this.#at, units: setOf(report.units) }, this.#anew, fields);
+    this.#showField(this.#anew);
     this.#anew = false;
+  }
+
+  /** @param {boolean} anew whether the whole contact is to be seen */
+  #showField(anew) {
+    const [{ job, report, raw, fields }] = this.#shown;
+    const solid = report.analysis === 'three_dimensional';
+    this.plane.hidden = !solid;
+    if (!raw) return;
+    const asked = { job, at: this.#at, units: setOf(report.units) };
+    if (!solid) this.field.show({ ...asked, report: raw }, anew, /** @type {any} */ (fields));
+    // The map offers to solve again with both.
+    else if (!job.output?.fields) this.field.clear();
+    else {
+      const source = fields instanceof LayerSource ? fields.planes[this.#axis] : undefined;
+      this.field.show({ ...asked, report: reportOf(raw, this.#axis) }, anew, source);
+    }
   }
 }
 

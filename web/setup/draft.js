@@ -11,6 +11,7 @@ import {
   LOADS,
   OVER_DEPTH,
   SHAPES,
+  SURFACE,
   TARGETS,
   lawOf,
   loadOf,
@@ -25,6 +26,8 @@ import {
 
 /** Most states that can be gone back to. */
 const UNDOABLE = 200;
+/** Most letters of all of them: grids of heights are long. */
+const KEPT = 2e7;
 
 /** Tells of every change by an event `change`, whose detail is who made it. */
 export class Draft extends EventTarget {
@@ -90,7 +93,8 @@ export class Draft extends EventTarget {
     const empty = Object.keys(this.job).length === 0;
     if (!empty && (place === '' || place !== this.#place)) {
       this.#past.push(JSON.stringify(this.job));
-      if (this.#past.length > UNDOABLE) this.#past.shift();
+      const letters = () => this.#past.reduce((sum, text) => sum + text.length, 0);
+      while (this.#past.length > UNDOABLE || (this.#past.length > 1 && letters() > KEPT)) this.#past.shift();
     }
     this.#future.length = 0;
     this.#place = place;
@@ -134,8 +138,9 @@ export function jobFor(given, analysis) {
   for (const body of /** @type {const} */ (['upper', 'lower'])) {
     const shape = given[body]?.shape;
     if (isObject(shape)) job[body] = { ...given[body], shape: shapeFor(shape, analysis, units) };
-    // A half-space has no far boundary.
-    if (analysis === 'three_dimensional') delete job[body]?.support;
+    else if (isObject(given[body])) job[body] = { ...given[body] };
+    // A half-space has no far boundary, and what has one no measured heights.
+    if (job[body]) delete job[body][analysis === 'three_dimensional' ? 'support' : 'surface'];
   }
   return job;
 }
@@ -146,6 +151,11 @@ function convertAll(job, from, to) {
     const value = pointer.get(job, place);
     if (typeof value === 'number') pointer.set(job, place, convert(value, quantity, from, to));
   }
+  for (const body of [job.upper, job.lower])
+    if (Array.isArray(body?.surface?.heights))
+      body.surface.heights = body.surface.heights.map((/** @type {unknown} */ row) =>
+        Array.isArray(row) ? row.map((one) => (typeof one === 'number' ? convert(one, 'length', from, to) : one)) : row,
+      );
 }
 
 /** @param {Record<string, any>} material @param {Units} from @param {Units} to @returns {Record<string, any>} the same in other units */
@@ -165,6 +175,7 @@ function* dimensional(job) {
     const shape = pointer.get(job, `${body}/shape`);
     const material = pointer.get(job, `${body}/material`);
     yield* within(job, `${body}/shape`, SHAPES[shape?.type]?.fields ?? []);
+    yield* within(job, body, SURFACE.slice(1));
     yield* within(job, `${body}/material`, [...ELASTIC, INITIAL_STRESS]);
     yield* within(job, `${body}/material/plasticity`, LAWS[lawOf(material)]?.fields ?? []);
     yield* within(job, `${body}/material/plasticity`, OVER_DEPTH[overDepthOf(material)]?.fields ?? []);

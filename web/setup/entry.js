@@ -4,6 +4,7 @@ import { h } from '../lib/dom.js';
 import { readQuantity } from '../lib/number.js';
 import { isObject } from '../lib/kept.js';
 import { same } from '../lib/pointer.js';
+import { heightsControl } from './heights.js';
 import { help } from './help.js';
 import { historyControl } from './history.js';
 import { listControl } from './list.js';
@@ -101,7 +102,7 @@ export function entry(field, change, surroundings) {
   return {
     element: h(
       'div',
-      { class: `entry ${field.kind === 'terms' ? 'points' : (field.kind ?? 'number')}` },
+      { class: `entry ${field.kind === 'terms' || field.kind === 'heights' ? 'points' : (field.kind ?? 'number')}` },
       h('span', { class: 'name' }, label, explanation),
       h('div', { class: 'value' }, input, unit, slides?.button),
       slides?.element,
@@ -146,6 +147,8 @@ function control(field, id, change, surroundings) {
       return flagControl(id);
     case 'points':
       return pointsControl(field, id, change, surroundings);
+    case 'heights':
+      return heightsControl(id, change, surroundings);
     case 'terms':
       return termsControl(field, id, change, surroundings);
     case 'tags': {
@@ -173,7 +176,12 @@ const text = (input, read, write) => ({
 /** @param {Field} field @param {string} id @returns {Control} */
 function choiceControl(field, id) {
   const options = Object.entries(field.choices ?? {}).map(([value, label]) => h('option', { value }, label));
-  const input = h('select', { id }, field.optional ? h('option', { value: '' }, 'automatic') : null, options);
+  const input = h(
+    'select',
+    { id },
+    field.optional ? h('option', { value: '' }, field.none ?? 'automatic') : null,
+    options,
+  );
   return {
     input,
     read: () => input.value || undefined,

@@ -1,5 +1,7 @@
 /** Set-ups to begin with: those of the service under names that say what they are, and some more of the page's own. */
 
+import { typicalSurface } from './fields.js';
+
 /** @typedef {import('../types.js').Job} Job */
 /** @typedef {{title: string, job: Job}} Example */
 
@@ -28,6 +30,15 @@ const steel = (strength) => ({
 
 /** @type {Example[]} */
 const OWN = [
+  {
+    title: 'Rough patch pressed flat, in three dimensions',
+    job: {
+      analysis: 'three_dimensional',
+      upper: { shape: { type: 'flat' }, material: HARD, surface: typicalSurface('mm_N_MPa') },
+      lower: { shape: { type: 'flat' }, material: steel(750) },
+      load: { force: 2 },
+    },
+  },
   {
     title: 'Bearing ball pressed into a steel plate, ten loads',
     job: {

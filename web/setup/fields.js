@@ -13,7 +13,7 @@ import * as tables from './tables.js';
  * @property {string} label
  * @property {string} [symbol]
  * @property {Quantity | 'load'} [quantity] `load`: a force, in the unit of the analysis
- * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags'} [kind] `number` unless said otherwise
+ * @property {'number' | 'list' | 'history' | 'points' | 'terms' | 'choice' | 'flag' | 'tags' | 'heights'} [kind] `number` unless said otherwise
  * @property {Record<string, string>} [choices] value: label
  * @property {string} [hint]
  * @property {string} [help] key of its explanation, where it is not its own
@@ -22,6 +22,8 @@ import * as tables from './tables.js';
  * @property {[number, number]} [bounds] between which a slider moves
  * @property {string} [description]
  * @property {number | [number, number][]} [example] typical, in mm, N, MPa
+ * @property {string} [unit] of figures that have the same in every system
+ * @property {string} [none] what a choice that is not made is called
  * @property {boolean} [optional] a choice that is not made is the service's, where {@link DEFAULTS} does not say which
  */
 /** @typedef {{label: string, description?: string, fields: Field[]}} Kind */
@@ -30,6 +32,48 @@ import * as tables from './tables.js';
 export const SHAPES = mapValues(tables.SHAPES, withHints);
 // What is said of the width of a block is not so of a plate that is held all round.
 for (const field of SHAPES.hole.fields) if (field.key === 'width') field.help = 'plate_width';
+
+/** @type {Record<string, string | undefined>} */
+const ANGLES = named({ rotation: '°', angle: '°', tilt: 'mrad' });
+for (const { fields } of Object.values(SHAPES)) for (const field of fields) field.unit = ANGLES[field.key];
+
+/** Profiles of rollers by their names, and the field that each of them alone has. */
+const PROFILES = {
+  crowned: 'Crowned by an arc',
+  logarithmic: 'Logarithmic (Lundberg)',
+  iso_16281: 'ISO 16281',
+  points: 'Points',
+};
+/** @type {Record<string, string | undefined>} */
+const OF_PROFILE = named({ crown_radius: 'crowned', design_force: 'logarithmic', points: 'points' });
+for (const field of SHAPES.roller.fields)
+  if (field.key === 'profile') Object.assign(field, { choices: PROFILES, none: 'Straight, sharp ends' });
+
+/** @param {Record<string, any> | undefined} shape @returns {Field[]} those that a shape of this kind and profile has */
+export const shapeFields = (shape) =>
+  (SHAPES[shape?.type]?.fields ?? []).filter(
+    ({ key }) => shape?.type !== 'roller' || (OF_PROFILE[key] ?? shape.profile) === shape.profile,
+  );
+
+/** Heights that stand on a body. @type {Field[]} */
+export const SURFACE = [
+  {
+    key: 'surface/heights',
+    label: 'Heights',
+    symbol: 'h',
+    quantity: 'length',
+    kind: 'heights',
+    hint: 'A line for each x, its heights along y; paste a grid, or open text or a NumPy file.',
+  },
+  { key: 'surface/spacing_x', label: 'Spacing along x', symbol: 'Δx', quantity: 'length' },
+  { key: 'surface/spacing_y', label: 'Spacing along y', symbol: 'Δy', quantity: 'length' },
+  {
+    key: 'surface/detrend',
+    label: 'Trend',
+    kind: 'choice',
+    choices: { none: 'Heights as they are', plane: 'Mean plane taken away' },
+  },
+];
 
 /** Shapes that have another name when they are turned about the axis. @type {Record<string, string | undefined>} */
 const TURNED = named({ cylinder: 'Sphere', hole: 'Socket' });
@@ -271,6 +315,7 @@ export const allFields = () => [
   ...ELASTIC,
   BACKSTRESS,
   INITIAL_STRESS,
+  ...SURFACE,
   ...SETTINGS,
   ...Object.values(LOADS).flatMap(({ field }) => field ?? []),
   ...Object.values(TARGETS),
@@ -283,6 +328,8 @@ export const DEFAULTS = {
   '/lower/support': 'clamped',
   '/upper/material/plasticity/over_depth/hardness/curve': 'error_function',
   '/lower/material/plasticity/over_depth/hardness/curve': 'error_function',
+  '/upper/surface/detrend': 'none',
+  '/lower/surface/detrend': 'none',
   '/mesh/elements_per_half_width': 20,
   '/solver/theory': 'deformation',
   '/solver/coupling': 'accelerated',
@@ -293,6 +340,10 @@ export const DEFAULTS = {
   '/output/fields': false,
   '/output/contact_stiffness': false,
 };
+
+/** Elements over each half-width where a job says nothing. @param {import('../types.js').Job} job */
+export const usualElements = ({ analysis }) =>
+  analysis === 'three_dimensional' ? 10 : DEFAULTS['/mesh/elements_per_half_width'];
 
 /** Examples of the tables are about as large as a cylinder of this radius [mm]. */
 const TYPICAL_RADIUS = 20;
@@ -324,6 +375,54 @@ export function shapeLike(type, old, units) {
   const at = (/** @type {number} */ t) => [t, (-t * t) / 2].map((one) => round(one * TYPICAL_RADIUS * scale) || 0);
   return { ...shape, points: [-1, -0.5, -0.2, 0, 0.2, 0.5, 1].map(at), interpolation: 'smooth' };
 }
+
+/**
+ * What a profile of a roller is given by, about as large as such profiles are.
+ * @param {string} profile
+ * @param {Record<string, any>} roller
+ * @param {import('../types.js').Job} job
+ * @returns {Record<string, unknown>}
+ */
+export function profileLike(profile, { length: given }, job) {
+  const length = numberOf(given) || convert(10, 'length', 'mm_N_MPa', unitsOf(job));
+  const round = (/** @type {number} */ value) => Number(value.toPrecision(6));
+  if (profile === 'crowned') return { crown_radius: round(200 * length) };
+  if (profile === 'logarithmic') {
+    const force = numberOf(job.load?.force);
+    return { design_force: force > 0 ? force : convert(5000, 'force', 'mm_N_MPa', unitsOf(job)) };
+  }
+  const at = [-0.5, -0.35, 0.35, 0.5].map((y, k) => [round(y * length), k % 3 ? 0 : round(-0.001 * length)]);
+  return profile === 'points' ? { points: at } : {};
+}
+
+/**
+ * A rough patch of 32 × 32 heights for a body: waves of several lengths on a cap, the same every time.
+ * @param {import('../lib/units.js').Units} units
+ * @returns {{heights: number[][], spacing_x: number, spacing_y: number, detrend: string}}
+ */
+export function typicalSurface(units) {
+  const length = (/** @type {number} */ value) => convert(value, 'length', 'mm_N_MPa', units);
+  const many = 32;
+  const waves = Array.from({ length: 24 }, (_, k) => {
+    const [angle, turns] = [2.4 * k, 1 + 0.3 * k];
+    return { x: turns * Math.cos(angle), y: turns * Math.sin(angle), phase: 5.1 * k * k, size: turns ** -1.8 };
+  });
+  const height = (/** @type {number} */ i, /** @type {number} */ j) => {
+    const sum = waves.reduce(
+      (all, { x, y, phase, size }) => all + size * Math.cos((2 * Math.PI * (i * x + j * y)) / many + phase),
+      0,
+    );
+    // Lower towards the rim, beyond which nothing touches.
+    return sum - 3 * ((2 * i) / (many - 1) - 1) ** 2 - 3 * ((2 * j) / (many - 1) - 1) ** 2;
+  };
+  const heights = Array.from({ length: many }, (_, i) =>
+    Array.from({ length: many }, (_, j) => Number(length(1.5e-4 * height(i, j)).toPrecision(4))),
+  );
+  return { heights, spacing_x: length(0.004), spacing_y: length(0.004), detrend: 'plane' };
+}
+
+/** @param {Record<string, any> | undefined} body @returns {boolean} whether heights stand on it */
+export const hasSurface = (body) => body?.surface !== undefined && body.surface !== null;
 
 /** Young’s modulus of steel. @param {import('../lib/units.js').Units} units */
 export const typicalModulus = (units) => convert(STEEL, 'stress', 'mm_N_MPa', units);
@@ -389,7 +488,15 @@ export function typicalOverDepth(kind, units) {
 
 /** Its directions have other names in axisymmetry. @param {unknown} analysis @returns {Field} */
 export const initialStressOf = (analysis) =>
-  analysis === 'axisymmetric' ? { ...INITIAL_STRESS, symbol: 'z, σ_r, σ_θ' } : INITIAL_STRESS;
+  analysis === 'axisymmetric'
+    ? { ...INITIAL_STRESS, symbol: 'z, σ_r, σ_θ' }
+    : analysis === 'three_dimensional'
+      ? {
+          ...INITIAL_STRESS,
+          symbol: 'z, σ_x, σ_y',
+          hint: 'Depth, stress along x and along y, a line each; tension positive.',
+        }
+      : INITIAL_STRESS;
 
 /** @param {Record<string, any> | undefined} material @returns {boolean} */
 export const hasInitialStress = (material) =>

@@ -15,25 +15,28 @@ import {
   OVER_DEPTH,
   LOADS,
   SETTINGS,
-  SHAPES,
   SUPPORTS,
+  SURFACE,
   TARGETS,
   THEORIES,
   UNIT_SYSTEMS,
   ANALYSES,
   hasInitialStress,
+  hasSurface,
   initialStressOf,
   lawOf,
   loadOf,
   overDepthOf,
+  shapeFields,
   shapesFor,
   targetOf,
+  usualElements,
 } from './fields.js';
 import { Kinds, hasTerms } from './kinds.js';
 import { onMaterials } from './library.js';
 import { MaterialChoice } from './material-choice.js';
 import { inWords } from './words.js';
-import { curvePreview, initialStressPreview, profilePreview } from './preview.js';
+import { curvePreview, heightsPreview, initialStressPreview, profilePreview, rollerPreview } from './preview.js';
 
 /** @typedef {import('./fields.js').Field} Field */
 /** @typedef {import('../api/client.js').FieldError} FieldError */
@@ -150,6 +153,10 @@ export class Form {
       targetOf(job.load),
       job.upper?.shape?.type,
       job.lower?.shape?.type,
+      job.upper?.shape?.profile,
+      job.lower?.shape?.profile,
+      hasSurface(job.upper),
+      hasSurface(job.lower),
       job.analysis === 'axisymmetric',
       job.analysis === 'three_dimensional',
     ]);
@@ -157,9 +164,10 @@ export class Form {
     this.#shape = shape;
     const units = unitsOf(job);
     for (const [place, { entry, field }] of this.#fields) {
-      entry.show(valueIn(job, place), /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
+      const usual = place === '/mesh/elements_per_half_width' ? usualElements(job) : undefined;
+      entry.show(valueIn(job, place), usual ?? /** @type {Record<string, unknown>} */ (DEFAULTS)[place]);
       const quantity = field.quantity === 'load' ? forceOf(job) : field.quantity;
-      if (quantity) entry.setUnit(unit(quantity, units));
+      if (quantity) entry.setUnit(field.unit ?? unit(quantity, units));
       if (field.columns) entry.setUnit(field.columns.map((one) => unit(one, units) || '1').join(', '));
     }
     const alike = pointer.same(job.upper, job.lower);
@@ -180,7 +188,11 @@ export class Form {
   #showPreview(body) {
     const { job } = this.draft;
     const { shape, curve, stress } = this.previews[body];
-    shape.replaceChildren(...profilePreview(job[body]?.shape, unitsOf(job)));
+    shape.replaceChildren(
+      ...profilePreview(job[body]?.shape, unitsOf(job)),
+      ...rollerPreview(job, body),
+      ...heightsPreview(job[body]?.surface, unitsOf(job)),
+    );
     stress.replaceChildren(...initialStressPreview(job[body]?.material, unitsOf(job), job.analysis === 'axisymmetric'));
     curve.replaceChildren(...curvePreview(job[body]?.material, unitsOf(job)));
   }
@@ -198,9 +210,17 @@ export class Form {
       const { fields, more, rare } = this.parts[body];
       arrange(fields, this.#body(body));
       arrange(rare, this.#rare(body));
-      const law = lawOf(this.draft.job[body]?.material);
-      const words = ['Support', LAWS[law]?.fields.length && 'strength over depth', law !== 'rigid' && 'initial stress'];
-      /** @type {HTMLElement} */ (more.firstChild).textContent = words.filter(Boolean).join(', ');
+      const { job } = this.draft;
+      const law = lawOf(job[body]?.material);
+      const words = [
+        job.analysis !== 'three_dimensional' && 'support',
+        LAWS[law]?.fields.length && 'strength over depth',
+        law !== 'rigid' && 'initial stress',
+      ].filter(Boolean);
+      more.hidden = words.length === 0;
+      /** @type {HTMLElement} */ (more.firstChild).textContent = words
+        .join(', ')
+        .replace(/^./, (letter) => letter.toUpperCase());
     }
     arrange(this.parts.load, this.#load());
     arrange(
@@ -253,7 +273,14 @@ export class Form {
       this.#choice(`${at}/shape/type`, 'Shape', shapesFor(job.analysis, shape?.type), (type) =>
         this.kinds.useShape(body, String(type)),
       ),
-      ...(SHAPES[shape?.type]?.fields ?? []).map((field) => this.#field(`${at}/shape`, field)),
+      ...shapeFields(shape).map((field) =>
+        field.key === 'profile'
+          ? this.#place(`${at}/shape/profile`, field, (profile) =>
+              this.kinds.useProfile(body, profile ? String(profile) : undefined),
+            )
+          : this.#field(`${at}/shape`, field),
+      ),
+      ...this.#surface(body),
       ofShape,
       ...this.materials[body].elements,
       ...(law === 'rigid' ? [] : ELASTIC.map((field) => this.#field(`${at}/material`, field))),
@@ -261,6 +288,18 @@ export class Form {
       ...(LAWS[law]?.fields.map((field) => this.#field(`${at}/material/plasticity`, field)) ?? []),
       ...(hasBackstress(job, body) ? [this.#field(`${at}/material/plasticity`, BACKSTRESS)] : []),
       curve,
+    ];
+  }
+
+  /** @param {Body} body */
+  #surface(body) {
+    const { analysis, [body]: of } = this.draft.job;
+    if (analysis !== 'three_dimensional' || of?.shape?.type === 'roller') return [];
+    return [
+      this.#choice(`/${body}/surface_kind`, 'Surface', { none: 'Smooth', given: 'Heights' }, (kind) =>
+        this.kinds.useSurface(body, kind === 'given'),
+      ),
+      ...(hasSurface(of) ? SURFACE.map((field) => this.#field(`/${body}`, field)) : []),
     ];
   }
 
@@ -413,6 +452,7 @@ function valueIn(job, place) {
   const within = (/** @type {string} */ end) => pointer.get(job, place.slice(0, -end.length));
   if (place.endsWith('/plasticity/depth_kind')) return overDepthOf(within('/plasticity/depth_kind'));
   if (place.endsWith('/stress_kind')) return hasInitialStress(within('/stress_kind')) ? 'given' : 'none';
+  if (place.endsWith('/surface_kind')) return hasSurface(within('/surface_kind')) ? 'given' : 'none';
   if (place.endsWith('/law')) return lawOf(within('/law'));
   if (place === '/load/kind') return loadOf(job.load);
   if (place === '/load/target_kind') return targetOf(job.load);
@@ -435,6 +475,6 @@ function inner(place, { pointer, detail: reported }) {
     .filter((key) => /^\d+$/.test(key))
     .map((key) => Number(key) + 1);
   return part.length
-    ? `${/(points|profile|over_depth|backstress|initial_stress)$/.test(place) ? 'line' : place === '/load/history' ? 'load' : 'number'} ${part[0]}: ${detail}`
+    ? `${/(points|profile|over_depth|backstress|initial_stress|heights)$/.test(place) ? 'line' : place === '/load/history' ? 'load' : 'number'} ${part[0]}: ${detail}`
     : detail;
 }

@@ -17,11 +17,13 @@ import {
   loadOf,
   overDepthOf,
   plasticityLike,
+  profileLike,
   shapeLike,
   targetOf,
   typicalInitialStress,
   typicalModulus,
   typicalOverDepth,
+  typicalSurface,
 } from './fields.js';
 
 /** @typedef {import('../types.js').Job} Job */
@@ -89,7 +91,34 @@ export class Kinds {
       pointer.set(job, `/${body}/material`, this.#materialOf(body, lent));
       this.#stiffened.delete(body);
     }
+    // Heights do not stand on a roller.
+    if (type === 'roller') delete job[body].surface;
     this.draft.set(`/${body}`, job[body], this.source);
+  }
+
+  /** Another profile of a roller, with what it is given by and without what the others are. @param {Body} body @param {string} [profile] */
+  useProfile(body, profile) {
+    const at = `/${body}/shape`;
+    const { job } = this.draft;
+    const old = job[body].shape;
+    this.#keep(at, `roller ${old.profile}`);
+    const { crown_radius: _, design_force: __, points: ___, profile: ____, ...own } = old;
+    const before = profile && this.#before(at, `roller ${profile}`);
+    const given = Object.fromEntries(
+      Object.keys(profile ? profileLike(profile, old, job) : {}).flatMap((key) =>
+        before?.[key] === undefined ? [] : [[key, before[key]]],
+      ),
+    );
+    const shape = profile ? { ...own, profile, ...profileLike(profile, old, job), ...given } : own;
+    this.draft.set(at, shape, this.source);
+  }
+
+  /** @param {Body} body @param {boolean} given whether heights stand on it */
+  useSurface(body, given) {
+    const at = `/${body}/surface`;
+    const { job } = this.draft;
+    if (!given) this.#keep(at, 'given');
+    this.draft.set(at, given ? (this.#before(at, 'given') ?? typicalSurface(unitsOf(job))) : undefined, this.source);
   }
 
   /** @param {Body} body @param {string} law */

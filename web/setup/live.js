@@ -6,9 +6,10 @@
 import { Problem } from '../api/client.js';
 import { solveNow } from '../api/result.js';
 import { numberOf } from '../lib/number.js';
+import { usualElements } from './fields.js';
 
-/** Elements per half-width while the slider moves. */
-export const COARSE = 10;
+/** Elements per half-width while the slider moves; cells of half-spaces are more for the same number. @param {Job} job */
+export const coarse = ({ analysis }) => (analysis === 'three_dimensional' ? 4 : 10);
 /** Time [ms] after which a job that has been overtaken is given up. */
 const SLOW = 400;
 
@@ -29,9 +30,9 @@ export class Live {
   /** @param {Job} job @param {boolean} moving whether more is to come */
   ask(job, moving) {
     const copy = structuredClone(job);
-    const elements = numberOf(job.mesh?.elements_per_half_width ?? 20);
-    const solved =
-      moving && elements > COARSE ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: COARSE } } : copy;
+    const elements = numberOf(job.mesh?.elements_per_half_width ?? usualElements(job));
+    const few = coarse(job);
+    const solved = moving && elements > few ? { ...copy, mesh: { ...copy.mesh, elements_per_half_width: few } } : copy;
     this.#next = { job: copy, solved, moving };
     if (!this.#running) this.#run();
     else if (performance.now() - this.#running.since > SLOW) this.#running.controller.abort();

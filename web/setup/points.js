@@ -133,14 +133,15 @@ export function termsControl(field, id, change, surroundings) {
   };
 }
 
-/** @param {(file: File | undefined) => void} open */
-function fileButton(open) {
-  const chooser = h('input', { type: 'file', accept: '.csv,.tsv,.txt,.dat,text/plain,text/csv', hidden: true });
+/** @param {(file: File | undefined) => void} open @param {string} [words] @param {string} [more] kinds of files beside tables */
+export function fileButton(open, words = 'Open CSV…', more = '') {
+  const accept = `.csv,.tsv,.txt,.dat,text/plain,text/csv${more}`;
+  const chooser = h('input', { type: 'file', accept, hidden: true });
   chooser.addEventListener('change', () => {
     open(chooser.files?.[0]);
     chooser.value = '';
   });
-  return [chooser, h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, 'Open CSV…')];
+  return [chooser, h('button', { type: 'button', class: 'plain', onclick: () => chooser.click() }, words)];
 }
 
 /** @typedef {[number, number]} Pair */
@@ -179,18 +180,15 @@ function centred(points) {
 /** Units of the heights of traces. */
 const HEIGHTS = ['mm', 'µm', 'nm', 'm', 'in'];
 
-/** Heights that are written in another unit than those of the job. @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
-function heightUnit(convert, units) {
+/** Heights that are written in another unit than those of the job. @param {(name: string) => void} convert from the unit of this name */
+export function heightUnit(convert) {
   const choice = h(
     'select',
     {
       onchange: () => {
         const name = choice.value;
         choice.value = '';
-        convert((points) => ({
-          points: points.map(([x, height]) => [x, inJobUnits(height, name, 'length', units()) ?? height]),
-          note: `heights converted from ${name}`,
-        }));
+        convert(name);
       },
     },
     h('option', { value: '' }, 'unit…'),
@@ -206,7 +204,12 @@ function heightUnit(convert, units) {
 
 /** @param {Convert} convert @param {() => import('../lib/units.js').Units} units */
 const heights = (convert, units) => [
-  heightUnit(convert, units),
+  heightUnit((name) =>
+    convert((points) => ({
+      points: points.map(([x, height]) => [x, inJobUnits(height, name, 'length', units()) ?? height]),
+      note: `heights converted from ${name}`,
+    })),
+  ),
   button('Sort by x', 'For traces whose x falls or jumps', () => convert(sorted)),
   button('Top to 0', 'Moves the highest point to x = 0 and height 0', () => convert(centred)),
   button('Flip heights', 'For depths measured into the body: heights count outward', () =>

@@ -2,9 +2,11 @@
 
 import { h, svg } from '../lib/dom.js';
 import { numberOf } from '../lib/number.js';
-import { plain, unit } from '../lib/units.js';
+import { plain, unit, unitsOf } from '../lib/units.js';
+import { bandsWithin } from '../field/palette.js';
 import { curve } from './hardening.js';
 import { outline } from './outline.js';
+import { fallOf } from './sections.js';
 
 /** @typedef {import('../lib/units.js').Units} Units */
 /** @typedef {[number, number]} Point */
@@ -33,6 +35,75 @@ export function profilePreview(shape, units) {
         'figcaption',
         {},
         `height over x [${length}]${times > 1.05 ? `, heights ×${plain(Number(times.toPrecision(2)))}` : ''}`,
+      ),
+    ),
+  ];
+}
+
+/** How the surface of a roller falls along its axis. @param {import('../types.js').Job} job @param {'upper' | 'lower'} body */
+export function rollerPreview(job, body) {
+  const fall = fallOf(job, body);
+  if (!fall) return [];
+  const { shape } = job[body];
+  const length = numberOf(shape.length);
+  const tilt = numberOf(shape.tilt ?? 0) / 1000 || 0;
+  // Logarithms fall without end at the very ends.
+  const points = Array.from({ length: 101 }, (_, k) => {
+    const y = 0.4995 * length * Math.sin(Math.PI * (k / 100 - 0.5));
+    return /** @type {Point} */ ([y, 1000 * (tilt * y - fall(y))]);
+  });
+  const straight = /** @type {Point[]} */ (tilt ? points.map(([y]) => [y, 1000 * tilt * y]) : undefined);
+  const heights = [...points, ...(straight ?? [])].map(([, height]) => height);
+  const small = unitsOf(job) === 'SI' ? 'mm' : 'µm';
+  return [
+    h(
+      'figure',
+      { class: 'preview' },
+      drawing(points, [-length / 2, length / 2], range(heights), 'Profile of the roller', 'filled', straight),
+      h(
+        'figcaption',
+        {},
+        `height [${small}] over y [${unit('length', unitsOf(job))}]${straight ? '; dashed: axis' : ''}`,
+      ),
+    ),
+  ];
+}
+
+/** @param {Record<string, any> | undefined} surface @param {Units} units a picture of its heights, light where they are high */
+export function heightsPreview(surface, units) {
+  const rows = surface?.heights;
+  if (!Array.isArray(rows) || !Array.isArray(rows[0])) return [];
+  let [low, high] = [Infinity, -Infinity];
+  for (const row of rows) for (const one of row) [low, high] = [Math.min(low, one), Math.max(high, one)];
+  if (!Number.isFinite(high - low)) return [];
+  const [width, height] = [rows[0].length, rows.length];
+  const canvas = h('canvas', { width, height, role: 'img', 'aria-label': `Heights, ${height} × ${width}` });
+  const context = canvas.getContext('2d');
+  if (!context) return [];
+  const image = context.createImageData(width, height);
+  const { colours } = bandsWithin(0, high - low);
+  rows.forEach((row, i) =>
+    row.forEach((/** @type {number} */ one, /** @type {number} */ j) => {
+      const band = Math.floor(((one - low) / (high - low || 1)) * colours.length);
+      const rgb = colours[Math.min(colours.length - 1, band)];
+      // x points up, as on the map of the contact.
+      image.data.set([...rgb.map((part) => 255 * part), 255], 4 * ((height - 1 - i) * width + j));
+    }),
+  );
+  context.putImageData(image, 0, 0);
+  const length = unit('length', units);
+  const [along, across] = [numberOf(surface?.spacing_y) * width, numberOf(surface?.spacing_x) * height];
+  const size = Number.isFinite(along * across) ? `, ${plain(across)} × ${plain(along)} ${length}` : '';
+  const span = plain(Number((high - low).toPrecision(3)));
+  return [
+    h(
+      'figure',
+      { class: 'preview heights' },
+      canvas,
+      h(
+        'figcaption',
+        {},
+        `x up, y to the right: ${height} × ${width} heights${size}, ${span} ${length} from lowest to highest`,
       ),
     ),
   ];

@@ -7,6 +7,7 @@ import { TARGETS, loadOf, targetOf } from './fields.js';
 import { historyWords } from './history.js';
 import { sweepWords } from './list.js';
 import { outline, pin } from './outline.js';
+import { sections } from './sections.js';
 import { counted, touching } from './touching.js';
 
 /** @typedef {import('./outline.js').Outline} Outline */
@@ -24,8 +25,6 @@ export function startSketch(draft) {
   const place = byId('sketch');
   let hertz = /** @type {Hertz | null} */ (null);
   const draw = () => {
-    // Outlines are those of sections, which bodies in three dimensions have not.
-    place.hidden = draft.job.analysis === 'three_dimensional';
     place.replaceChildren(picture(draft.job, hertz));
   };
   draft.addEventListener('change', draw);
@@ -37,6 +36,7 @@ export function startSketch(draft) {
 
 /** @param {import('../types.js').Job} job @param {Hertz | null} hertz */
 export function picture(job, hertz) {
+  if (job.analysis === 'three_dimensional') return sections(job);
   const shapes = [job.upper?.shape, job.lower?.shape];
   const inHole = shapes.some((shape) => shape?.type === 'hole');
   const bodies = shapes.map((shape) =>
@@ -167,7 +167,7 @@ function load(job, upper, scale, middle) {
 }
 
 /** What presses the bodies, as short as there is room. @param {import('../types.js').Job} job @returns {string} */
-function loadLine(job) {
+export function loadLine(job) {
   const kind = loadOf(job.load);
   const value = job.load?.[kind];
   if (kind === 'onset' || kind === 'target') {

@@ -1,0 +1,142 @@
+/**
+ * Sections through the layers of half-spaces, as meshes: the planes y = 0 and x = 0 of a contact in three dimensions are looked at
+ * with the tools of plane ones. Layers are fetched whole, a step at a time, and only both planes of them are kept.
+ */
+
+import { fetchFields } from '../api/result.js';
+
+/** @typedef {import('../types.js').Mesh} Mesh */
+/** @typedef {import('../types.js').Report} Report */
+/** @typedef {import('./source.js').Fields} Fields */
+/** @typedef {'x' | 'y'} Axis along which a section lies */
+/** @typedef {Record<string, ArrayLike<number>>} Layers of one body */
+
+/** Numbers of both bodies, of all steps that are fetched to have the same colours. */
+const FEW = 6e6;
+
+/** Arrays of the plane along x and of that along y by their names in a section. @type {Record<Axis, Record<string, string>>} */
+const NAMES = {
+  x: { sigma_x: 'sigma_xx', sigma_y: 'sigma_zz', sigma_z: 'sigma_yy', tau_xy: 'sigma_xz' },
+  y: { sigma_x: 'sigma_yy', sigma_y: 'sigma_zz', sigma_z: 'sigma_xx', tau_xy: 'sigma_yz' },
+};
+const SAME = ['von_mises', 'equivalent_plastic_strain'];
+
+export class LayerSource {
+  /** By step. @type {Map<number, Record<Axis, Fields>>} */
+  #steps = new Map();
+  /** What was asked for last. @type {Promise<unknown>} */
+  #last = Promise.resolve();
+
+  /** @param {string} id of a job @param {Report} report */
+  constructor(id, { steps, mesh }) {
+    this.id = id;
+    /** Whether every step is fetched. */
+    this.whole = steps.length * mesh.elements * 15 < FEW;
+    this.planes = { x: this.#plane('x'), y: this.#plane('y') };
+  }
+
+  /** @param {Axis} axis */
+  #plane(axis) {
+    return {
+      whole: this.whole,
+      peek: (/** @type {number} */ step) => this.#steps.get(step)?.[axis],
+      get: async (
+        /** @type {number} */ step,
+        /** @type {unknown} */ _names,
+        /** @type {((received: number, total: number) => void) | undefined} */ progress,
+      ) => (await this.#get(step, progress))[axis],
+      close: () => {},
+    };
+  }
+
+  /** @param {number} step @param {(received: number, total: number) => void} [progress] */
+  #get(step, progress) {
+    const next = this.#last
+      .catch(() => {})
+      .then(async () => {
+        const kept = this.#steps.get(step);
+        if (kept) return kept;
+        const layers = /** @type {any} */ (await fetchFields(this.id, step, [], { progress }));
+        const made = planesOf(layers);
+        this.#steps.set(step, made);
+        return made;
+      });
+    this.#last = next;
+    return next;
+  }
+
+  /** Gives everything back, when another job is looked at. */
+  close() {
+    this.#steps.clear();
+  }
+}
+
+/** @param {Record<'upper' | 'lower', Layers | null>} layers of both bodies @returns {Record<Axis, Fields>} */
+export const planesOf = ({ upper, lower }) => {
+  const plane = (/** @type {Axis} */ axis) => ({
+    upper: upper && section(upper, axis, 1),
+    lower: lower && section(lower, axis, -1),
+  });
+  return { x: plane('x'), y: plane('y') };
+};
+
+/**
+ * Nodes are the middles of the cells; the surface has the values of the first layer.
+ * @param {Layers} layers @param {Axis} axis @param {1 | -1} up where depth points in the picture @returns {Mesh}
+ */
+function section({ x, y, z, ...arrays }, axis, up) {
+  const [along, across] = axis === 'x' ? [x, y] : [y, x];
+  const [many, rows] = [along.length, z.length + 1];
+  // The cells on both sides of the plane, or those in it.
+  const [before, behind] = [across.length - 1, across.length].map((twice) => twice >> 1);
+  const nodes = new Float32Array(2 * many * rows);
+  const elements = new Uint32Array(4 * (many - 1) * (rows - 1));
+  for (let row = 0; row < rows; row++)
+    for (let k = 0; k < many; k++) nodes.set([along[k], row ? up * z[row - 1] : 0], 2 * (row * many + k));
+  let at = 0;
+  for (let row = 0; row + 1 < rows; row++)
+    for (let k = 0; k + 1 < many; k++) {
+      const [one, other] = [row * many + k, (row + 1) * many + k];
+      const corners = up > 0 ? [one, one + 1, other + 1, other] : [other, other + 1, one + 1, one];
+      elements.set(corners, at);
+      at += 4;
+    }
+  const values = (/** @type {ArrayLike<number>} */ of, sign = 1) => {
+    const made = new Float32Array(many * rows);
+    const cell = (/** @type {number} */ layer, /** @type {number} */ k, /** @type {number} */ l) =>
+      of[axis === 'x' ? (layer * many + k) * across.length + l : (layer * across.length + l) * many + k];
+    for (let row = 0; row < rows; row++)
+      for (let k = 0; k < many; k++) {
+        const layer = Math.max(0, row - 1);
+        made[row * many + k] = (sign * (cell(layer, k, before) + cell(layer, k, behind))) / 2;
+      }
+    return made;
+  };
+  const mesh = /** @type {any} */ ({ nodes, elements, displacement: new Float32Array(2 * many * rows) });
+  for (const name of SAME) mesh[name] = values(arrays[name]);
+  // z points into each body; shear is that of the section, upward.
+  for (const [name, own] of Object.entries(NAMES[axis])) mesh[name] = values(arrays[own], name === 'tau_xy' ? up : 1);
+  return mesh;
+}
+
+/** A report as that of the section: its contact lies along the section, and its bodies are whole. @param {Report} report @param {Axis} axis @returns {Report} */
+export const reportOf = (report, axis) => ({
+  ...report,
+  analysis: /** @type {any} */ (`section_${axis}`),
+  mesh: { ...report.mesh, symmetric: false },
+  steps: report.steps.map((step) => {
+    const { three_dimensional: ellipse, contact } = step;
+    // The surfaces of both bodies are where they touch; a zone is known below the middle alone.
+    const still = { ...step, approach: 0, plasticity: { upper: null, lower: null } };
+    const fields = step.layers && planesOf(/** @type {any} */ (step.layers))[axis];
+    if (axis === 'x' || !ellipse) return { ...still, fields };
+    const { y, pressure } = ellipse.section;
+    const touching = y.filter((_, k) => pressure[k] > 0);
+    const patches = touching.length ? [{ left: touching[0], right: touching[touching.length - 1] }] : [];
+    return {
+      ...still,
+      fields,
+      contact: { ...contact, patches, nodes: { ...contact.nodes, x: y } },
+    };
+  }),
+});
