@@ -2,7 +2,8 @@
  * What the page owes to those who wait, measured: `BRINELL_BIN=target/release/brinell npm run measure`.
  *
  * A slider at 10 elements per half-width: answers shown in a second. A sweep of 20 loads with fields on 160 elements per half-width:
- * time from the end of the job to its figures and to its first field, and the most memory of the renderer.
+ * time from the end of the job to its figures and to its first field, and the most memory of the renderer. The last of these of a ball in
+ * its raceway and of heights, too.
  */
 
 import { spawn } from 'node:child_process';
@@ -152,6 +153,33 @@ try {
   await browser.run(play, null);
   console.log(`renderer at most ${await browser.memory()} MB when all steps have been looked at`);
   await browser.close();
+
+  const [elastic, sphere] = [
+    { young_modulus: 210000, poisson_ratio: 0.3 },
+    { type: 'sphere', radius: 5 },
+  ];
+  const waves = (/** @type {number} */ i, /** @type {number} */ j) =>
+    1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) - 3e-7 * ((i - 64) ** 2 + (j - 64) ** 2);
+  const heights = Array.from({ length: 128 }, (_, i) => Array.from({ length: 128 }, (_, j) => waves(i, j)));
+  const raceway = { shape: { type: 'curved', radius_x: 20, radius_y: -5.2 }, material: elastic };
+  const plane = { shape: { type: 'flat' }, material: elastic };
+  const rough = { ...plane, surface: { heights, spacing_x: 0.002, spacing_y: 0.002 } };
+  const solids = {
+    'ball in raceway, five loads': {
+      upper: { shape: sphere, material: elastic },
+      lower: raceway,
+      load: { forces: [100, 200, 300, 400, 500] },
+    },
+    'heights, 128 × 128': { upper: rough, lower: plane, load: { force: 2 } },
+  };
+  for (const [name, job] of Object.entries(solids)) {
+    browser = await bare(server.url);
+    await browser.run(enter, { analysis: 'three_dimensional', output: { fields: true }, ...job });
+    const { solved } = await browser.run(solve, null);
+    if ('forces' in job.load) await browser.run(play, null);
+    console.log(`${name}: solved in ${seconds(solved)}, renderer at most ${await browser.memory()} MB`);
+    await browser.close();
+  }
 } finally {
   await server.stop();
 }

@@ -113,6 +113,7 @@ export function writeValue(value) {
   if (typeof value === 'number') return exact(value);
   if (!Array.isArray(value)) return String(value).replaceAll('_', ' ');
   if (value.every(isNumber)) return sweepWords(value);
+  if (isGrid(value)) return `${value.length} × ${value[0].length} heights`;
   return isTerms(value) ? writeWhole(value) : `${value.length} ${isHistory(value) ? 'loads' : 'points'}`;
 }
 
@@ -121,7 +122,7 @@ const MOST = 60;
 
 /** The same with every number of a list, a history or a table that is not too long for a sheet. @param {unknown} value @returns {string} */
 export function writeWhole(value) {
-  if (!Array.isArray(value)) return writeValue(value);
+  if (!Array.isArray(value) || isGrid(value)) return writeValue(value);
   if (value.length > MOST)
     return value.every(isNumber) ? `${writeValue(value)}, ${value.length} in all` : writeValue(value);
   if (value.every(isNumber)) return value.map(exact).join(' ');
@@ -139,6 +140,9 @@ export function writeWhole(value) {
 
 /** Names of the figures of rows, in the order of their columns. */
 const MEMBERS = allFields().flatMap(({ members }) => (members ? [members] : []));
+
+/** Rows of points are short. @param {any[]} value */
+const isGrid = ([first]) => Array.isArray(first) && first.length > 3;
 
 /** @param {unknown} value */
 const isNumber = (value) => typeof value === 'number';

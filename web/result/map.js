@@ -62,7 +62,7 @@ export class MapPanel {
   /** @param {() => void} wanted called to solve again with maps */
   constructor(wanted) {
     this.canvas = h('canvas', {
-      class: 'over',
+      class: 'map',
       role: 'img',
       tabindex: 0,
       'aria-description': 'Arrows move the place of the cuts; Home puts it back to the largest value.',

@@ -71,7 +71,7 @@ export class View {
     byId('panels').replaceChildren(
       this.tools,
       column(this.pressure, this.spread, this.dent, this.depth, this.sweep),
-      column(this.map, this.field, this.convergence),
+      column(this.field, this.map, this.convergence),
       this.figures.panel.element,
       this.differences.panel.element,
       this.history.panel.element,

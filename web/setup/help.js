@@ -6,7 +6,7 @@ import { described } from './words.js';
 /** By the key of a field or figure. @type {Record<string, string>} */
 export const TEXTS = {
   analysis:
-    'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres.',
+    'Plane strain: long rollers and rails, which cannot stretch along the line of contact; loads are per length. Plane stress: thin discs and sheets, free to bulge sideways. Axisymmetric: balls and indenters; loads are whole forces, and cylinders become spheres. Three dimensions: balls in grooves, rollers that end and tilt, measured heights; loads are whole forces on half-spaces.',
   support:
     'How the far side of the body is held, at the diametral plane or the base. Clamped: it cannot move. Roller: it slides sideways. Far from the contact this changes the approach by some per cent and the pressure hardly.',
   young_modulus: 'Stiffness in tension before yield: 200 to 212 GPa for steel, 70 GPa for aluminium.',
@@ -18,6 +18,8 @@ export const TEXTS = {
     'How far the figure may be from that of an infinitely fine mesh, estimated from a second mesh of half the density; the bars held in at least 95 of 100 tested cases. They say nothing of the model or of the figures put in.',
   initial_stress:
     'Stress that grinding, peening or hardening has left, by depth below the surface. It relaxes before the first load where the surface is curved; what is left is in the stresses over depth. It is added to the stress of the load, and a stress that yields by itself is refused.',
+  surface_kind:
+    'Smooth, or with heights on it that are measured or computed. The contact is then solved on the cells of these heights, and there is none beyond them.',
   backstress:
     'The yield surface moves with plastic strain and yields earlier when the load turns back (Bauschinger). dX = ⅔ C dε_p − γ X dp for each term; up to four.',
   yield_stress: 'Stress in a tensile test at which plastic flow begins.',
@@ -30,10 +32,10 @@ export const TEXTS = {
     'From the surface to the base, where the body is held. The approach grows with it without bound, the pressure does not.',
   kind: 'Force: the load is known. Approach: how far the bodies are pressed together is known, the force is an answer. A sweep gives a curve. Force for a given figure: a pressure, width, strain or dent is wanted, and the force for it is the answer. Onset of yield: the least load that makes the metal flow.',
   force:
-    'In plane strain and plane stress the load per unit of thickness, on the whole contact; in axisymmetry the whole force.',
+    'In plane strain and plane stress the load per unit of thickness, on the whole contact; in axisymmetry and in three dimensions the whole force.',
   approach: 'How far the two held sides move towards each other. It depends on where the bodies are held.',
   'mesh/elements_per_half_width':
-    'Elements over half the width of the contact. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
+    'Elements over half the width of the contact, in three dimensions cells over each semi-axis. 20 gives the peak pressure to some 0.05 %, 10 is enough for a look; time and memory grow with the square.',
   'solver/coupling':
     'How plastic flow and contact find each other. All of them lead to the same answer; accelerated takes the fewest iterations, strong and weak are those of Jiang and Shang.',
   'solver/contact':

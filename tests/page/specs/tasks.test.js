@@ -1,5 +1,5 @@
 /**
- * Eight tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions, seconds and stumbles of each, which
+ * Twelve tasks from cold, as a new user does them: `node --test specs/tasks.test.js` says actions, seconds and stumbles of each, which
  * `docs/notes/page_tasks.md` has. An action is a press, a choice, a text that is typed or pasted. A stumble is an answer that is not
  * among the first tiles, or not seen without scrolling, and a message that refuses something.
  */
@@ -214,6 +214,71 @@ const TASKS = [
       const sheet = page.getByRole('main', { name: 'Report' });
       await sheet.getByRole('region', { name: 'Differences' }).waitFor();
       for (const material of ['Steel S355', 'Steel 42CrMo4 +QT']) await sheet.getByText(material).first().waitFor();
+    },
+  ],
+  [
+    'ball in raceway',
+    7,
+    async (user, page) => {
+      await user.choose('/analysis', 'Three dimensions');
+      await user.type('/upper/shape/radius', '5');
+      await user.choose('/lower/shape/type', 'Curved surface');
+      await user.type('/lower/shape/radius_x', '20');
+      await user.type('/lower/shape/radius_y', '-5.2');
+      await user.type('/load/force', '500');
+      await user.solve();
+      assert.match(await user.reads('Peak pressure'), /MPa/);
+      await page.locator('#panel-map canvas[aria-label^="Map of the pressure"]').waitFor();
+    },
+  ],
+  [
+    'tilted roller',
+    9,
+    async (user, page) => {
+      await user.choose('/analysis', 'Three dimensions');
+      await user.choose('/upper/shape/type', 'Roller');
+      await user.type('/upper/shape/radius', '5');
+      await user.type('/upper/shape/length', '10');
+      await user.choose('/upper/shape/profile', 'ISO 16281');
+      await user.type('/upper/shape/tilt', '2');
+      await user.choose('/lower/shape/type', 'Plane surface');
+      await user.type('/load/force', '5000');
+      await user.solve();
+      assert.match(await user.reads('Edge pressure'), /of that in the middle/);
+      await page.locator('#panel-spread .legend').getByText('line load', { exact: true }).waitFor();
+    },
+  ],
+  [
+    'dent map',
+    2,
+    async (user, page) => {
+      await user.example('Dent of an ellipsoid, in three dimensions');
+      await user.solve();
+      assert.match(await user.reads('Depth of the dent, lower body'), /below the undeformed surface/);
+      await page.locator('#panel-map canvas[aria-label^="Map of the dent"]').waitFor();
+    },
+  ],
+  [
+    'rough patch',
+    9,
+    async (user, page) => {
+      await user.choose('/analysis', 'Three dimensions');
+      await user.choose('/upper/shape/type', 'Plane surface');
+      await user.choose('/lower/shape/type', 'Plane surface');
+      await user.choose('/upper/surface_kind', 'Heights');
+      const wave = (/** @type {number} */ i, /** @type {number} */ j) =>
+        1e-4 * (Math.cos(0.7 * i + 0.2 * j) + Math.cos(0.9 * j - 0.3 * i)) - 2e-6 * ((i - 24) ** 2 + (j - 24) ** 2);
+      const rows = Array.from({ length: 48 }, (_, i) => Array.from({ length: 48 }, (_, j) => wave(i, j).toFixed(7)));
+      await user.paste('/upper/surface/heights', rows.map((row) => row.join('\t')).join('\n'));
+      await user.type('/upper/surface/spacing_x', '0.003');
+      await user.type('/upper/surface/spacing_y', '0.003');
+      await user.type('/load/force', '2');
+      await user.solve();
+      assert.match(await user.reads('Real contact area'), /%/);
+      await page
+        .locator('#panel-spread')
+        .getByText(/^Real contact area /)
+        .waitFor();
     },
   ],
 ];
