@@ -1,7 +1,7 @@
 //! The contact stiffness of bodies that yield: by how much the force grows with the approach.
 //!
 //! The load-approach curve of a mesh has corners. So the same job is solved under a smaller and under a larger load, on small meshes
-//! that are sized by their contacts and end nearly alike: their errors cancel in the difference.
+//! that are sized by their contacts and end alike: their errors cancel in the difference.
 
 use std::ops::ControlFlow;
 use std::time::Duration;

@@ -30,7 +30,7 @@ const STEP: f64 = 0.002;
 const RING_GROWTH: f64 = 0.065;
 /// Part of an element by which a contact is wider than whole elements. Half an element would put its end in the middle
 /// between two nodes if half-widths found on a coarser mesh were not a little low.
-const BEYOND_LAST: f64 = 0.4;
+pub(super) const BEYOND_LAST: f64 = 0.4;
 /// How much finer a mesh may become than what was expected before anything was solved.
 const MORE_THAN_EXPECTED: f64 = 1.5;
 /// Elements over a half-width at most, a few more than a job may ask for.
@@ -381,6 +381,12 @@ impl ContactSizeEstimate {
             hertz_half_width: self.hertz_half_width,
             refinement: self.refinement,
         }
+    }
+
+    /// This extent with elements of this size, so many over a half-width \[mm\].
+    pub fn with_spacing(self, spacing: f64, elements: usize) -> Self {
+        let half_width = spacing * (elements as f64 + BEYOND_LAST);
+        Self { half_width, smallest_part: half_width, ..self }
     }
 
     /// This extent with all lengths scaled.
