@@ -169,9 +169,15 @@ export class View {
       drawings: [this.pressure, this.spread, this.dent, this.depth, this.sweep].flatMap(({ panel, chart }) =>
         panel.element.hidden ? [] : (chart.drawing(panel.caption, 520, 240) ?? []),
       ),
-      fields: [...this.map.allOnPaper(), this.field.canvas(undefined, paper)].filter((one) => one !== null),
+      fields: this.#maps(),
       cutDrawing: this.field.cutDrawing(),
     });
+  }
+
+  /** Of half-spaces their maps, of other bodies the field: there is one page. */
+  #maps() {
+    const maps = this.map.allOnPaper();
+    return maps.length ? maps : [this.field.canvas(undefined, paper)].filter((one) => one !== null);
   }
 
   /** @param {number} step */
