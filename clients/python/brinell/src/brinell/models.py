@@ -597,7 +597,7 @@ class ErrorEstimate(BaseModel):
     force: Annotated[
         float | None,
         Field(
-            description='Of the contact force; 0 where it is prescribed. Without unit.',
+            description='Of the contact force; 0 where it is prescribed; `null` where `target.relative_error` has it: of the force that leaves a permanent target, and of targets in three dimensions. Without unit.',
             ge=0.0,
         ),
     ]
