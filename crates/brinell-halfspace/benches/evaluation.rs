@@ -59,11 +59,12 @@ impl Transforms {
 }
 
 /// The operators of a ball's half-space, 3.2 semi-axes long, with layers to 2.6 of them.
-fn space(n: usize) -> HalfSpace {
+fn space(n: usize, is_symmetric: bool) -> HalfSpace {
     let side = 3.2 / n as f64;
     let grid = SurfaceGrid::new(n, n, side, side).unwrap();
     let layers = Layers::graded(0.75 * side, 1.0 + 1.92 / n as f64, 2.6).unwrap();
-    HalfSpace::new(grid, layers, Elasticity::new(210_000.0, 0.3).unwrap(), &mut || false).unwrap()
+    let elastic = Elasticity::new(210_000.0, 0.3).unwrap();
+    HalfSpace::new(grid, layers, elastic, is_symmetric, &mut || false).unwrap()
 }
 
 /// A deviator in a half ball of radius 1, which is where a ball yields.
@@ -72,10 +73,11 @@ fn strain(space: &HalfSpace) -> TensorField {
     let mut field = TensorField::deviators(layers.len(), grid.n_cells());
     for layer in 0..layers.len() {
         let depth = layers.middle(layer);
-        let inside = grid.sample(|x, y| f64::from(x * x + y * y + depth * depth < 1.0));
-        for (k, part) in [0.5, 0.5, 0.1, 0.1, 0.1].into_iter().enumerate() {
-            let values = field.component_mut(layer, k).iter_mut().zip(&inside);
-            values.for_each(|(value, inside)| *value = 1e-3 * part * inside);
+        let part = |x: f64, y: f64| [0.5, 0.5, x * y, x * depth, y * depth];
+        for k in 0..5 {
+            let inside = |x: f64, y: f64| f64::from(x * x + y * y + depth * depth < 1.0);
+            let values = grid.sample(|x, y| 1e-3 * part(x, y)[k] * inside(x, y));
+            field.component_mut(layer, k).copy_from_slice(&values);
         }
     }
     field
@@ -85,23 +87,27 @@ fn evaluation(criterion: &mut Criterion) {
     for n in [32, 64] {
         let mut group = criterion.benchmark_group(format!("{n}"));
         group.sample_size(20);
-        let space = space(n);
-        let (strain, layers) = (strain(&space), space.layers().len());
-        let pressure = space.grid().sample(|x, y| (1.0 - x * x - y * y).max(0.0).sqrt());
-        let mut stress = TensorField::deviators(layers, pressure.len());
-        let (mut work, mut opening) = (space.work(), vec![0.0; pressure.len()]);
-        group.bench_function("evaluation", |bencher| {
-            bencher.iter(|| {
-                space.opening(&strain, &mut work, &mut opening, &mut || false).unwrap();
-                space.stress(&pressure, &mut work, &mut stress, &mut || false).unwrap();
+        let mut layers = 0;
+        for (name, is_symmetric) in [("evaluation", false), ("symmetric", true)] {
+            let space = space(n, is_symmetric);
+            layers = space.layers().len();
+            let strain = strain(&space);
+            let pressure = space.grid().sample(|x, y| (1.0 - x * x - y * y).max(0.0).sqrt());
+            let mut stress = TensorField::deviators(layers, pressure.len());
+            let (mut work, mut opening) = (space.work(), vec![0.0; pressure.len()]);
+            group.bench_function(name, |bencher| {
+                bencher.iter(|| {
+                    space.opening(&strain, &mut work, &mut opening, &mut || false).unwrap();
+                    space.stress(&pressure, &mut work, &mut stress, &mut || false).unwrap();
+                });
             });
-        });
+        }
         // Five components of each layer: the sixth follows from them.
         let mut transforms = Transforms::new(n, 5 * layers);
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         group
             .bench_function("transforms", |bencher| bencher.iter(|| transforms.run(&mut real, &mut complex)));
-        group.bench_function("build", |bencher| bencher.iter(|| self::space(n).layers().len()));
+        group.bench_function("build", |bencher| bencher.iter(|| space(n, false).layers().len()));
         group.finish();
     }
 }

@@ -42,32 +42,24 @@
 
 use std::f64::consts::PI;
 
-use realfft::num_complex::Complex64;
-
 use crate::tensors::COMPONENTS;
 use crate::transform::Transform;
+use crate::waves::WIDTH;
 use crate::{Elasticity, Layers};
 
-/// Wave numbers of one pass: the width of a vector register.
-const WIDTH: usize = 4;
-/// Real and imaginary part at +q_x and at -q_x.
-const VARIANTS: usize = 4;
-const LANES: usize = WIDTH * VARIANTS;
 /// Numbers kept of a layer between the sweeps.
 const KEPT: usize = 10;
 /// Numbers that depend on layer and wave number: e, al, be, I0/h, I1/h.
 const COEFFICIENTS: usize = 5;
 
-type Lanes = [f64; LANES];
+type Lanes = [f64; WIDTH];
 
 /// Work space: what is kept of each layer.
 pub(crate) type SweepWork = Vec<[Lanes; KEPT]>;
 
 /// G on the wave numbers of a periodic box.
 pub(crate) struct EigenstrainStress {
-    mx: usize,
-    /// `mx/2 + 1`, and the same filled up to whole passes.
-    half: usize,
+    /// `mx/2 + 1` filled up.
     filled: usize,
     thickness: Vec<f64>,
     elastic: Elasticity,
@@ -106,49 +98,61 @@ impl EigenstrainStress {
             }
             directions.push(direction);
         }
-        Self { mx, half, filled, thickness, elastic, directions, coefficients }
+        Self { filled, thickness, elastic, directions, coefficients }
     }
 
     pub fn work(&self) -> SweepWork {
-        vec![[[0.0; LANES]; KEPT]; self.thickness.len()]
+        vec![[[0.0; WIDTH]; KEPT]; self.thickness.len()]
     }
 
     /// Turns the strains of one wave number q_y into stresses, in place.
     #[inline(always)]
-    pub fn apply(&self, iy: usize, block: &mut [Complex64], work: &mut SweepWork) {
-        for start in (0..self.half).step_by(WIDTH) {
-            self.pass(iy, start, block, work);
+    pub fn apply(&self, iy: usize, block: &mut [f64], work: &mut SweepWork) {
+        let row_len = block.len() / (COMPONENTS * self.thickness.len());
+        for start in (0..self.filled).step_by(WIDTH) {
+            for plane in 0..row_len / self.filled {
+                self.pass(iy, start, plane, row_len, block, work);
+            }
         }
     }
 
+    /// Some wave numbers of a plane.
     #[inline(always)]
-    fn pass(&self, iy: usize, start: usize, block: &mut [Complex64], work: &mut SweepWork) {
+    fn pass(
+        &self,
+        iy: usize,
+        start: usize,
+        plane: usize,
+        row_len: usize,
+        block: &mut [f64],
+        work: &mut SweepWork,
+    ) {
         let (shear, lame, poisson) = (self.elastic.shear(), self.elastic.lame(), self.elastic.poisson());
         let kappa = 0.5 / (1.0 - poisson);
         let local = poisson / (1.0 - poisson);
-        let coefficients = &self.coefficients[iy * self.thickness.len() * COEFFICIENTS * self.filled..];
-        let of_layer = |layer: usize, k: usize| -> Lanes {
-            let row = &coefficients[(layer * COEFFICIENTS + k) * self.filled + start..][..WIDTH];
-            std::array::from_fn(|n| row[n % WIDTH])
-        };
-        let direction = |k: usize| -> Lanes {
-            let row = &self.directions[iy][k][start..][..WIDTH];
-            std::array::from_fn(|n| row[n % WIDTH])
-        };
-        let (q, mut c, s) = (direction(0), direction(1), direction(2));
-        for cosine in &mut c[LANES / 2..] {
-            *cosine = -*cosine;
+        let n_layers = self.thickness.len();
+        let coefficients = &self.coefficients[iy * n_layers * COEFFICIENTS * self.filled..];
+        let of_layer =
+            |layer: usize, k: usize| lanes(&coefficients[(layer * COEFFICIENTS + k) * self.filled + start..]);
+        let [q, c, s] = &self.directions[iy];
+        let (q, mut c, s) = (lanes(&q[start..]), lanes(&c[start..]), lanes(&s[start..]));
+        if plane >= 2 {
+            for cosine in &mut c {
+                *cosine = -*cosine;
+            }
         }
-        let plus: [usize; WIDTH] = std::array::from_fn(|n| (start + n).min(self.half - 1));
-        let minus: [usize; WIDTH] = plus.map(|ix| (self.mx - ix) % self.mx);
+        let place = plane * self.filled + start;
 
-        let (mut a, mut b, mut g) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut a, mut b, mut g) = ([0.0; WIDTH], [0.0; WIDTH], [0.0; WIDTH]);
         for (layer, kept) in work.iter_mut().enumerate().rev() {
             let h = self.thickness[layer];
-            let strain = gather(&block[layer * COMPONENTS * self.mx..], self.mx, plus, minus);
-            let [e, al, be, i0, i1] = [0, 1, 2, 3, 4].map(|k| of_layer(layer, k));
+            let rows = &block[layer * COMPONENTS * row_len..][..COMPONENTS * row_len];
+            let row = |k: usize| lanes(&rows[k * row_len + place..]);
+            let strain = [row(0), row(1), row(2), row(3), row(4), row(5)];
+            let [e, al, be] = [of_layer(layer, 0), of_layer(layer, 1), of_layer(layer, 2)];
+            let [i0, i1] = [of_layer(layer, 3), of_layer(layer, 4)];
             let per_h = 1.0 / h;
-            for n in 0..LANES {
+            for n in 0..WIDTH {
                 let trace = lame * (strain[0][n] + strain[1][n] + strain[2][n]);
                 let xx = 2.0 * shear * strain[0][n] + trace;
                 let yy = 2.0 * shear * strain[1][n] + trace;
@@ -182,16 +186,16 @@ impl EigenstrainStress {
                 g[n] = g[n] * e[n] + g_up * al[n];
             }
         }
-        for n in 0..LANES {
+        for n in 0..WIDTH {
             b[n] -= 2.0 * a[n];
             a[n] = -a[n];
         }
         for (layer, kept) in work.iter().enumerate() {
             let h = self.thickness[layer];
-            let [e, al, be] = [0, 1, 2].map(|k| of_layer(layer, k));
+            let [e, al, be] = [of_layer(layer, 0), of_layer(layer, 1), of_layer(layer, 2)];
             let per_h = 1.0 / h;
-            let mut stress = [[0.0; LANES]; COMPONENTS];
-            for n in 0..LANES {
+            let mut stress = [[0.0; WIDTH]; COMPONENTS];
+            for n in 0..WIDTH {
                 let (al_h, a0) = (al[n] * per_h, (a[n] * al[n] + b[n] * be[n]) * per_h);
                 let along = kept[0][n] + a0 - 2.0 * b[n] * al_h;
                 let normal = kept[1][n] - a0;
@@ -211,55 +215,20 @@ impl EigenstrainStress {
                 stress[4][n] = c[n] * shear_xz - s[n] * shear_yz;
                 stress[5][n] = s[n] * shear_xz + c[n] * shear_yz;
             }
-            scatter(&stress, &mut block[layer * COMPONENTS * self.mx..], self.mx, start, self.half);
+            let rows = &mut block[layer * COMPONENTS * row_len..][..COMPONENTS * row_len];
+            for (k, lanes) in stress.iter().enumerate() {
+                rows[k * row_len + place..][..WIDTH].copy_from_slice(lanes);
+            }
         }
     }
 }
 
-/// The strains of a layer at some wave numbers and their negatives along x; the shear out of the plane times -i.
+/// The first numbers of a row.
 #[inline(always)]
-fn gather(
-    layer: &[Complex64],
-    mx: usize,
-    plus: [usize; WIDTH],
-    minus: [usize; WIDTH],
-) -> [Lanes; COMPONENTS] {
-    let mut strain = [[0.0; LANES]; COMPONENTS];
-    for (k, lanes) in strain.iter_mut().enumerate() {
-        let row = &layer[k * mx..][..mx];
-        for n in 0..WIDTH {
-            let (p, m) = (row[plus[n]], row[minus[n]]);
-            let values = if k < 4 { [p.re, p.im, m.re, m.im] } else { [p.im, -p.re, m.im, -m.re] };
-            for (variant, value) in values.into_iter().enumerate() {
-                lanes[variant * WIDTH + n] = value;
-            }
-        }
-    }
-    strain
-}
-
-/// The reverse for stresses, the shear out of the plane times i.
-#[inline(always)]
-fn scatter(stress: &[Lanes; COMPONENTS], layer: &mut [Complex64], mx: usize, start: usize, half: usize) {
-    for (k, lanes) in stress.iter().enumerate() {
-        let row = &mut layer[k * mx..][..mx];
-        let at = |variant: usize, n: usize| {
-            let (first, second) = (lanes[variant * WIDTH + n], lanes[(variant + 1) * WIDTH + n]);
-            if k < 4 { Complex64::new(first, second) } else { Complex64::new(-second, first) }
-        };
-        for n in 0..WIDTH.min(half - start) {
-            let ix = start + n;
-            let (plus, minus) = (at(0, n), at(2, n));
-            if ix == 0 {
-                row[0] = plus;
-            } else if 2 * ix == mx {
-                row[ix] = 0.5 * (plus + minus);
-            } else {
-                row[ix] = plus;
-                row[mx - ix] = minus;
-            }
-        }
-    }
+fn lanes(row: &[f64]) -> Lanes {
+    let mut lanes = [0.0; WIDTH];
+    lanes.copy_from_slice(&row[..WIDTH]);
+    lanes
 }
 
 /// Below this x the series are taken, because the closed forms cancel. Both meet to 1e-13.

@@ -1,13 +1,12 @@
 //! One elastic half-space: stresses and displacements of pressures on it and plastic strains in it.
 
-use realfft::num_complex::Complex64;
-
 use crate::eigenstrain_stress::{EigenstrainStress, SweepWork};
 use crate::images::{FarField, FarFieldWork};
 use crate::pressure_stress::PressureStress;
 use crate::stop::{Stop, Stopped, ask};
 use crate::tensors::{COMPONENTS, TensorField};
-use crate::transform::{Scratch, Transform, fast_length};
+use crate::transform::fast_length;
+use crate::waves::{PARITIES, Waves, WavesScratch, Wide};
 use crate::{Elasticity, Layers, SurfaceGrid};
 
 /// The operators S (pressure to stress), Sᵀ (plastic strain to displacement) and G (plastic strain to stress) of a body.
@@ -17,7 +16,7 @@ pub struct HalfSpace {
     grid: SurfaceGrid,
     layers: Layers,
     elastic: Elasticity,
-    transform: Transform,
+    waves: Waves,
     pressure_stress: PressureStress,
     eigenstrain_stress: EigenstrainStress,
     far_field: Option<FarField>,
@@ -27,10 +26,10 @@ pub struct HalfSpace {
 /// What an evaluation writes on, and the spectra that it carries from strain to stress.
 pub struct HalfSpaceWork {
     n_components: usize,
-    stack: Vec<Complex64>,
-    scratch: Scratch,
+    stack: Vec<f64>,
+    scratch: WavesScratch,
     sweep: SweepWork,
-    surface: Vec<Complex64>,
+    surface: Vec<f64>,
     far_field: Option<FarFieldWork>,
     /// Layers with strain.
     strained: Vec<bool>,
@@ -39,16 +38,20 @@ pub struct HalfSpaceWork {
 impl HalfSpace {
     /// The operators of a body. The images of plastic strain are removed.
     ///
+    /// Where all strains and pressures are symmetric about both axes and there are even numbers of cells, a quarter of the wave
+    /// vectors is enough; only the cells at x, y > 0 are read then.
+    ///
     /// # Errors
     /// [`Stopped`].
     pub fn new(
         grid: SurfaceGrid,
         layers: Layers,
         elastic: Elasticity,
+        is_symmetric: bool,
         stop: &mut Stop<'_>,
     ) -> Result<Self, Stopped> {
-        let mut body = Self::periodic(grid, layers, elastic, stop)?;
-        body.far_field = Some(FarField::new(&body.transform, &body.grid, &body.layers, elastic));
+        let mut body = Self::periodic(grid, layers, elastic, is_symmetric, stop)?;
+        body.far_field = Some(FarField::new(&body.waves, &body.grid, &body.layers, elastic, body.arch));
         Ok(body)
     }
 
@@ -60,24 +63,17 @@ impl HalfSpace {
         grid: SurfaceGrid,
         layers: Layers,
         elastic: Elasticity,
+        is_symmetric: bool,
         stop: &mut Stop<'_>,
     ) -> Result<Self, Stopped> {
-        let (nx, ny) = (grid.nx(), grid.ny());
-        let transform = Transform::new(nx, ny, fast_length(2 * nx), fast_length(2 * ny));
-        let pressure_stress = PressureStress::new(&transform, &grid, &layers, elastic.poisson(), stop)?;
-        let sides = [grid.hx(), grid.hy()];
-        let eigenstrain_stress = EigenstrainStress::new(&transform, sides, &layers, elastic);
         let arch = pulp::Arch::new();
-        Ok(Self {
-            grid,
-            layers,
-            elastic,
-            transform,
-            pressure_stress,
-            eigenstrain_stress,
-            far_field: None,
-            arch,
-        })
+        let cells = [grid.nx(), grid.ny()];
+        let waves =
+            Waves::new(cells, cells.map(|n| fast_length(2 * n)), is_symmetric && is_even(cells), arch);
+        let pressure_stress = PressureStress::new(&waves.transform, &grid, &layers, elastic.poisson(), stop)?;
+        let sides = [grid.hx(), grid.hy()];
+        let eigenstrain_stress = EigenstrainStress::new(&waves.transform, sides, &layers, elastic);
+        Ok(Self { grid, layers, elastic, waves, pressure_stress, eigenstrain_stress, far_field: None, arch })
     }
 
     /// Cells of the surface.
@@ -109,10 +105,10 @@ impl HalfSpace {
         let n_fields = self.layers.len() * COMPONENTS;
         HalfSpaceWork {
             n_components,
-            stack: vec![Complex64::ZERO; self.transform.stack_len(n_fields)],
-            scratch: self.transform.scratch(),
+            stack: vec![0.0; self.waves.stack_len(n_fields)],
+            scratch: self.waves.scratch(),
             sweep: self.eigenstrain_stress.work(),
-            surface: vec![Complex64::ZERO; self.transform.stack_len(1)],
+            surface: vec![0.0; self.waves.stack_len(1)],
             far_field: self.far_field.as_ref().map(|far_field| far_field.work(n_components)),
             strained: vec![false; self.layers.len()],
         }
@@ -133,55 +129,46 @@ impl HalfSpace {
     ) -> Result<(), Stopped> {
         debug_assert_eq!(strain.n_components(), work.n_components);
         let n_fields = self.layers.len() * COMPONENTS;
-        let mx = self.transform.mx;
+        let row_len = self.waves.row_len();
         for (layer, strained) in work.strained.iter_mut().enumerate() {
             *strained = strain.layer(layer).iter().any(|value| *value != 0.0);
         }
         if !work.strained.contains(&true) {
-            work.stack.fill(Complex64::ZERO);
+            work.stack.fill(0.0);
             opening.fill(0.0);
             return Ok(());
         }
         for (layer, _) in work.strained.iter().enumerate().filter(|(_, strained)| **strained) {
             ask(stop)?;
             for (component, row) in strain.rows().iter().enumerate() {
-                let field = strain.component(layer, component);
-                let index = layer * COMPONENTS + row;
-                self.transform.rows_forward(field, &mut work.stack, n_fields, index, &mut work.scratch);
+                let (field, place) =
+                    (strain.component(layer, component), (n_fields, layer * COMPONENTS + row));
+                self.waves.rows_forward(field, PARITIES[*row], &mut work.stack, place, &mut work.scratch);
             }
         }
-        let deviator = work.n_components < COMPONENTS;
-        let blocks = work.stack.chunks_exact_mut(n_fields * mx).zip(work.surface.chunks_exact_mut(mx));
-        for (iy, (block, surface)) in blocks.enumerate() {
+        let is_deviator = work.n_components < COMPONENTS;
+        let surface = work.surface.chunks_exact_mut(row_len);
+        for (iy, (block, surface)) in work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
+        {
             ask(stop)?;
-            for (rows, strained) in block.chunks_exact_mut(COMPONENTS * mx).zip(&work.strained) {
-                if !strained {
-                    rows.fill(Complex64::ZERO);
-                } else if deviator {
-                    let (in_plane, rest) = rows.split_at_mut(2 * mx);
-                    let (normal, shear) = rest.split_at_mut(mx);
-                    self.transform.columns_forward(in_plane, &mut work.scratch);
-                    self.transform.columns_forward(shear, &mut work.scratch);
-                    // tr ε_p = 0.
-                    let (xx, yy) = in_plane.split_at(mx);
-                    for ((zz, xx), yy) in normal.iter_mut().zip(xx).zip(yy) {
-                        *zz = -*xx - *yy;
-                    }
+            for (rows, strained) in block.chunks_exact_mut(COMPONENTS * row_len).zip(&work.strained) {
+                if *strained {
+                    self.waves.layer_forward(rows, is_deviator, &mut work.scratch);
                 } else {
-                    self.transform.columns_forward(rows, &mut work.scratch);
+                    rows.fill(0.0);
                 }
             }
-            self.arch.dispatch(
+            self.arch.dispatch(Wide(
                 #[inline(always)]
                 || {
                     self.pressure_stress.opening(iy, block, &self.layers, surface);
                     self.eigenstrain_stress.apply(iy, block, &mut work.sweep);
                 },
-            );
+            ));
         }
-        self.transform.inverse(&mut work.surface, opening, &mut work.scratch);
+        self.waves.inverse(&mut work.surface, opening, &mut work.scratch);
         if let (Some(far_field), Some(far_work)) = (&self.far_field, &mut work.far_field) {
-            far_field.evaluate(self.arch, strain, far_work);
+            far_field.evaluate(strain, far_work);
         }
         Ok(())
     }
@@ -199,38 +186,33 @@ impl HalfSpace {
         stop: &mut Stop<'_>,
     ) -> Result<(), Stopped> {
         let n_fields = self.layers.len() * COMPONENTS;
-        let mx = self.transform.mx;
-        self.transform.forward(pressure, &mut work.surface, &mut work.scratch);
-        let deviator = stress.n_components() < COMPONENTS;
-        let blocks = work.stack.chunks_exact_mut(n_fields * mx).zip(work.surface.chunks_exact(mx));
-        for (iy, (block, surface)) in blocks.enumerate() {
+        let row_len = self.waves.row_len();
+        self.waves.forward(pressure, &mut work.surface, &mut work.scratch);
+        let is_deviator = stress.n_components() < COMPONENTS;
+        let surface = work.surface.chunks_exact(row_len);
+        for (iy, (block, surface)) in work.stack.chunks_exact_mut(n_fields * row_len).zip(surface).enumerate()
+        {
             ask(stop)?;
-            self.arch.dispatch(
+            self.arch.dispatch(Wide(
                 #[inline(always)]
                 || {
                     self.pressure_stress.add_stress(iy, surface, block);
-                    if deviator {
-                        subtract_mean(block, mx);
+                    if is_deviator {
+                        subtract_mean(block, row_len);
                     }
                 },
-            );
-            for rows in block.chunks_exact_mut(COMPONENTS * mx) {
-                if deviator {
-                    let (in_plane, rest) = rows.split_at_mut(2 * mx);
-                    self.transform.columns_inverse(in_plane, &mut work.scratch);
-                    self.transform.columns_inverse(&mut rest[mx..], &mut work.scratch);
-                } else {
-                    self.transform.columns_inverse(rows, &mut work.scratch);
-                }
+            ));
+            for rows in block.chunks_exact_mut(COMPONENTS * row_len) {
+                self.waves.layer_inverse(rows, is_deviator, &mut work.scratch);
             }
         }
         let rows = stress.rows();
         for layer in 0..self.layers.len() {
             ask(stop)?;
             for (component, row) in rows.iter().enumerate() {
-                let index = layer * COMPONENTS + row;
-                let field = stress.component_mut(layer, component);
-                self.transform.rows_inverse(&work.stack, n_fields, index, field, &mut work.scratch);
+                let (field, place) =
+                    (stress.component_mut(layer, component), (n_fields, layer * COMPONENTS + row));
+                self.waves.rows_inverse(&work.stack, place, PARITIES[*row], field, &mut work.scratch);
             }
         }
         if let (Some(far_field), Some(far_work)) = (&self.far_field, &mut work.far_field)
@@ -242,22 +224,26 @@ impl HalfSpace {
     }
 
     /// Bytes of the operators and of one work space.
-    pub fn bytes(grid: &SurfaceGrid, n_layers: usize) -> usize {
-        let [mx, my] = [grid.nx(), grid.ny()].map(|n| fast_length(2 * n));
-        let (n_rows, half) = (my / 2 + 1, mx / 2 + 1);
-        let kernels = n_rows * half * n_layers * (COMPONENTS + 5) * size_of::<f64>();
-        let stack = n_rows * mx * n_layers * COMPONENTS * size_of::<Complex64>();
-        kernels + stack
+    pub fn bytes(grid: &SurfaceGrid, n_layers: usize, is_symmetric: bool) -> usize {
+        let cells = [grid.nx(), grid.ny()];
+        let [half, n_rows] = cells.map(|n| fast_length(2 * n) / 2 + 1);
+        let kernels = n_rows * half * n_layers * (COMPONENTS + 5);
+        let stack = Waves::padded_stack_len(cells, n_layers * COMPONENTS, is_symmetric && is_even(cells));
+        (kernels + stack) * size_of::<f64>()
     }
+}
+
+fn is_even(cells: [usize; 2]) -> bool {
+    cells.iter().all(|n| n.is_multiple_of(2))
 }
 
 /// Deviators of the normal stresses xx and yy in place of them.
 #[inline(always)]
-fn subtract_mean(block: &mut [Complex64], mx: usize) {
-    for rows in block.chunks_exact_mut(COMPONENTS * mx) {
-        let (xx, rest) = rows.split_at_mut(mx);
-        let (yy, rest) = rest.split_at_mut(mx);
-        for ((xx, yy), zz) in xx.iter_mut().zip(yy).zip(&rest[..mx]) {
+fn subtract_mean(block: &mut [f64], row_len: usize) {
+    for rows in block.chunks_exact_mut(COMPONENTS * row_len) {
+        let (xx, rest) = rows.split_at_mut(row_len);
+        let (yy, rest) = rest.split_at_mut(row_len);
+        for ((xx, yy), zz) in xx.iter_mut().zip(yy).zip(&rest[..row_len]) {
             let mean = (*xx + *yy + *zz) * (1.0 / 3.0);
             *xx -= mean;
             *yy -= mean;

@@ -23,6 +23,7 @@ mod stop;
 mod surface;
 mod tensors;
 mod transform;
+mod waves;
 
 pub use body::{PlasticLaw, YieldingBody};
 pub use elasticity::{Elasticity, ElasticityError};

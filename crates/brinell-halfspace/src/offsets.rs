@@ -4,17 +4,7 @@ use realfft::num_complex::Complex64;
 
 use crate::SurfaceGrid;
 use crate::transform::{Scratch, Transform};
-
-/// Whether a kernel keeps or changes its sign with an offset along x and along y.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Parity {
-    /// In both offsets.
-    Even,
-    /// In both offsets.
-    Odd,
-    OddInX,
-    OddInY,
-}
+use crate::waves::Parity;
 
 /// The offsets between two cells of a grid, with what it takes to transform a kernel over them.
 pub(crate) struct Offsets {
@@ -30,7 +20,7 @@ impl Offsets {
     pub fn new(transform: &Transform, grid: &SurfaceGrid) -> Self {
         let (mx, my) = (transform.mx, transform.my);
         let whole = Transform::new(mx, my, mx, my);
-        let (scratch, len) = (whole.scratch(), whole.stack_len(1));
+        let (scratch, len) = (whole.scratch(), whole.spectrum_len());
         Self { grid: *grid, whole, scratch, field: vec![0.0; mx * my], spectrum: vec![Complex64::ZERO; len] }
     }
 
@@ -66,8 +56,8 @@ impl Offsets {
     /// odd in both offsets; elsewhere it is imaginary, and its imaginary part is returned. Rows of q_y.
     pub fn spectrum(&mut self, parity: Parity, kernel: &[f64]) -> impl Iterator<Item = &[f64]> + use<'_> {
         let (nx, ny, mx, my) = (self.grid.nx(), self.grid.ny(), self.whole.mx, self.whole.my);
-        let sign_x = if matches!(parity, Parity::Odd | Parity::OddInX) { -1.0 } else { 1.0 };
-        let sign_y = if matches!(parity, Parity::Odd | Parity::OddInY) { -1.0 } else { 1.0 };
+        let sign_x = if parity.is_odd_in_x() { -1.0 } else { 1.0 };
+        let sign_y = if parity.is_odd_in_y() { -1.0 } else { 1.0 };
         self.field.fill(0.0);
         for i in 0..nx {
             for (j, value) in kernel[i * ny..][..ny].iter().enumerate() {
@@ -79,9 +69,8 @@ impl Offsets {
             }
         }
         self.whole.forward(&self.field, &mut self.spectrum, &mut self.scratch);
-        let real = sign_x * sign_y > 0.0;
         for (to, from) in self.field.iter_mut().zip(&self.spectrum) {
-            *to = if real { from.re } else { from.im };
+            *to = if parity.is_imaginary() { from.im } else { from.re };
         }
         let half = mx / 2 + 1;
         self.field.chunks_exact(mx).take(my / 2 + 1).map(move |row| &row[..half])

@@ -29,17 +29,12 @@
 
 use std::f64::consts::PI;
 
-use realfft::num_complex::Complex64;
-
-use crate::offsets::{Offsets, Parity};
+use crate::offsets::Offsets;
 use crate::stop::{Stop, Stopped, ask};
 use crate::tensors::{COMPONENTS, WEIGHTS};
 use crate::transform::Transform;
+use crate::waves::{PARITIES, WIDTH};
 use crate::{Layers, SurfaceGrid};
-
-/// How each component behaves where an offset changes its sign.
-const PARITIES: [Parity; COMPONENTS] =
-    [Parity::Even, Parity::Even, Parity::Even, Parity::Odd, Parity::OddInX, Parity::OddInY];
 
 /// Spectra of the stresses of a cell under unit pressure.
 pub(crate) struct PressureStress {
@@ -89,28 +84,16 @@ impl PressureStress {
 
     /// `σ̂ += Ŝ p̂` for one wave number q_y.
     #[inline(always)]
-    pub fn add_stress(&self, iy: usize, pressure: &[Complex64], block: &mut [Complex64]) {
-        let (mx, half) = (pressure.len(), self.half);
-        let kernels = self.block(iy).chunks_exact(half);
-        for ((n, row), kernel) in block.chunks_exact_mut(mx).enumerate().zip(kernels) {
-            let (positive, negative) = row.split_at_mut(half);
-            let (p, p_negative) = pressure.split_at(half);
-            let mirrored = kernel[1..].iter().rev().skip(kernel.len() - 1 - negative.len());
+    pub fn add_stress(&self, iy: usize, pressure: &[f64], block: &mut [f64]) {
+        let filled = self.half.next_multiple_of(WIDTH);
+        let rows = block.chunks_exact_mut(pressure.len()).zip(self.block(iy).chunks_exact(self.half));
+        for (n, (row, kernel)) in rows.enumerate() {
             let parity = PARITIES[n % COMPONENTS];
-            let flip = if matches!(parity, Parity::Odd | Parity::OddInX) { -1.0 } else { 1.0 };
-            if matches!(parity, Parity::Even | Parity::Odd) {
-                for ((s, p), k) in positive.iter_mut().zip(p).zip(kernel) {
-                    *s += *p * *k;
-                }
-                for ((s, p), k) in negative.iter_mut().zip(p_negative).zip(mirrored) {
-                    *s += *p * (flip * *k);
-                }
-            } else {
-                for ((s, p), k) in positive.iter_mut().zip(p).zip(kernel) {
-                    *s += Complex64::new(-p.im * *k, p.re * *k);
-                }
-                for ((s, p), k) in negative.iter_mut().zip(p_negative).zip(mirrored) {
-                    *s += Complex64::new(-p.im * flip * *k, p.re * flip * *k);
+            let planes = row.chunks_exact_mut(filled).zip(pressure.chunks_exact(filled));
+            for (plane, (stress, pressure)) in planes.enumerate() {
+                let sign = parity.sign_in(plane);
+                for ((s, p), k) in stress.iter_mut().zip(pressure).zip(kernel) {
+                    *s += sign * p * k;
                 }
             }
         }
@@ -118,31 +101,18 @@ impl PressureStress {
 
     /// `û_p = Σ_l h_l Σ_k W_k conj(Ŝ) ε̂` for one wave number q_y.
     #[inline(always)]
-    pub fn opening(&self, iy: usize, strain: &[Complex64], layers: &Layers, opening: &mut [Complex64]) {
-        let (mx, half) = (opening.len(), self.half);
-        opening.fill(Complex64::ZERO);
-        let kernels = self.block(iy).chunks_exact(half);
-        for ((n, row), kernel) in strain.chunks_exact(mx).enumerate().zip(kernels) {
+    pub fn opening(&self, iy: usize, strain: &[f64], layers: &Layers, opening: &mut [f64]) {
+        let filled = self.half.next_multiple_of(WIDTH);
+        opening.fill(0.0);
+        let rows = strain.chunks_exact(opening.len()).zip(self.block(iy).chunks_exact(self.half));
+        for (n, (row, kernel)) in rows.enumerate() {
             let (layer, component) = (n / COMPONENTS, n % COMPONENTS);
             let weight = layers.thickness(layer) * WEIGHTS[component];
-            let (positive, negative) = opening.split_at_mut(half);
-            let (e, e_negative) = row.split_at(half);
-            let mirrored = kernel[1..].iter().rev().skip(kernel.len() - 1 - negative.len());
-            let parity = PARITIES[component];
-            let flip = if matches!(parity, Parity::Odd | Parity::OddInX) { -weight } else { weight };
-            if matches!(parity, Parity::Even | Parity::Odd) {
-                for ((u, e), k) in positive.iter_mut().zip(e).zip(kernel) {
-                    *u += *e * (weight * *k);
-                }
-                for ((u, e), k) in negative.iter_mut().zip(e_negative).zip(mirrored) {
-                    *u += *e * (flip * *k);
-                }
-            } else {
-                for ((u, e), k) in positive.iter_mut().zip(e).zip(kernel) {
-                    *u += Complex64::new(e.im * weight * *k, -e.re * weight * *k);
-                }
-                for ((u, e), k) in negative.iter_mut().zip(e_negative).zip(mirrored) {
-                    *u += Complex64::new(e.im * flip * *k, -e.re * flip * *k);
+            let planes = opening.chunks_exact_mut(filled).zip(row.chunks_exact(filled));
+            for (plane, (opening, strain)) in planes.enumerate() {
+                let factor = weight * PARITIES[component].sign_in(plane);
+                for ((u, e), k) in opening.iter_mut().zip(strain).zip(kernel) {
+                    *u += factor * e * k;
                 }
             }
         }

@@ -25,8 +25,9 @@ use brinell_contact::Flexibility;
 use realfft::num_complex::Complex64;
 
 use crate::SurfaceGrid;
-use crate::offsets::{Offsets, Parity};
+use crate::offsets::Offsets;
 use crate::transform::{Scratch, Transform, fast_length};
+use crate::waves::Parity;
 
 /// The flexibility of two half-spaces on a surface grid. Holds plans, kernel and work space.
 pub struct SurfaceFlexibility {
@@ -68,7 +69,7 @@ impl SurfaceFlexibility {
             })
             .collect();
         let work = Work {
-            spectrum: vec![Complex64::ZERO; padded.stack_len(1)],
+            spectrum: vec![Complex64::ZERO; padded.spectrum_len()],
             padded: padded.scratch(),
             periodic: periodic.scratch(),
         };
@@ -109,7 +110,7 @@ impl Flexibility for SurfaceFlexibility {
 
     fn precondition(&self, displacement: &[f64], force: &mut [f64]) {
         let work = &mut *self.work.borrow_mut();
-        let spectrum = &mut work.spectrum[..self.periodic.stack_len(1)];
+        let spectrum = &mut work.spectrum[..self.periodic.spectrum_len()];
         self.periodic.forward(displacement, spectrum, &mut work.periodic);
         multiply(&self.periodic, &self.stiffness, spectrum);
         self.periodic.inverse(spectrum, force, &mut work.periodic);

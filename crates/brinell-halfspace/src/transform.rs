@@ -1,9 +1,7 @@
 //! Fourier transforms of fields on a surface grid, padded with zeros.
 //!
-//! A field of `nx × ny` reals becomes `mx × (my/2 + 1)` complex numbers. Rows along y are transformed first, and only those that
-//! hold a number other than zero; then columns along x. A *stack* holds the spectra of several fields, wave number along
-//! y outermost: `stack[((iy n_fields) + field) mx + ix]`. All fields of one wave number q_y are thus one contiguous *block*,
-//! which a recursion over layers finds in the cache.
+//! A field of `nx × ny` reals becomes `mx × (my/2 + 1)` complex numbers, wave number along y outermost. Rows along y are
+//! transformed first, and only those that hold a number other than zero; then columns along x.
 //!
 //! Nothing is scaled on the way in; on the way out by `1/(mx my)`.
 
@@ -77,9 +75,9 @@ impl Transform {
         self.my / 2 + 1
     }
 
-    /// Numbers of a stack of `n_fields`.
-    pub const fn stack_len(&self, n_fields: usize) -> usize {
-        self.n_rows() * n_fields * self.mx
+    /// Numbers of a spectrum.
+    pub const fn spectrum_len(&self) -> usize {
+        self.n_rows() * self.mx
     }
 
     pub fn scratch(&self) -> Scratch {
@@ -94,74 +92,40 @@ impl Transform {
         }
     }
 
-    /// Rows along y of a field into the first `nx` numbers of each row of the stack; the rest of a row becomes zero.
-    /// Whether the field holds a number other than zero.
-    pub fn rows_forward(
-        &self,
-        field: &[f64],
-        stack: &mut [Complex64],
-        n_fields: usize,
-        index: usize,
-        scratch: &mut Scratch,
-    ) -> bool {
+    /// Spectra along y of the `nx` rows of a field.
+    pub fn rows_forward<'a>(&self, field: &[f64], scratch: &'a mut Scratch) -> &'a [Complex64] {
         let n_rows = self.n_rows();
-        let mut any = false;
         for (values, row) in field.chunks_exact(self.ny).zip(scratch.rows.chunks_exact_mut(n_rows)) {
             if values.iter().all(|value| *value == 0.0) {
                 row.fill(Complex64::ZERO);
                 continue;
             }
-            any = true;
             scratch.row[..self.ny].copy_from_slice(values);
             scratch.row[self.ny..].fill(0.0);
             let done = self.forward_y.process_with_scratch(&mut scratch.row, row, &mut scratch.y);
             debug_assert!(done.is_ok(), "the plan's own lengths");
         }
-        let rows = &scratch.rows;
-        for (iy, block) in stack.chunks_exact_mut(n_fields * self.mx).enumerate() {
-            let (head, tail) = block[index * self.mx..][..self.mx].split_at_mut(self.nx);
-            if any {
-                for (to, row) in head.iter_mut().zip(rows.chunks_exact(n_rows)) {
-                    *to = row[iy];
-                }
-            } else {
-                head.fill(Complex64::ZERO);
-            }
-            tail.fill(Complex64::ZERO);
-        }
-        any
+        &scratch.rows
     }
 
-    /// Columns along x of whole rows of a stack, in place.
+    /// Columns along x of whole rows, in place.
     pub fn columns_forward(&self, rows: &mut [Complex64], scratch: &mut Scratch) {
         self.forward_x.process_with_scratch(rows, &mut scratch.x);
     }
 
-    /// Columns along x of whole rows of a stack, back, in place.
+    /// Columns along x of whole rows, back, in place.
     pub fn columns_inverse(&self, rows: &mut [Complex64], scratch: &mut Scratch) {
         self.inverse_x.process_with_scratch(rows, &mut scratch.x);
     }
 
-    /// Rows along y back into a field, from a stack whose columns are back.
-    pub fn rows_inverse(
-        &self,
-        stack: &[Complex64],
-        n_fields: usize,
-        index: usize,
-        field: &mut [f64],
-        scratch: &mut Scratch,
-    ) {
-        let n_rows = self.n_rows();
-        for (iy, block) in stack.chunks_exact(n_fields * self.mx).enumerate() {
-            let from = &block[index * self.mx..][..self.nx];
-            // The spectrum of a real row is real where its wave number is its own negative.
-            let own_negative = iy == 0 || 2 * iy == self.my;
-            for (row, value) in scratch.rows.chunks_exact_mut(n_rows).zip(from) {
-                row[iy] = if own_negative { Complex64::new(value.re, 0.0) } else { *value };
-            }
-        }
+    /// The field whose spectra along y are in [`rows_mut`](Scratch::rows_mut).
+    pub fn rows_inverse(&self, field: &mut [f64], scratch: &mut Scratch) {
         let scale = 1.0 / (self.mx * self.my) as f64;
-        for (values, row) in field.chunks_exact_mut(self.ny).zip(scratch.rows.chunks_exact_mut(n_rows)) {
+        let rows = scratch.rows.chunks_exact_mut(self.n_rows());
+        for (values, row) in field.chunks_exact_mut(self.ny).zip(rows) {
+            // The spectrum of a real row is real where its wave number is its own negative.
+            row[0].im = 0.0;
+            row[self.my / 2].im = 0.0;
             let done = self.inverse_y.process_with_scratch(row, &mut scratch.row, &mut scratch.y);
             debug_assert!(done.is_ok(), "the plan's own lengths, real ends");
             for (value, from) in values.iter_mut().zip(&scratch.row) {
@@ -170,15 +134,34 @@ impl Transform {
         }
     }
 
-    /// One field into a stack of one.
+    /// A field into its spectrum.
     pub fn forward(&self, field: &[f64], spectrum: &mut [Complex64], scratch: &mut Scratch) {
-        self.rows_forward(field, spectrum, 1, 0, scratch);
+        let (rows, n_rows) = (self.rows_forward(field, scratch), self.n_rows());
+        for (iy, line) in spectrum.chunks_exact_mut(self.mx).enumerate() {
+            for (to, row) in line.iter_mut().zip(rows.chunks_exact(n_rows)) {
+                *to = row[iy];
+            }
+            line[self.nx..].fill(Complex64::ZERO);
+        }
         self.columns_forward(spectrum, scratch);
     }
 
-    /// A stack of one back into a field.
+    /// The reverse; uses up the spectrum.
     pub fn inverse(&self, spectrum: &mut [Complex64], field: &mut [f64], scratch: &mut Scratch) {
         self.columns_inverse(spectrum, scratch);
-        self.rows_inverse(spectrum, 1, 0, field, scratch);
+        let n_rows = self.n_rows();
+        for (iy, line) in spectrum.chunks_exact(self.mx).enumerate() {
+            for (row, value) in scratch.rows.chunks_exact_mut(n_rows).zip(line) {
+                row[iy] = *value;
+            }
+        }
+        self.rows_inverse(field, scratch);
+    }
+}
+
+impl Scratch {
+    /// Spectra along y of the rows of a field.
+    pub fn rows_mut(&mut self) -> &mut [Complex64] {
+        &mut self.rows
     }
 }

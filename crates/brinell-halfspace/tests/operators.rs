@@ -19,7 +19,7 @@ fn body(grid: SurfaceGrid, faces: &[f64], young: f64, images: bool) -> HalfSpace
     let layers = Layers::new(faces.to_vec()).unwrap();
     let elastic = Elasticity::new(young, 0.3).unwrap();
     let build = if images { HalfSpace::new } else { HalfSpace::periodic };
-    build(grid, layers, elastic, &mut never).unwrap()
+    build(grid, layers, elastic, false, &mut never).unwrap()
 }
 
 /// Numbers between -1 and 1 that a seed determines.
@@ -114,6 +114,49 @@ proptest! {
         let left: f64 = opening.iter().zip(&pressure).map(|(u, p)| u * p).sum::<f64>() * grid.cell_area();
         let right = work_of(&body, &stress, &strain);
         prop_assert!((left - right).abs() < 1e-13 * size(&body, &stress) * size(&body, &strain));
+    }
+}
+
+/// A strain that is symmetric about both axes, from the numbers of its quarter.
+fn symmetric_strain(body: &HalfSpace, seed: u64) -> TensorField {
+    let mut strain = random_strain(body, seed);
+    let (nx, ny) = (body.grid().nx(), body.grid().ny());
+    for layer in 0..strain.n_layers() {
+        for k in 0..COMPONENTS {
+            let (in_x, in_y) =
+                (if [3, 4].contains(&k) { -1.0 } else { 1.0 }, if [3, 5].contains(&k) { -1.0 } else { 1.0 });
+            let field = strain.component_mut(layer, k);
+            for i in 0..nx {
+                for j in 0..ny {
+                    let sign = if 2 * i < nx { in_x } else { 1.0 } * if 2 * j < ny { in_y } else { 1.0 };
+                    field[i * ny + j] = sign * field[i.max(nx - 1 - i) * ny + j.max(ny - 1 - j)];
+                }
+            }
+        }
+    }
+    strain
+}
+
+/// On even and on odd numbers of wave vectors of a quarter, and with padding beyond twice the grid.
+#[test]
+fn a_quarter_of_the_wave_vectors_is_enough_for_a_symmetric_state() {
+    for (nx, ny, images) in [(6, 8, true), (10, 18, false), (14, 22, true), (34, 40, true)] {
+        let grid = SurfaceGrid::new(nx, ny, 0.7, 0.4).unwrap();
+        let layers = Layers::new(vec![0.0, 0.3, 0.8, 1.1]).unwrap();
+        let elastic = Elasticity::new(2.0, 0.3).unwrap();
+        let build = if images { HalfSpace::new } else { HalfSpace::periodic };
+        let [whole, quarter] = [false, true]
+            .map(|is_symmetric| build(grid, layers.clone(), elastic, is_symmetric, &mut never).unwrap());
+        let strain = symmetric_strain(&whole, 3);
+        let pressure = strain.component(0, 0).to_vec();
+        let (opening, stress) = response(&whole, &strain, &pressure);
+        let (opening_of_quarter, stress_of_quarter) = response(&quarter, &strain, &pressure);
+        for (a, b) in opening.iter().zip(&opening_of_quarter) {
+            assert!((a - b).abs() < 1e-13, "{nx} × {ny}: {a} {b}");
+        }
+        for (a, b) in stress.values().iter().zip(stress_of_quarter.values()) {
+            assert!((a - b).abs() < 1e-13, "{nx} × {ny}: {a} {b}");
+        }
     }
 }
 
@@ -424,7 +467,7 @@ fn work_ends_when_it_is_asked_to() {
     let faces = [0.0, 0.3, 0.8, 1.1];
     let layers = Layers::new(faces.to_vec()).unwrap();
     let elastic = Elasticity::new(2.0, 0.3).unwrap();
-    assert!(HalfSpace::new(grid, layers, elastic, &mut || true).is_err());
+    assert!(HalfSpace::new(grid, layers, elastic, false, &mut || true).is_err());
     let body = body(grid, &faces, 2.0, true);
     let strain = random_strain(&body, 4);
     let (mut work, mut opening) = (body.work_for_tensors(), vec![0.0; 48]);

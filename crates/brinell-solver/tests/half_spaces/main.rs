@@ -324,7 +324,7 @@ fn a_ball_under_flow_theory_and_unloaded() {
     // Below the ring of the largest pressure.
     let column = unloaded.bodies[1].as_ref().unwrap().column([0.0755, 0.0]);
     let least = column.iter().min_by(|a, b| a.stress[0].total_cmp(&b.stress[0])).unwrap();
-    near(least.stress[0], -215.0, 3e-2, "residual stress");
+    near(least.stress[0], -215.0, 2e-2, "residual stress");
     near(least.depth, 0.097, 0.1, "its depth");
     near(pressure_in_the_middle(&loaded), 1117.0, 1e-2, "pressure in the middle");
     assert!((1..=2).contains(&unloaded.history.len()));

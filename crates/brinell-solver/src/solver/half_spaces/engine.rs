@@ -279,10 +279,12 @@ impl HalfSpaceEngine<'_> {
         let problem = self.problem;
         run.hold(Held::Bodies, bytes(problem, &grid, &layers))?;
         let initial_gap = problem.gap(&grid);
+        let is_symmetric = is_symmetric(problem, &grid, &layers, &initial_gap);
         let are_equal = problem.materials[0].is_some() && problem.materials[0] == problem.materials[1];
         let mut bodies = Vec::new();
         let mut body = |material: &Option<Deformable>, count: u8| {
             let material = material.as_ref();
+            let count = (count, is_symmetric);
             let built =
                 material.map(|material| self.body(material, &grid, &layers, (count, run), &mut bodies));
             built.transpose()
@@ -319,7 +321,7 @@ impl HalfSpaceEngine<'_> {
         material: &Deformable,
         grid: &SurfaceGrid,
         layers: &Layers,
-        (count, run): (u8, &mut Run<'_>),
+        ((count, is_symmetric), run): ((u8, bool), &mut Run<'_>),
         bodies: &mut Vec<YieldingBody>,
     ) -> Result<ElasticBody, SolveError> {
         let constants = material.elastic();
@@ -327,7 +329,9 @@ impl HalfSpaceEngine<'_> {
         let initial = initial_stress(material, self.problem.orientation(), layers);
         let law = law_of_cells(material, self.theory, layers, grid.n_cells());
         let build = if law.is_some() { HalfSpace::new } else { HalfSpace::periodic };
-        let space = watched(run, Phase::Flexibility, |stop| build(*grid, layers.clone(), constants, stop))?;
+        let space = watched(run, Phase::Flexibility, |stop| {
+            build(*grid, layers.clone(), constants, is_symmetric, stop)
+        })?;
         let space = Arc::new(space);
         let Some(law) = law else {
             return Ok(ElasticBody { space, initial, yielding: None });
@@ -337,6 +341,23 @@ impl HalfSpaceEngine<'_> {
         bodies.push(YieldingBody::new(Arc::clone(&space), law, count, deviators, begins_there));
         Ok(ElasticBody { space, initial, yielding: Some(bodies.len() - 1) })
     }
+}
+
+/// Whether gap and initial stress are symmetric about both axes of the fields, to the last digit.
+pub(super) fn is_symmetric(
+    problem: &HalfSpaceProblem,
+    grid: &SurfaceGrid,
+    layers: &Layers,
+    gap: &[f64],
+) -> bool {
+    let mut rows = gap.chunks_exact(grid.ny());
+    let mirrored = gap.chunks_exact(grid.ny()).rev();
+    let is_even = rows.clone().zip(mirrored).all(|(row, mirror)| row == mirror)
+        && rows.all(|row| row.iter().eq(row.iter().rev()));
+    is_even
+        && problem.materials.iter().flatten().all(|material| {
+            initial_stress(material, problem.orientation(), layers).iter().all(|[_, _, xy]| xy.abs() <= 0.0)
+        })
 }
 
 /// `xx yy xy` of each layer before any load, in axes turned by an angle.

@@ -2,7 +2,7 @@
 
 use brinell_halfspace::{DEVIATOR_COMPONENTS, HalfSpace, Layers, SurfaceGrid};
 
-use super::engine::GridDesign;
+use super::engine::{GridDesign, is_symmetric};
 use super::problem::{Expected, HalfSpaceProblem};
 use crate::contact::ContactLoad;
 use crate::solver::SolveError;
@@ -61,7 +61,8 @@ fn of_loads(problem: &HalfSpaceProblem) -> Vec<Expected> {
 /// Bytes that a solve on a grid holds.
 pub(super) fn bytes(problem: &HalfSpaceProblem, grid: &SurfaceGrid, layers: &Layers) -> usize {
     let field = layers.len() * grid.n_cells() * DEVIATOR_COMPONENTS * size_of::<f64>();
-    let operators = HalfSpace::bytes(grid, layers.len());
+    let is_symmetric = is_symmetric(problem, grid, layers, &problem.gap(grid));
+    let operators = HalfSpace::bytes(grid, layers.len(), is_symmetric);
     let are_equal = problem.materials[0] == problem.materials[1];
     let bodies = if are_equal { 1 } else { problem.materials.iter().flatten().count() };
     let yielding =
