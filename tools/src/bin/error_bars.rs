@@ -152,12 +152,12 @@ fn main() {
             continue;
         };
         solved += 1;
-        let mut follows_unknown_peak = false;
+        let mut unknown_peaks_before = 0;
         for (mut step, exact) in found.into_iter().zip(&exact) {
             steps += 1;
-            step.follows_unknown_peak = follows_unknown_peak;
+            step.unknown_peaks_before = unknown_peaks_before;
             let bars = bars(&parsed, &step);
-            follows_unknown_peak |= !step.increments.is_empty() && bars[0].is_none();
+            unknown_peaks_before += usize::from(!step.increments.is_empty() && bars[0].is_none());
             let [found, exact] = [&step, exact].map(|step| step.figures().values());
             // Bodies alike are counted once.
             let is_shared =

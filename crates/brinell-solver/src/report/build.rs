@@ -30,8 +30,8 @@ pub(super) struct ReportBuilder<'a> {
     differences: LoadDifferences<'a>,
     /// Whether they are a history and not a curve.
     is_history: bool,
-    /// Whether the mesh did not tell the largest pressure of a load of the history.
-    is_peak_unknown: bool,
+    /// Loads of the history whose largest pressure the mesh did not tell.
+    unknown_peaks: usize,
     target: TargetSeen,
     /// The mesh of the last step.
     mesh: MeshReport,
@@ -49,7 +49,7 @@ impl<'a> ReportBuilder<'a> {
             curve: Vec::new(),
             differences: LoadDifferences::new(job, options),
             is_history: false,
-            is_peak_unknown: false,
+            unknown_peaks: 0,
             target: TargetSeen::default(),
             mesh: MeshReport::NONE,
             time: Duration::ZERO,
@@ -65,7 +65,7 @@ impl<'a> ReportBuilder<'a> {
     /// The report of the next step. The observer can stop it, which makes the step one that was stopped.
     pub(super) fn step(&mut self, mut step: StepSolution, observer: &mut dyn Observer) -> StepReport {
         let start = observer.elapsed();
-        step.follows_unknown_peak = self.is_peak_unknown;
+        step.unknown_peaks_before = self.unknown_peaks;
         let slope = self.differences.next(Seen::of(&step), observer);
         let fields = slope.and_then(|slope| {
             step.contact_stiffness = step.contact_stiffness.or(slope);
@@ -80,7 +80,7 @@ impl<'a> ReportBuilder<'a> {
         self.status = worse(self.status, step.status);
         if step.status == SolveStatus::Converged {
             self.is_history |= !step.increments.is_empty();
-            self.is_peak_unknown |= self.is_history && mesh_effects::is_peak_unknown(step);
+            self.unknown_peaks += usize::from(self.is_history && mesh_effects::is_peak_unknown(step));
             let (half_width, stiffness) = (step.half_width(), step.contact_stiffness);
             let end = [step.approach, step.force(), half_width];
             self.curve.extend(load_approach::points(&step.increments, end, step.spacing, stiffness));

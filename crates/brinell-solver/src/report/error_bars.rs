@@ -147,7 +147,7 @@ pub(super) fn under_its_force(job: &Job, step: &StepSolution) -> Option<ErrorEst
     let of_body = |side: usize| {
         let body = step.bodies[side].as_deref()?;
         let [largest, mean, area, dent, pile_up, least_stress, von_mises] = bars.of_body(side);
-        let is_inner_known = is_peak_known && !step.follows_unknown_peak && !strength::is_coarse(body);
+        let is_inner_known = is_peak_known && step.unknown_peaks_before == 0 && !strength::is_coarse(body);
         let inner = |bar: Option<f64>| bar.filter(|_| is_inner_known);
         let BodyFigures { least_stress: least, largest_von_mises: most, .. } = bars.bodies[side];
         let uncertain = UncertainStress::of(step, body);

@@ -128,7 +128,7 @@ fn coarse_mesh(job: &Job, step: &StepSolution, half_width: f64) -> Vec<String> {
             step.peak_position, step.spacing
         ));
     }
-    if step.follows_unknown_peak {
+    if step.unknown_peaks_before > 0 {
         messages.push(
             "The mesh does not tell the largest pressure of an earlier load, nor what it left in the bodies: plastic strain and stress are those \
              of the mesh. Ask for more elements (`mesh.elements_per_half_width`)."

@@ -122,8 +122,8 @@ pub struct StepSolution {
     pub increment_error: Option<CoarseFigures>,
     /// The largest approach and half-width of a history so far \[mm\]; zero without one.
     pub reached: [f64; 2],
-    /// Whether the mesh did not tell the largest pressure under a load before it in a history; what it left in the bodies is unknown as well.
-    pub follows_unknown_peak: bool,
+    /// Loads before it in a history whose largest pressure the mesh did not tell; what they left in the bodies is unknown as well.
+    pub unknown_peaks_before: usize,
     /// Slope of the load-approach curve where the load begins to fall: of bodies with a memory the elastic one, of the pairs
     /// in contact \[N/mm per mm\].
     pub unloading_stiffness: f64,

@@ -275,7 +275,8 @@ mod tests {
             let traction = |[x, y, _, shear]: [f64; 4]| [-0.8 * x + 0.6 * shear, -0.8 * shear + 0.6 * y];
             let [was, is] = [traction(stress), traction(moved)];
             assert!((was[0] - is[0]).abs() < 1e-9 && (was[1] - is[1]).abs() < 1e-9, "{was:?} {is:?}");
-            assert_eq!(within(1e4, stress, least), stress);
+            let kept = within(1e4, stress, least);
+            assert!(kept.iter().zip(stress).all(|(kept, stress)| (kept - stress).abs() < 1e-12 * 900.0));
         }
     }
 

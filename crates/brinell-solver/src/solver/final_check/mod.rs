@@ -281,7 +281,7 @@ fn step(
         increments: Vec::new(),
         increment_error: None,
         reached: [0.0; 2],
-        follows_unknown_peak: false,
+        unknown_peaks_before: 0,
         unloading_stiffness: 0.0,
         energy: energy(system, outcome, bodies),
     }
