@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::mesh_effects::{peak_is_next_to_end, peak_is_unbounded};
 use super::units::{UnitConverter, rounded};
 use crate::contact::ContactLoad;
-use crate::job::{Job, Load, Units};
+use crate::job::{Job, Load, Shape, Units};
 use crate::solver::{EDGE_UTILIZATION, Problem, StepSolution, at_narrow_edge, highest_utilization};
 
 /// The onset of yield, found numerically for the job's own shapes.
@@ -70,8 +70,10 @@ pub(super) fn why_unknown(job: &Job, step: &StepSolution) -> Option<String> {
             job.analysis.force().symbol(Units::MmNMpa),
         ));
     }
+    // Elements that resolve the edge of a punch find the peak on it.
+    let is_punch = [&job.upper, &job.lower].iter().any(|body| matches!(body.shape, Shape::Punch(_)));
     let can_yield = || Problem::of(job).bodies.iter().any(|body| body.yield_stress().is_some());
-    if peak_is_next_to_end(step) && can_yield() {
+    if !is_punch && peak_is_next_to_end(step) && can_yield() {
         return Some(format!(
             "{unknown}. The largest pressure is at x = {} mm, next to an end of the contact, where it rises within elements of {:.2e} \
              mm: finer ones find more of it, and yield under a smaller force.",
