@@ -191,7 +191,10 @@ fn surface_stress(step: &StepSolution) -> Option<String> {
 
 /// What is said of an approach that a history leaves and that is smaller than its error.
 fn approach_left(job: &Job, step: &StepSolution) -> Option<String> {
-    let bar = error_bars::estimate(job, step).filter(|_| step.patch.is_none())?.approach?;
+    if step.patch.is_some() {
+        return None;
+    }
+    let bar = error_bars::estimate(job, step)?.approach?;
     (bar > 1.0).then(|| {
         format!(
             "The approach that is left is smaller than its error of {} mm: it may as well be none, or of the other sign.",
